@@ -7,7 +7,7 @@ use robovac_core::{
     geometry::difference,
     math::PI,
     rng::{normal, seeded},
-    robot::{LightBumper, LightLaw, RobotModel, SensorSuite},
+    robot::{LightBumper, LightLaw, OdometryModel, RobotModel, SensorSuite},
 };
 use robovac_link::{
     connection::{Calibration, LineRecording, PressedButton, Request},
@@ -132,16 +132,16 @@ fn a_twin_has_the_figures_of_its_robot_and_predicts_it_better_than_the_model() {
             ("Light bumper, offset", 1000.0 * light.law.offset_m, 0.4),
         ] {
             let (value, deviation) = figure(&fit, name);
-            println!("{seed} {name}: {value} ± {deviation}, {truth}");
+            println!("{seed} {name}: {value} ± {deviation}, in truth {truth:.3}");
             let off = (value - truth).abs();
             assert!(off < share * truth, "{seed} {name}: {value}, not {truth}");
             assert!(off < (3.0 * deviation).max(0.01 * truth), "{seed} {name}: {value} ± {deviation}, not {truth}");
         }
         assert_eq!((fit.file().light_noise, fit.file().quantised), (Some(NoiseLevel::Typical), Some(false)), "{seed}");
-        let predictions = fit.check(odd.recorded(seed + 10, 2.4)).unwrap();
+        let predictions = fit.check(odd.recorded(seed + 10, 3.4)).unwrap();
         assert_eq!(predictions.len(), 4);
-        for Prediction { what, twin, model, .. } in predictions {
-            println!("{seed} {what}: {twin} {model}");
+        for Prediction { what, twin, model, how, .. } in predictions {
+            println!("{seed} {what}: {twin:.2}, the model {model:.2}. {how}");
             assert!(twin < model, "{seed} {what}: {twin}, the model {model}");
         }
     }
@@ -157,7 +157,6 @@ fn turns_tell_slip() {
         roll(&mut wire, -200, 200);
         wire.pass(9.4 * PI * odd.robot.wheel_base / 0.2);
         let fit = TwinFit::of(LineRecording::parse(&wire.link.recording()).unwrap()).unwrap();
-        println!("{level:?} {:?}", fit.file().figures[6]);
         assert_eq!(fit.file().slip, Some(level));
     }
 }
@@ -167,6 +166,7 @@ fn wheels_that_keep_only_some_speeds_are_noticed() {
     let mut odd = Odd::new(1.0, 1.0, 1.8, LightLaw::CREATE_3);
     odd.conditions.quantised = true;
     let mut wire = odd.wire(1);
+    wire.ask(Request::Odometry { model: OdometryModel::PacketArc });
     for speed in [100, 170, 240, 200, 130] {
         roll(&mut wire, speed, speed);
         wire.pass(1.3);
@@ -176,16 +176,15 @@ fn wheels_that_keep_only_some_speeds_are_noticed() {
     let fit = TwinFit::of(LineRecording::parse(&wire.link.recording()).unwrap()).unwrap();
     let (speed, deviation) = figure(&fit, "Speed for a commanded speed");
     assert!(fit.file().quantised == Some(true) && (speed - 100.0).abs() < 0.3, "{speed} ± {deviation}");
+    // What it believes of its wheels isn't what they are.
+    let count = &fit.file().figures[0];
+    assert!(count.uncertainty.is_none() && count.how.contains("distance packets count on 0.44"), "{count:?}");
 }
 
 #[test]
 fn recordings_that_tell_nothing_are_refused_with_the_cause_and_the_mend() {
     let odd = Odd::new(1.0, 1.0, 1.8, LightLaw::CREATE_3);
-    let refused = |recording: &str| {
-        let error = TwinFit::of(LineRecording::parse(recording).unwrap()).unwrap_err();
-        println!("{error}");
-        error
-    };
+    let refused = |recording: &str| TwinFit::of(LineRecording::parse(recording).unwrap()).unwrap_err();
     let head = "robovac-oi-recording 1\n0.0 ! open\n0.5 > 80\n";
     assert_eq!(refused(head), TwinError::Silent);
     assert_eq!(refused(&format!("{head}0.6 < 01 02 03\n30 < 04 05 06 FF FE\n")), TwinError::Garbled);

@@ -88,7 +88,7 @@ fn mean(values: &[(f64, f64)], common: f64) -> (f64, f64) {
     (values.iter().map(|(value, deviation)| value * weight(*deviation)).sum::<f64>() / sum, sum.powf(-0.5))
 }
 
-/// The variance that values have beyond that of their deviations (DerSimonian & Laird, Meta-analysis in clinical trials,
+/// The variance that values have beyond that of their deviations (`DerSimonian` & Laird, Meta-analysis in clinical trials,
 /// Controlled Clinical Trials 7, 1986).
 fn slip_variance(values: &[(f64, f64)]) -> f64 {
     let (mean, _) = mean(values, 0.0);
