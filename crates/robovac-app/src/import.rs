@@ -4,7 +4,6 @@ use floor_drawing::{DrawingError, drawing_kind};
 use robovac_core::{
     floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile},
     registry::Params,
-    robot::Twin,
 };
 use robovac_sim::{
     Noise, NoiseLevel, SensorKind,
@@ -28,8 +27,8 @@ pub struct Import {
 pub struct ScenarioChoices {
     /// Id of the robot.
     pub robot: Option<String>,
-    /// Figures of one particular robot in place of the model's; without them the robot is the model.
-    pub twin: Option<Twin>,
+    /// Figures of a twin, as in links; without them the robot is the model.
+    pub twin: Option<String>,
     /// Side of the planning cells, m.
     pub cell_size: Option<f64>,
     /// Id of the planner.
@@ -114,7 +113,7 @@ impl ScenarioChoices {
             scenario.clone();
         Self {
             robot,
-            twin,
+            twin: twin.map(|twin| twin.to_string()),
             cell_size,
             planner,
             behaviour,
@@ -136,7 +135,7 @@ impl ScenarioChoices {
         let noisy = noisy.filter(|&(_, level)| level != NoiseLevel::Off);
         Self {
             robot: Some(settings.robot.to_owned()),
-            twin: settings.twin,
+            twin: settings.twin.map(|twin| twin.to_string()),
             cell_size: Some(settings.cell_size),
             planner: algorithm.planner().map(|info| info.id.to_owned()),
             behaviour: algorithm.behaviour().map(|info| info.id.to_owned()),
@@ -160,8 +159,8 @@ impl ScenarioChoices {
         if let Some(id) = &self.robot {
             at("robot", settings.select_robot(id))?;
         }
-        if let Some(twin) = self.twin {
-            at("twin", settings.set_twin(twin))?;
+        if let Some(text) = &self.twin {
+            at("twin", settings.take_link("twin", text))?;
         }
         if let Some(metres) = self.cell_size {
             at("cell_size", settings.set_cell_size(metres))?;
