@@ -7,6 +7,7 @@ import { keepState, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
 import { startLater } from "./explore/later.js";
 import { startLayers } from "./explore/layers.js";
+import { startNumbers } from "./explore/numbers.js";
 import { complain, cover, forgive, isFatal, startMessages, textOf, updateMessage } from "./messages.js";
 import { startObjects } from "./explore/objects.js";
 import { startPanel } from "./explore/panel.js";
@@ -141,7 +142,7 @@ async function start() {
 
   startTabs((next) => void tabs.enter(next));
   const [stage, playbar] = [startStage(app), startPlaybar(app)];
-  const updates = [startPanel(app), playbar.update, startLayers(app), startObjects(app)];
+  const updates = [startPanel(app), playbar.update, startLayers(app), startNumbers(app), startObjects(app)];
   startFiles(app);
   startKeys(app, [stage, playbar]);
   const updateLater = await startLater(app);
