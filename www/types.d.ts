@@ -384,13 +384,6 @@ strokes: number,
 /** Its role. */
 role: Role, };
 
-/** A and d0 of the law. */
-export type LightLaw = {
-/** A: the signal of a white wall times the square of its distance from the light source, m². */
-gain_m2: number,
-/** d0: how far the light source is behind the body's edge, m. */
-offset_m: number, };
-
 /** Request to the transport. */
 export type LineRequest = { "baud": number } | { "brc": boolean };
 
@@ -836,8 +829,8 @@ best: Array<boolean>, };
 export type ScenarioChoices = {
 /** Id of the robot. */
 robot: string | null,
-/** Figures of one particular robot in place of the model's; without them the robot is the model. */
-twin: Twin | null,
+/** Figures of a twin, as in links; without them the robot is the model. */
+twin: string | null,
 /** Side of the planning cells, m. */
 cell_size: number | null,
 /** Id of the planner. */
@@ -1166,19 +1159,6 @@ errors: TransportErrors,
 returns: number,
 /** Another client of the bridge drives: what is sent from here doesn't reach the robot. */
 is_watching: boolean, };
-
-/** Measured figures of one robot; the missing ones are its model's. */
-export type Twin = {
-/** Way of a wheel for one count of its encoder, mm. */
-mm_per_count: number | null,
-/** Distance between the wheels' contact points, mm. */
-wheel_base_mm: number | null,
-/** Speed over the floor divided by the commanded one. */
-speed_factor: number | null,
-/** Acceleration of the wheels, m/s². */
-acceleration_m_s2: number | null,
-/** How the light bumper's signal falls with distance. */
-light: LightLaw | null, };
 
 /** A figure of a twin, for people. */
 export type TwinFigure = {

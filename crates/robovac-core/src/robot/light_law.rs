@@ -14,7 +14,6 @@ pub const MOST_LIGHT: f64 = 4095.0;
 
 /// A and d0 of the law.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct LightLaw {
     /// A: the signal of a white wall times the square of its distance from the light source, m².

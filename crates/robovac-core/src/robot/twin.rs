@@ -17,7 +17,6 @@ const OFFSETS: RangeInclusive<f64> = 0.0..=0.1;
 
 /// Measured figures of one robot; the missing ones are its model's.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(deny_unknown_fields, default)]
 pub struct Twin {
     /// Way of a wheel for one count of its encoder, mm.
