@@ -584,6 +584,8 @@ message_kind: "" | "error" | "notice",
 room: RoomView,
 /** Id of the robot. */
 robot: string,
+/** Figures of a twin, as in links; empty for the model. */
+twin: string,
 /** Id of the planner or behaviour. */
 algorithm: string,
 /** `planner` or `behaviour`. */
@@ -702,6 +704,21 @@ coverage: number,
 overlap: number,
 /** Area swept again by later passes, m²; what is swept three times counts twice. */
 overlap_m2: number, };
+
+/** How far a twin's and its model's predictions are off. */
+export type Prediction = {
+/** What is predicted. */
+what: string,
+/** Unit of the errors. */
+unit: string,
+/** Digits after the point. */
+digits: number,
+/** Error of the twin. */
+twin: number,
+/** Error of the model. */
+model: number,
+/** From what: a sentence. */
+how: string, };
 
 /** Buttons of the robot on the page. */
 export type PressedButton = "clean" | "spot" | "max" | "dock" | "power";
@@ -853,6 +870,8 @@ printed: Array<number | null>, };
 export type ScenarioChoices = {
 /** Id of the robot. */
 robot: string | null,
+/** Figures of a twin, as in links; without them the robot is the model. */
+twin: string | null,
 /** Side of the planning cells, m. */
 cell_size: number | null,
 /** Id of the planner. */
@@ -1181,6 +1200,23 @@ errors: TransportErrors,
 returns: number,
 /** Another client of the bridge drives: what is sent from here doesn't reach the robot. */
 is_watching: boolean, };
+
+/** A figure of a twin, for people. */
+export type TwinFigure = {
+/** What it is. */
+name: string,
+/** Its value; `None` if there is neither a measurement nor a default. */
+value: number | null,
+/** Its standard deviation; `None` for a value that wasn't fitted. */
+uncertainty: number | null,
+/** The model's value; `None` if the model has none. */
+model: number | null,
+/** Unit, empty for none. */
+unit: string,
+/** Digits after the point. */
+digits: number,
+/** A sentence: what it was found from, or why it is the model's. */
+how: string, };
 
 /** A unit in the menu. */
 export type UnitView = {

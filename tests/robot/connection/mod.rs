@@ -8,5 +8,6 @@ mod odometry;
 mod recording;
 mod rides;
 mod safety;
+mod twin;
 mod view;
 mod wire;

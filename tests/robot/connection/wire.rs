@@ -9,7 +9,7 @@ use robovac_core::{
 use robovac_link::{
     connection::{Connection, ConnectionView, Request},
     driver::LineRequest,
-    emulator::{Emulator, personality},
+    emulator::{Emulator, Personality, personality},
 };
 use robovac_sim::{Conditions, RunSetup, World};
 use roomba_oi::{Command, CommandDecoder, Mode};
@@ -63,7 +63,11 @@ pub struct Wire {
 
 impl Wire {
     pub fn new(setup: &RunSetup, personality_id: &str) -> Self {
-        let robot = Emulator::new(setup, personality(personality_id).unwrap());
+        Self::with(setup, personality(personality_id).unwrap())
+    }
+
+    pub fn with(setup: &RunSetup, who: &Personality) -> Self {
+        let robot = Emulator::new(setup, who);
         let mut wire = Self {
             link: Connection::new(),
             robot,
