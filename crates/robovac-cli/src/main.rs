@@ -24,6 +24,7 @@ mod simulate;
 mod source;
 mod sweep;
 mod task;
+mod twin;
 mod virtual_roomba;
 
 use clap::{Parser, Subcommand};
@@ -77,6 +78,7 @@ enum Command {
     Map(map::Arguments),
     Monitor(monitor::Arguments),
     Recording(recording::Arguments),
+    Twin(twin::Arguments),
     VirtualRoomba(virtual_roomba::Arguments),
 }
 
@@ -102,6 +104,7 @@ fn main() -> ExitCode {
         Command::Map(arguments) => map::run(&arguments),
         Command::Monitor(arguments) => monitor::run(&arguments),
         Command::Recording(arguments) => recording::run(&arguments),
+        Command::Twin(arguments) => twin::run(&arguments),
         Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
     };
     match result.and_then(|text| print(&text)) {
