@@ -8,6 +8,7 @@ use super::{
     paint::paint,
     pose_ekf::PoseEkf,
     reckoning::{Reckoning, Rolling, WheelErrors},
+    scan::{ScanMapper, paint_place},
 };
 use nalgebra::{Matrix3, Vector3};
 use robovac_core::{
@@ -16,6 +17,7 @@ use robovac_core::{
     rng::{normal, seeded},
     robot::{OdometryModel, RobotModel, SensorReadings},
 };
+use std::sync::Arc;
 
 /// Stream of its random numbers.
 const STREAM: u64 = 60;
@@ -37,6 +39,15 @@ const UNDOCKED: f64 = 0.5;
 /// the wheels is increased before, as it gets the same evidence twice (ours).
 const LOOKS: [f64; 3] = [10.0, 25.0, 60.0];
 const AGAIN: f64 = 3.0;
+/// Motion below which a scan shows nothing new, m and rad.
+const STILL: (f64, f64) = (0.004, 0.004);
+/// Least number of points of a scan that can contradict a pose, and the share that agrees below which they do.
+const TELLING: usize = 15;
+const MISFIT: f64 = 0.45;
+/// Window for a pose that fits better, m and rad, by how much it must, and its uncertainty.
+const WINDOW: [f64; 2] = [0.3, 0.35];
+const BETTER: f64 = 0.2;
+const FOUND: [f64; 2] = [0.02, 0.02];
 
 /// Side of the map's cells, m (ours: half of the thesis').
 pub const RESOLUTION: f64 = 0.05;
@@ -90,6 +101,9 @@ pub struct Mapper {
     /// Motion and observations since the last correction.
     way: Reckoning,
     scan: Multiscan,
+    /// Key frames of a robot with a laser scanner, and whether it has been in contact since the last scan.
+    laser: Option<ScanMapper>,
+    is_held: bool,
     ekf: PoseEkf,
     map: OccupancyMap,
     marks: Marks,
@@ -113,6 +127,8 @@ impl Mapper {
             rolling: Rolling::new(&setup.robot, setup.odometry),
             way: Reckoning::new(&setup.robot, setup.odometry, WheelErrors::default()),
             scan: Multiscan::default(),
+            laser: setup.robot.sensors.laser.map(ScanMapper::new),
+            is_held: false,
             ekf: PoseEkf::new(setup.start),
             map: OccupancyMap::new(RESOLUTION),
             marks: Marks::new(RESOLUTION),
@@ -121,7 +137,9 @@ impl Mapper {
             is_lost: false,
             travelled: 0.0,
             docked: None,
-            memory: (setup.tracking == Tracking::Corrected).then(ReadingMemory::default),
+            // Scans need no second look.
+            memory: (setup.tracking == Tracking::Corrected && setup.robot.sensors.laser.is_none())
+                .then(ReadingMemory::default),
             looks: 0,
             setup,
         }
@@ -130,6 +148,7 @@ impl Mapper {
     /// The same with an existing map, on which it must relocalise: it is lost until [`Mapper::relocate`]. From then on
     /// its pose is corrected by new observations, which are stored at a finer resolution than the cells of a map.
     pub fn knowing(mut self, map: OccupancyMap, marks: Marks) -> Self {
+        self.laser = self.laser.map(|laser| laser.knowing(&map, &marks));
         (self.map, self.marks) = (map, marks);
         (self.memory, self.is_lost) = (None, true);
         self
@@ -150,6 +169,9 @@ impl Mapper {
     pub fn relocate(&mut self, pose: Pose, spread: &PoseCovariance) {
         self.memory = None;
         self.ekf.relocate(pose, spread);
+        if let Some(laser) = &mut self.laser {
+            laser.relocate(pose);
+        }
         self.begin_stretch();
         self.is_lost = false;
     }
@@ -219,7 +241,8 @@ impl Mapper {
     /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         let memory = self.memory.as_ref().map_or(0, ReadingMemory::bytes);
-        self.ekf.bytes() + self.map.bytes() + self.marks.bytes() + memory
+        let laser = self.laser.as_ref().map_or(0, ScanMapper::bytes);
+        self.ekf.bytes() + self.map.bytes() + self.marks.bytes() + memory + laser
     }
 
     fn take(&mut self, sensed: &SensorReadings) {
@@ -238,6 +261,11 @@ impl Mapper {
         self.untouched = if contact.is_some() { 0 } else { self.untouched.saturating_add(1) };
         let contact = contact.map(|contact| self.sensors.aside(contact, rolled[1] - rolled[0]));
         let is_stride = self.way.roll(rolled, contact.filter(|_| corrects).map(|contact| contact.direction));
+        if sensed.laser.is_some() && self.laser.is_some() {
+            self.is_held |= contact.is_some();
+            self.take_scan(sensed, is_stride);
+            return;
+        }
         if sensed.battery.on_dock && corrects {
             self.dock();
         }
@@ -263,6 +291,62 @@ impl Mapper {
         if is_new_contact || self.way.way > STRETCH.0 || self.way.turned > STRETCH.1 {
             self.correct();
         }
+    }
+
+    /// Takes the scan of a reading, if it is a new one.
+    fn take_scan(&mut self, sensed: &SensorReadings, is_stride: bool) {
+        let Some(laser) = &mut self.laser else { return };
+        if sensed.battery.on_dock && self.travelled + self.way.way < UNDOCKED {
+            self.docked = Some(0.0);
+        }
+        let fresh = laser.fresh(sensed);
+        let corrects = self.setup.tracking == Tracking::Corrected;
+        if self.is_lost {
+            return;
+        }
+        if let Some(scan) = fresh {
+            if !corrects {
+                laser.paint(&mut self.map, self.ekf.after(&self.way), &scan);
+            } else if laser.is_empty() || self.way.way > STILL.0 || self.way.turned > STILL.1 {
+                self.match_scan(&scan);
+            }
+        }
+        if is_stride {
+            let (pose, is_dirty) = (self.pose(), sensed.dirt > DIRTY);
+            paint_place(&mut self.map, &mut self.marks, pose, &self.setup.robot, is_dirty);
+            if let Some(laser) = &mut self.laser {
+                laser.pass(pose, is_dirty);
+            }
+        }
+    }
+
+    /// Ends the stretch: corrects the pose by a scan, and adds it to the map.
+    fn match_scan(&mut self, scan: &Arc<[f32]>) {
+        let Some(laser) = &mut self.laser else { return };
+        self.way.settle();
+        self.way.doubt(std::mem::take(&mut self.is_held));
+        self.ekf.advance(&self.way);
+        let points = laser.points(scan);
+        let surfaces = laser.surfaces(self.ekf.pose());
+        let mut fit = self.ekf.match_scan(&points, &surfaces);
+        if fit.points >= TELLING
+            && fit.share() < MISFIT
+            && let Some((pose, better)) = laser.search(self.ekf.pose(), &points, WINDOW)
+            && better.share() > fit.share() + BETTER
+        {
+            let [position, heading] = FOUND;
+            let square = position * position;
+            self.ekf.relocate(pose, &PoseCovariance { position: [square, 0.0, square], heading });
+            fit = better;
+        }
+        if let Some(pose) = laser.add(self.ekf.pose(), scan, points, &fit) {
+            self.ekf.shift(pose);
+        }
+        if laser.is_outdated() {
+            (self.map, self.marks) = laser.repaint(RESOLUTION, &self.setup.robot);
+        }
+        laser.paint(&mut self.map, self.ekf.pose(), scan);
+        self.begin_stretch();
     }
 
     /// Ends the stretch: corrects the pose by its observations.
