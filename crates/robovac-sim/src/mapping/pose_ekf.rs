@@ -154,11 +154,12 @@ impl PoseEkf {
         });
     }
 
-    /// Corrects the state by a laser scan, matched to surfaces; returns how it fits then.
-    pub fn match_scan(&mut self, scan: &[ScanPoint], surfaces: &SurfaceMap) -> ScanFit {
+    /// Corrects the state by a laser scan, matched to surfaces, and by the directions of its walls; returns how it fits then.
+    pub fn match_scan(&mut self, scan: &[ScanPoint], walls: &[WallLine], surfaces: &SurfaceMap) -> ScanFit {
         self.solve(|ekf, equations| {
             let fit = surfaces.compare(ekf.pose(), scan);
             equations.add_pose(&fit.information, &fit.gradient);
+            walls.iter().for_each(|wall| ekf.match_wall(wall, equations));
         });
         surfaces.compare(self.pose(), scan)
     }

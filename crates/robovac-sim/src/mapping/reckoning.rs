@@ -87,6 +87,10 @@ pub(super) struct Reckoning {
 
 impl Reckoning {
     pub fn new(robot: &RobotModel, model: OdometryModel, wheels: WheelErrors) -> Self {
+        Self::new_with(robot.wheel_base, model, wheels)
+    }
+
+    fn new_with(wheel_base: f64, model: OdometryModel, wheels: WheelErrors) -> Self {
         let here = Pose::new(0.0, 0.0, 0.0);
         Self {
             at: here,
@@ -96,7 +100,7 @@ impl Reckoning {
             wheels,
             way: 0.0,
             turned: 0.0,
-            wheel_base: robot.wheel_base,
+            wheel_base,
             model,
             since: here,
             rolled: [0.0; 2],
@@ -170,6 +174,21 @@ impl Reckoning {
         for (i, deviation) in [position, position, heading].into_iter().enumerate() {
             self.noise[(i, i)] += deviation * deviation;
         }
+    }
+
+    /// Motion of the body if nothing holds it: ahead, and on the edge of the body by turning, m.
+    pub fn motion(&self) -> [f64; 2] {
+        [self.at.x, 0.5 * self.wheel_base * self.turn]
+    }
+
+    /// The same stretch of a robot whose wheels turned while its body was held.
+    pub fn held(&self) -> Self {
+        let mut held = Self::new_with(self.wheel_base, self.model, self.wheels);
+        (held.way, held.turned) = (self.way, self.turned);
+        for (i, deviation) in [self.way, self.way, self.turned].into_iter().enumerate() {
+            held.noise[(i, i)] = deviation * deviation;
+        }
+        held
     }
 
     /// A point in the frame of the start of the stretch, transformed to the present pose.

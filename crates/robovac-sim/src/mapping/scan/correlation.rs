@@ -90,6 +90,20 @@ impl CorrelationGrid {
         Some(Self { low, side, levels })
     }
 
+    /// Value of a place, between the middles of cells interpolated: 1 on an obstacle, and 0 from a few cells away.
+    pub fn value(&self, at: Point) -> f64 {
+        let (x, y) = (at.x / self.side - 0.5, at.y / self.side - 0.5);
+        let cell = Cell::new(math::floor(x), math::floor(y));
+        let (u, v) = (x - f64::from(cell.x), y - f64::from(cell.y));
+        let value = |dx: i32, dy: i32| {
+            let cell = Cell::new(cell.x + dx - self.low.x, cell.y + dy - self.low.y);
+            self.levels[0].get(cell).map_or(0.0, |&value| f64::from(value))
+        };
+        let low = value(0, 0) * (1.0 - u) + value(1, 0) * u;
+        let high = value(0, 1) * (1.0 - u) + value(1, 1) * u;
+        (low * (1.0 - v) + high * v) / 255.0
+    }
+
     /// The best poses of the window for the points of a scan in the robot's frame, best first: at most `count`, whose
     /// scores are at least `least` and that share of the best, and which the robot can have.
     pub fn search(

@@ -6,7 +6,7 @@ use super::{
     paint::{paint_body, paint_scan},
     surfaces::ScanFit,
 };
-use crate::mapping::{CellMark, Marks, OccupancyMap, TiledLayer};
+use crate::mapping::{CellMark, Marks, OccupancyMap, TiledLayer, multiscan::WallLine};
 use nalgebra::{Matrix3, Vector3};
 use robovac_core::{
     geometry::{Point, Pose, Vector, difference},
@@ -14,7 +14,7 @@ use robovac_core::{
     math,
     robot::{Laser, RobotModel, SensorReadings},
 };
-use std::sync::Arc;
+use std::{collections::BTreeMap, sync::Arc};
 
 /// A new key frame is made where none of these is nearer than this, m and rad.
 const APART: (f64, f64) = (0.4, 0.6);
@@ -36,9 +36,13 @@ const CELL: f64 = 0.05;
 const SCORE: f64 = 0.5;
 const CLOSES: f64 = 0.6;
 /// Accuracy of an edge: m and rad for a match, and m, m per m, rad and rad per rad for the wheels.
-const MATCHED: [f64; 2] = [0.004, 0.003];
-const CLOSED: [f64; 2] = [0.008, 0.005];
+const MATCHED: [f64; 2] = [0.003, 0.0015];
+const CLOSED: [f64; 2] = [0.006, 0.003];
 const ROLLED: [f64; 4] = [0.003, 0.02, 0.01, 0.03];
+/// Distance from all key frames at which a pose in doubt makes one, m.
+const LEFT: f64 = 0.8;
+/// Most scans that make a key frame.
+const MOST_SCANS: usize = 40;
 /// Change of a key frame's place at which the map is painted again, m.
 const REPAINT: f64 = 0.004;
 /// Scans from nearer places or headings aren't kept: cells, m, and sectors.
@@ -67,8 +71,11 @@ struct Place {
 #[derive(Debug, Clone)]
 pub(in crate::mapping) struct ScanMapper {
     sensor: Arc<ScanSensor>,
-    /// Points of each key frame's scan.
+    /// Points of each key frame, in its own coordinates.
     frames: Vec<Arc<[ScanPoint]>>,
+    /// Points of the scans near the latest key frame, of which it is the mean in the end, and their number.
+    open: Vec<ScanPoint>,
+    scans: usize,
     graph: PoseGraph,
     /// Way along the edges from the current key frame to each, m; infinite beyond [`LINKED`].
     ways: Vec<f64>,
@@ -95,6 +102,8 @@ impl ScanMapper {
         Self {
             sensor: Arc::new(ScanSensor::new(laser)),
             frames: Vec::new(),
+            open: Vec::new(),
+            scans: 0,
             graph: PoseGraph::default(),
             ways: Vec::new(),
             current: 0,
@@ -134,6 +143,11 @@ impl ScanMapper {
     /// The points of a scan.
     pub fn points(&self, scan: &[f32]) -> Vec<ScanPoint> {
         self.sensor.points(scan)
+    }
+
+    /// The walls of a scan.
+    pub fn walls(&self, scan: &[f32]) -> Vec<WallLine> {
+        self.sensor.walls(scan)
     }
 
     /// The robot is at `pose`, whatever was known before.
@@ -195,17 +209,33 @@ impl ScanMapper {
 
     /// Adds a scan that was matched at `pose`, with what it says about that pose. Returns the adjusted pose if a loop was
     /// closed.
-    pub fn add(&mut self, pose: Pose, scan: &Arc<[f32]>, points: Vec<ScanPoint>, fit: &ScanFit) -> Option<Pose> {
-        let covered = (0..self.frames.len()).filter(|&frame| self.ways[frame].is_finite()).any(|frame| {
-            let other = self.graph.poses[frame];
+    pub fn add(&mut self, pose: Pose, scan: &Arc<[f32]>, points: &[ScanPoint], fit: &ScanFit) -> Option<Pose> {
+        let is_near = |other: Pose| {
             (other.position() - pose.position()).norm() < APART.0
                 && difference(other.heading, pose.heading).abs() < APART.1
-        });
-        let adjusted = if covered { None } else { self.add_frame(pose, points, fit) };
+        };
+        let mut linked = (0..self.frames.len()).filter(|&frame| self.ways[frame].is_finite());
+        let is_covered = linked.any(|frame| is_near(self.graph.poses[frame]));
+        // A pose in doubt makes no key frame, unless the robot has left all others behind.
+        let is_doubtful = fit.is_doubtful();
+        let is_left = |other: Pose| (other.position() - pose.position()).norm() < LEFT;
+        let mut linked = (0..self.frames.len()).filter(|&frame| self.ways[frame].is_finite());
+        let waits = is_doubtful && linked.any(|frame| is_left(self.graph.poses[frame]));
+        let adjusted = if is_covered || waits {
+            let latest = self.frames.len() - 1;
+            if self.scans < MOST_SCANS && !is_doubtful && is_near(self.graph.poses[latest]) {
+                self.gather_scan(between(self.graph.poses[latest], pose), points);
+            }
+            None
+        } else {
+            let adjusted = self.close_frame(pose);
+            self.open_frame(adjusted.unwrap_or(pose), points, fit);
+            adjusted
+        };
         let pose = adjusted.unwrap_or(pose);
         let sector = math::floor((pose.heading + math::PI) / math::TAU * SECTORS).clamp(0, SECTORS as i32 - 1);
         let cell = Cell::at(pose.position(), VIEW);
-        if self.viewed.get(cell) & (1 << sector) == 0 {
+        if self.viewed.get(cell) & (1 << sector) == 0 && (!is_doubtful || !is_covered) {
             self.viewed.update(cell, |sectors| sectors | (1 << sector));
             let relative = between(self.graph.poses[self.current], pose);
             self.views.push(View { frame: self.current, relative, scan: Arc::clone(scan) });
@@ -213,7 +243,37 @@ impl ScanMapper {
         adjusted
     }
 
-    fn add_frame(&mut self, pose: Pose, points: Vec<ScanPoint>, fit: &ScanFit) -> Option<Pose> {
+    /// Adds the points of a scan that was taken at `relative` to the latest key frame.
+    fn gather_scan(&mut self, relative: Pose, points: &[ScanPoint]) {
+        let (sin, cos) = math::sin_cos(relative.heading);
+        let turn = |v: Vector| Vector::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y);
+        let oriented = points.iter().filter(|point| point.normal.is_some());
+        self.open.extend(oriented.map(|point| ScanPoint {
+            at: relative.position() + turn(point.at.coords),
+            normal: point.normal.map(turn),
+            ..*point
+        }));
+        self.scans += 1;
+        // The first scans of a frame are better known the more there are.
+        if self.scans.is_power_of_two() && self.scans > 1 {
+            let latest = self.frames.len() - 1;
+            self.frames[latest] = condensed(&self.open).into();
+            self.gathered = None;
+        }
+    }
+
+    /// Completes the latest key frame by the scans near it, and searches a loop there. Returns the robot's adjusted pose if
+    /// one was closed.
+    fn close_frame(&mut self, pose: Pose) -> Option<Pose> {
+        let latest = self.frames.len().checked_sub(1)?;
+        self.frames[latest] = condensed(&std::mem::take(&mut self.open)).into();
+        let relative = between(self.graph.poses[latest], pose);
+        self.ways = self.graph.ways(latest, LINKED);
+        self.close_loop(latest).then(|| compose(self.graph.poses[latest], relative))
+    }
+
+    /// Makes a key frame of a scan at `pose`.
+    fn open_frame(&mut self, pose: Pose, points: &[ScanPoint], fit: &ScanFit) {
         let last = self.nearest(pose, |frame| self.ways[frame].is_finite());
         let frame = self.graph.add(pose);
         self.frames.push(points.into());
@@ -226,10 +286,11 @@ impl ScanMapper {
             let information = limited(&information, MATCHED) + diagonal(rolled);
             self.graph.link(Edge { from, to: frame, relative, information, closes_loop: false });
         }
+        self.scans = 0;
+        self.gather_scan(Pose::new(0.0, 0.0, 0.0), points);
         self.current = frame;
         self.ways = self.graph.ways(frame, LINKED);
         self.gathered = None;
-        self.close_loop(frame).then(|| self.graph.poses[frame])
     }
 
     /// Searches old key frames near `frame` that are far away by the graph, and adjusts all poses if it fits there.
@@ -333,7 +394,7 @@ pub(in crate::mapping) fn paint_place(
 }
 
 /// Points on the boundary of a map, with their normals: the sides of occupied cells that face free ones.
-fn boundary(map: &OccupancyMap) -> Vec<ScanPoint> {
+pub(in crate::mapping) fn boundary(map: &OccupancyMap) -> Vec<ScanPoint> {
     let half = 0.5 * map.resolution();
     let mut points = Vec::new();
     for (cell, _) in map.iter().filter(|&(cell, _)| map.occupancy(cell) == Occupancy::Occupied) {
@@ -345,6 +406,27 @@ fn boundary(map: &OccupancyMap) -> Vec<ScanPoint> {
         }
     }
     points
+}
+
+/// The means of points that are near each other and face alike.
+fn condensed(points: &[ScanPoint]) -> Vec<ScanPoint> {
+    let mut means: BTreeMap<(i32, i32, i32), (f64, Vector, Vector)> = BTreeMap::new();
+    for point in points {
+        let Some(normal) = point.normal else { continue };
+        let cell = Cell::at(point.at, CELL);
+        let side = math::floor(math::atan2(normal.y, normal.x) / math::FRAC_PI_2 + 0.5).rem_euclid(4);
+        let (weight, place, facing) = means.entry((cell.x, cell.y, side)).or_default();
+        let share = 1.0 / (point.deviation * point.deviation);
+        *weight += share;
+        *place += point.at.coords * share;
+        *facing += normal * share;
+    }
+    let mean = |(weight, place, facing): (f64, Vector, Vector)| ScanPoint {
+        at: (place / weight).into(),
+        normal: Some(facing / facing.norm().max(1e-9)),
+        deviation: (1.0 / weight).sqrt(),
+    };
+    means.into_values().map(mean).collect()
 }
 
 /// Information in a frame that is turned by `angle` against the present one.

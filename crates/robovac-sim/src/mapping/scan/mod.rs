@@ -27,7 +27,7 @@ mod paint;
 mod points;
 mod surfaces;
 
-pub(super) use correlation::{CorrelationGrid, SearchWindow};
-pub(super) use frames::{ScanMapper, paint_place};
+pub(super) use correlation::{CorrelationGrid, Match, SearchWindow};
+pub(super) use frames::{ScanMapper, boundary, paint_place};
 pub(super) use points::{ScanPoint, ScanSensor};
 pub(super) use surfaces::{ScanFit, SurfaceMap};

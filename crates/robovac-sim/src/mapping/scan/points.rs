@@ -1,5 +1,6 @@
 //! The points of a scan in the robot's frame, with normals where they lie on a surface.
 
+use crate::mapping::multiscan::WallLine;
 use robovac_core::{
     geometry::{Point, Vector},
     math,
@@ -19,6 +20,11 @@ const BENT: f64 = 2.2;
 const VAGUE: f64 = 0.3;
 const GRAZING: f64 = 0.12;
 
+/// Shortest wall whose direction counts, m, and the least uncertainty of that, rad: a wall is seen in many scans, which
+/// share its error.
+const WALL: f64 = 0.8;
+const WALL_DEVIATION: f64 = 0.012;
+
 /// A point of a scan.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mapping) struct ScanPoint {
@@ -28,6 +34,41 @@ pub(in crate::mapping) struct ScanPoint {
     pub normal: Option<Vector>,
     /// Standard deviation of its distance, m.
     pub deviation: f64,
+}
+
+/// A straight line through points of a scan.
+struct Line {
+    /// Its direction, rad; ambiguous by half a turn.
+    direction: f64,
+    /// Sums of the squared distances of the points from their mean, along the line and across it, m²; and their number.
+    along: f64,
+    across: f64,
+    count: f64,
+}
+
+/// A hit: its place, the beam's direction, and its length, m.
+type Hit = (Point, Vector, f64);
+
+impl Line {
+    /// The line with the least squared distances.
+    fn through(hits: &[Hit]) -> Option<Self> {
+        let count = hits.len() as f64;
+        let mean = hits.iter().fold(Vector::zeros(), |sum, hit| sum + hit.0.coords) / count;
+        let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+        for hit in hits {
+            let off = hit.0.coords - mean;
+            (xx, xy, yy) = (xx + off.x * off.x, xy + off.x * off.y, yy + off.y * off.y);
+        }
+        let (middle, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
+        let root = (half * half + xy * xy).sqrt();
+        let direction = 0.5 * math::atan2(2.0 * xy, xx - yy);
+        (count > 0.0).then(|| Self { direction, along: middle + root, across: (middle - root).max(0.0), count })
+    }
+
+    /// Whether the points lie on it, with errors of that standard deviation, m.
+    fn is_straight(&self, deviation: f64) -> bool {
+        self.across < BENT * BENT * deviation * deviation * (self.count - 1.0)
+    }
 }
 
 /// A scanner with the directions of its beams.
@@ -64,13 +105,38 @@ impl ScanSensor {
         beams.filter(move |&(_, distance)| is_distance(distance))
     }
 
+    fn hits(&self, scan: &[f32]) -> Vec<Hit> {
+        let ends = self.beams(scan).filter(|(_, distance)| distance.is_finite());
+        ends.map(|(direction, distance)| (self.place() + direction * distance, direction, distance)).collect()
+    }
+
+    /// The straight walls of a scan, in the robot's frame.
+    pub fn walls(&self, scan: &[f32]) -> Vec<WallLine> {
+        let hits = self.hits(scan);
+        let mut walls = Vec::new();
+        let mut begin = 0;
+        for end in 1..=hits.len() {
+            let joins = end < hits.len() && {
+                let gap = GAP.0 + GAP.1 * self.laser.step * hits[end].2;
+                (hits[end].0 - hits[end - 1].0).norm_squared() < gap * gap
+            };
+            // A corner ends it, too.
+            let fits = |to: usize| {
+                let deviation = DEVIATION * hits[begin..=to].iter().map(|hit| hit.2).fold(1.0, f64::max);
+                to < begin + 3 || Line::through(&hits[begin..=to]).is_some_and(|line| line.is_straight(deviation))
+            };
+            if joins && fits(end) {
+                continue;
+            }
+            walls.extend(wall(&hits[begin..end]));
+            begin = end;
+        }
+        walls
+    }
+
     /// The points of a scan, from right to left.
     pub fn points(&self, scan: &[f32]) -> Vec<ScanPoint> {
-        let hits: Vec<(Point, Vector, f64)> = self
-            .beams(scan)
-            .filter(|(_, distance)| distance.is_finite())
-            .map(|(direction, distance)| (self.place() + direction * distance, direction, distance))
-            .collect();
+        let hits = self.hits(scan);
         let point = |index: usize| {
             let (at, direction, distance) = hits[index];
             let deviation = DEVIATION * distance.max(1.0);
@@ -80,7 +146,7 @@ impl ScanSensor {
     }
 
     /// The normal of the line through a point and its neighbours.
-    fn normal(&self, hits: &[(Point, Vector, f64)], index: usize, deviation: f64, direction: Vector) -> Option<Vector> {
+    fn normal(&self, hits: &[Hit], index: usize, deviation: f64, direction: Vector) -> Option<Vector> {
         let (at, _, distance) = hits[index];
         let gap = GAP.0 + GAP.1 * self.laser.step * distance;
         let joins = |a: usize, b: usize| (hits[a].0 - hits[b].0).norm_squared() < gap * gap;
@@ -96,28 +162,27 @@ impl ScanSensor {
         {
             high += 1;
         }
-        let count = (high - low + 1) as f64;
-        if high - low < 2 {
-            return None;
-        }
-        let mean = hits[low..=high].iter().fold(Vector::zeros(), |sum, hit| sum + hit.0.coords) / count;
-        let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-        for hit in &hits[low..=high] {
-            let off = hit.0.coords - mean;
-            (xx, xy, yy) = (xx + off.x * off.x, xy + off.x * off.y, yy + off.y * off.y);
-        }
-        let (middle, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
-        let root = (half * half + xy * xy).sqrt();
-        let (along, across) = (middle + root, (middle - root).max(0.0));
-        let is_straight = across < BENT * BENT * deviation * deviation * (count - 1.0);
-        if !is_straight || along * VAGUE * VAGUE < deviation * deviation {
-            return None;
-        }
-        let (sin, cos) = math::sin_cos(0.5 * math::atan2(2.0 * xy, xx - yy));
+        // Beside a corner, the points on one side still lie on a line.
+        let line = [(low, high), (low, index), (index, high)].into_iter().find_map(|(low, high)| {
+            let line = Line::through(&hits[low..=high])?;
+            let is_exact = line.along * VAGUE * VAGUE > deviation * deviation;
+            (high - low >= 2 && line.is_straight(deviation) && is_exact).then_some(line)
+        })?;
+        let (sin, cos) = math::sin_cos(line.direction);
         let normal = Vector::new(-sin, cos);
         let cosine = normal.dot(&direction);
         (cosine.abs() > GRAZING).then_some(if cosine > 0.0 { -normal } else { normal })
     }
+}
+
+/// The wall that points lie on, if it is long enough.
+fn wall(hits: &[Hit]) -> Option<WallLine> {
+    let length = (hits.last()?.0 - hits.first()?.0).norm();
+    let line = Line::through(hits)?;
+    let error = DEVIATION * hits.iter().map(|hit| hit.2).fold(1.0, f64::max);
+    let deviation = (error * error / line.along.max(1e-9) + WALL_DEVIATION * WALL_DEVIATION).sqrt();
+    let is_wall = length > WALL && line.count >= 8.0 && line.is_straight(error);
+    is_wall.then_some(WallLine { direction: line.direction, deviation, length })
 }
 
 #[cfg(test)]
@@ -168,6 +233,22 @@ mod tests {
         let nearest = points.iter().min_by(|a, b| a.at.coords.norm().total_cmp(&b.at.coords.norm())).unwrap();
         assert!(nearest.normal.is_none(), "{nearest:?}");
         assert!(points.iter().any(|point| point.normal.is_some()));
+    }
+
+    #[test]
+    fn the_walls_of_a_corner_are_at_right_angles() {
+        let sensor = sensor();
+        // Walls 1 m ahead and 1.2 m to the left.
+        let distance = |d: &Vector| {
+            let [ahead, left] =
+                [(1.0, d.x), (1.2, d.y)].map(|(off, along)| if along > 0.05 { off / along } else { 9.0 });
+            if ahead.min(left) < 4.0 { ahead.min(left) as f32 } else { f32::INFINITY }
+        };
+        let scan: Vec<f32> = sensor.directions.iter().map(distance).collect();
+        let walls = sensor.walls(&scan);
+        assert_eq!(walls.len(), 2, "{walls:?}");
+        let between = (walls[0].direction - walls[1].direction).abs();
+        assert!((between - math::FRAC_PI_2).abs() < 0.05 && walls.iter().all(|wall| wall.length > 1.0), "{walls:?}");
     }
 
     #[test]

@@ -25,6 +25,9 @@ const MAP: f64 = 0.006;
 const OUTLIER: f64 = 3.0;
 /// A point nearer to its surface than this many standard deviations, or metres, agrees with it.
 const AGREES: (f64, f64) = (3.0, 0.03);
+/// A pose is in doubt with fewer points on surfaces, or a smaller share of those that agree.
+const LEAST_MET: usize = 25;
+const AGREE: f64 = 0.8;
 /// Largest side of the grid, cells: beyond any range.
 const MOST: i32 = 2000;
 
@@ -229,6 +232,11 @@ impl SurfaceMap {
 }
 
 impl ScanFit {
+    /// Whether the pose is in doubt: little of the scan is known, or it contradicts what is known.
+    pub fn is_doubtful(&self) -> bool {
+        self.met < self.points.min(LEAST_MET) || (self.agreeing as f64) < AGREE * self.met as f64
+    }
+
     /// Share of the scan's points that agree with the map, from 0 to 1.
     pub fn share(&self) -> f64 {
         if self.points == 0 { 0.0 } else { self.agreeing as f64 / self.points as f64 }
