@@ -199,7 +199,10 @@ mod tests {
     #[test]
     fn only_all_is_100_percent_and_only_nothing_is_0() {
         let of = |id: &str| METRICS.iter().find(|metric| metric.id == id).unwrap();
-        assert_eq!([0.9999, 0.99951, 1.0 - 1e-12].map(|share| of("coverage").rounded(100.0 * share)), [99.9, 99.9, 100.0]);
+        assert_eq!(
+            [0.9999, 0.99951, 1.0 - 1e-12].map(|share| of("coverage").rounded(100.0 * share)),
+            [99.9, 99.9, 100.0]
+        );
         assert_eq!([0.0001, 1e-9, 5.11].map(|excess| of("above_bound").rounded(excess)), [0.1, 0.0, 5.2]);
         assert_eq!(of("length").rounded(425.25), 425.3);
     }

@@ -11,11 +11,13 @@ use robovac_core::{
 use std::{cmp::Reverse, collections::BinaryHeap};
 
 /// Steps of the optimisation, and largest change in the last of them, m or rad.
-const STEPS: usize = 6;
+const STEPS: usize = 8;
 const DONE: f64 = 1e-4;
 /// Share of the first residual at which conjugate gradients end, and most iterations.
 const ACCURACY: f64 = 1e-7;
 const ITERATIONS: usize = 600;
+/// Steps in which every loop is believed: an error that has grown on the way is no contradiction.
+const BELIEVING: usize = 3;
 /// Weighted squared error from which an edge that closes a loop counts less.
 const DOUBTFUL: f64 = 12.0;
 
@@ -92,8 +94,9 @@ impl PoseGraph {
     /// Moves all poses but the first to where they contradict the edges least; returns the largest change of a place, m.
     pub fn optimise(&mut self) -> f64 {
         let before = self.poses.clone();
-        for _ in 0..STEPS {
-            let change = self.step();
+        for step in 0..STEPS {
+            let doubts = step >= BELIEVING;
+            let change = self.step(doubts);
             if !change.iter().all(|change| change.iter().all(|value| value.is_finite())) {
                 self.poses = before;
                 return 0.0;
@@ -101,7 +104,7 @@ impl PoseGraph {
             for (pose, change) in self.poses.iter_mut().zip(&change) {
                 *pose = Pose::new(pose.x + change.x, pose.y + change.y, pose.heading + change.z);
             }
-            if change.iter().all(|change| change.amax() < DONE) {
+            if doubts && change.iter().all(|change| change.amax() < DONE) {
                 break;
             }
         }
@@ -109,15 +112,15 @@ impl PoseGraph {
         moved.fold(0.0, f64::max)
     }
 
-    /// One step of Gauss and Newton.
-    fn step(&self) -> Vec<Vector3<f64>> {
+    /// One step of Gauss and Newton; whether edges in contradiction to the others count less.
+    fn step(&self, doubts: bool) -> Vec<Vector3<f64>> {
         let mut diagonal = vec![Matrix3::zeros(); self.poses.len()];
         let mut right = vec![Vector3::zeros(); self.poses.len()];
         let mut off_diagonal = Vec::with_capacity(self.edges.len());
         for edge in &self.edges {
             let (error, from, to) = edge.linearised(&self.poses);
             let squared = (error.transpose() * edge.information * error)[0];
-            let scale = if edge.closes_loop { (2.0 * DOUBTFUL / (DOUBTFUL + squared)).min(1.0) } else { 1.0 };
+            let scale = if doubts && edge.closes_loop { (2.0 * DOUBTFUL / (DOUBTFUL + squared)).min(1.0) } else { 1.0 };
             let information = edge.information * (scale * scale);
             diagonal[edge.from] += from.transpose() * information * from;
             diagonal[edge.to] += to.transpose() * information * to;

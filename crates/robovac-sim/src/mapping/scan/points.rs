@@ -221,18 +221,18 @@ mod tests {
     }
 
     #[test]
-    fn a_lone_point_and_a_corner_have_none() {
+    fn a_lone_point_has_none_and_those_beside_a_corner_have_that_of_their_wall() {
         let sensor = sensor();
         let mut scan = vec![f32::INFINITY; 114];
         scan[50] = 1.0;
         assert!(sensor.points(&scan).iter().all(|point| point.normal.is_none()));
-        // A corner 0.7 m ahead, convex, at right angles.
-        let scan: Vec<f32> =
-            sensor.directions.iter().map(|d| if d.x > 0.3 { (0.7 / (d.x - d.y.abs())) as f32 } else { -1.0 }).collect();
+        // A corner that points at the scanner from 0.7 m ahead, at right angles.
+        let distance = |d: &Vector| if d.x > 0.3 + d.y.abs() { (0.7 / (d.x - d.y.abs())) as f32 } else { -1.0 };
+        let scan: Vec<f32> = sensor.directions.iter().map(distance).collect();
         let points = sensor.points(&scan);
-        let nearest = points.iter().min_by(|a, b| a.at.coords.norm().total_cmp(&b.at.coords.norm())).unwrap();
-        assert!(nearest.normal.is_none(), "{nearest:?}");
-        assert!(points.iter().any(|point| point.normal.is_some()));
+        let normals: Vec<Vector> = points.iter().filter_map(|point| point.normal).collect();
+        let is_of_a_wall = |normal: &Vector| (normal.x + 0.707).abs() < 0.25 && (normal.y.abs() - 0.707).abs() < 0.25;
+        assert!(normals.len() > 20 && normals.iter().all(is_of_a_wall), "{normals:?}");
     }
 
     #[test]
