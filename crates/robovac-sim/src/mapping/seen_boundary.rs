@@ -41,3 +41,34 @@ impl SeenBoundary {
         if seen.is_empty() { 1.0 } else { seen.iter().filter(is_mapped).count() as f64 / seen.len() as f64 }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::{coverage::ReachableFloor, floor_plan::room, robot::model};
+
+    #[test]
+    fn it_is_on_the_true_map_and_not_on_an_empty_or_a_shifted_one() {
+        let (plan, robot) = ((room("bedroom").unwrap().build)(), model("cbot").unwrap());
+        let floor = ReachableFloor::new(&plan, robot, None).unwrap();
+        let mut map = OccupancyMap::new(0.05);
+        let truth = MapTruth::of(&floor, map.resolution());
+        let cells = (-5..200).flat_map(|y| (-5..200).map(move |x| Cell::new(x, y)));
+        for cell in cells.filter(|&cell| truth.at(cell) == Some(Occupancy::Occupied)) {
+            map.add(cell, 3.0);
+        }
+        let mut seen = SeenBoundary::default();
+        assert_eq!(seen.mapped(&truth, &map), 1.0);
+        for turn in 0..8 {
+            let pose = Pose::new(floor.start.x, floor.start.y, f64::from(turn));
+            seen.look(&floor.walls, &robot.sensors.laser.unwrap(), pose, map.resolution());
+        }
+        assert!(seen.mapped(&truth, &map) > 0.99, "{}", seen.mapped(&truth, &map));
+        assert_eq!(seen.mapped(&truth, &OccupancyMap::new(map.resolution())), 0.0);
+        let mut shifted = OccupancyMap::new(map.resolution());
+        for (cell, odds) in map.iter() {
+            shifted.add(Cell::new(cell.x + 4, cell.y + 4), odds);
+        }
+        assert!(seen.mapped(&truth, &shifted) < 0.8, "{}", seen.mapped(&truth, &shifted));
+    }
+}
