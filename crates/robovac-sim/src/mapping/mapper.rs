@@ -103,6 +103,7 @@ pub struct MapperSetup {
 }
 
 /// Makes a map from a robot's readings, and tracks the robot on it.
+#[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone)]
 pub struct Mapper {
     setup: MapperSetup,

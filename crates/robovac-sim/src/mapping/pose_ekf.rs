@@ -159,7 +159,9 @@ impl PoseEkf {
         self.solve(|ekf, equations| {
             let fit = surfaces.compare(ekf.pose(), scan);
             equations.add_pose(&fit.information, &fit.gradient);
-            walls.iter().for_each(|wall| ekf.match_wall(wall, equations));
+            for wall in walls {
+                ekf.match_wall(wall, equations);
+            }
         });
         surfaces.compare(self.pose(), scan)
     }

@@ -440,7 +440,7 @@ fn turned(information: &Matrix3<f64>, angle: f64) -> Matrix3<f64> {
 fn limited(information: &Matrix3<f64>, [position, heading]: [f64; 2]) -> Matrix3<f64> {
     let floor = Matrix3::from_diagonal(&Vector3::new(position * position, position * position, heading * heading));
     let covariance = (information + Matrix3::identity() * 1e-3).try_inverse().map(|covariance| covariance + floor);
-    let information = covariance.and_then(|covariance| covariance.try_inverse()).unwrap_or_else(Matrix3::zeros);
+    let information = covariance.and_then(Matrix3::try_inverse).unwrap_or_else(Matrix3::zeros);
     0.5 * (information + information.transpose())
 }
 
