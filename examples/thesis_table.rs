@@ -4,38 +4,17 @@
 //! `cargo run --release --example thesis_table`
 
 use coverage_planners::{PLANNERS, find};
+use robovac_app::compare::{PrintedRow, TABLE_2, TABLE_2_ROOM};
 use robovac_core::{floor_plan::room, registry::Params};
 use robovac_sim::experiment::planning::{CELL_ROBOT, Placement, PlanningTask, choose_robot};
 use std::error::Error;
-
-/// The room that has as many cells.
-const ROOM: &str = "thesis226";
-
-/// A row of the printed table.
-struct Printed {
-    /// The algorithm's name in the thesis.
-    algorithm: &'static str,
-    turns: u32,
-    revisits: u32,
-    /// Length, m.
-    length: f64,
-    /// Id of the same planner here.
-    planner: &'static str,
-}
-
-/// Lengths as in the table; the running text has those of the genetic and of the proposed algorithm the other way round.
-const TABLE_2: [Printed; 3] = [
-    Printed { algorithm: "genetic", turns: 81, revisits: 0, length: 45.2, planner: "genetic" },
-    Printed { algorithm: "spiral", turns: 100, revisits: 51, length: 56.8, planner: "spiral" },
-    Printed { algorithm: "proposed", turns: 37, revisits: 5, length: 48.0, planner: "snake" },
-];
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("| algorithm, as printed | turns | revisits | length, m | planner here | turns | revisits | length, m |");
     println!("|---|---|---|---|---|---|---|---|");
     for row in TABLE_2 {
-        let Printed { algorithm, turns, revisits, length, planner } = row;
-        println!("| {algorithm} | {turns} | {revisits} | {length:.1} | {}", measured(planner)?);
+        let PrintedRow { algorithm, turns, revisits, length_m, planner } = row;
+        println!("| {algorithm} | {turns} | {revisits} | {length_m:.1} | {}", measured(planner)?);
     }
     for info in PLANNERS.iter().filter(|info| TABLE_2.iter().all(|row| row.planner != info.id)) {
         println!("| - | | | | {}", measured(info.id)?);
@@ -46,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The rest of a row: the planner's result in the room, empty if there is none of that id.
 fn measured(id: &str) -> Result<String, Box<dyn Error>> {
     let Some(planner) = find(id) else { return Ok("- | | | |".to_owned()) };
-    let plan = room(ROOM).map(|info| (info.build)()).ok_or("the room is gone")?;
+    let plan = room(TABLE_2_ROOM).map(|info| (info.build)()).ok_or("the room is gone")?;
     let (robot, cell_size) = choose_robot(CELL_ROBOT, &plan, None).ok_or("the robot is gone")?;
     let params = Params::defaults(planner.params);
     let placement = Placement { plan, robot, cell_size, start: None, heading_deg: None };

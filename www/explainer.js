@@ -7,7 +7,7 @@ import { make } from "./dom.js";
 
 /** @type {Claim[]} */
 const PLANNER_CLAIMS = [
-  ["complete", "visits every cell", "may miss cells", "Visits every reachable cell of the planning grid; tests check this in every room. Coverage can stay slightly below 100 %: cells are coarser than the floor, so slivers along walls remain.", "May leave reachable cells unvisited."],
+  ["complete", "visits every cell", "may miss cells", "Visits every reachable cell of the planning grid with its default parameters; tests check this in every room. Coverage can stay slightly below 100 %: cells are coarser than the floor, so slivers along walls remain.", "May leave reachable cells unvisited."],
   ["deterministic", "same plan every time", "randomised", "Gives the same plan whatever the seed.", "Uses random numbers: another seed gives another plan."],
   ["fast", "fast in large halls", "slow in large halls", "Plans a million cells in about a second.", "Meant for rooms of up to 200 × 200 cells; shows its best plan so far and can be cancelled."],
   ["anytime", "can be stopped early", "", "Finds a complete plan early and improves it; when stopped, it keeps the best plan so far.", ""],

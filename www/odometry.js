@@ -1,5 +1,5 @@
 // @ts-check
-// Kinds of odometry, as the tabs Map and Robot offer them.
+// Kinds of odometry, as the tabs Explore, Map and Robot offer them.
 
 /** Ids as in `robot::OdometryModel`, with their names in menus. @type {[id: string, name: string][]} */
 export const ODOMETRIES = [

@@ -158,6 +158,12 @@ pose: [number, number, number],
 odometry: string,
 /** Path driven, m. */
 distance_m: number,
+/** Brushes and vacuum that run by command, as the bits of a request for motors. */
+motors: number,
+/** Their duty cycles in 1/128: main brush, side brush, vacuum. */
+duty: [number, number, number],
+/** Lights that are on by command. */
+lights: LightsView,
 /** Requested wheel speeds that were sent last, left and right, m/s. */
 wheels: [number, number],
 /** Whether the robot is driven by this program, or is about to be. */
@@ -384,8 +390,21 @@ strokes: number,
 /** Its role. */
 role: Role, };
 
+/** Lights that are on by command; all dark while the robot has them for itself. */
+export type LightsView = {
+/** Bits: debris, spot, dock, check. */
+lamps: number,
+/** Colour of the Clean button, 0 green to 255 red, and its brightness, 0 to 255. */
+clean_light: [number, number],
+/** The four digits. */
+digits: string,
+/** Bits, the lowest for Sunday. */
+weekdays: number,
+/** Bits: colon, PM, AM, clock, schedule. */
+schedule: number, };
+
 /** Request to the transport. */
-export type LineRequest = { "baud": number } | { "brc": boolean };
+export type LineRequest = { "baud": number } | { "brc": boolean } | "stop";
 
 /** Actions that are allowed now. */
 export type MapActions = {
@@ -565,6 +584,8 @@ message_kind: "" | "error" | "notice",
 room: RoomView,
 /** Id of the robot. */
 robot: string,
+/** Figures of a twin, as in links; empty for the model. */
+twin: string,
 /** Id of the planner or behaviour. */
 algorithm: string,
 /** `planner` or `behaviour`. */
@@ -684,8 +705,23 @@ overlap: number,
 /** Area swept again by later passes, m²; what is swept three times counts twice. */
 overlap_m2: number, };
 
+/** How far a twin's and its model's predictions are off. */
+export type Prediction = {
+/** What is predicted. */
+what: string,
+/** Unit of the errors. */
+unit: string,
+/** Digits after the point. */
+digits: number,
+/** Error of the twin. */
+twin: number,
+/** Error of the model. */
+model: number,
+/** From what: a sentence. */
+how: string, };
+
 /** Buttons of the robot on the page. */
-export type PressedButton = "clean" | "spot" | "dock" | "power";
+export type PressedButton = "clean" | "spot" | "max" | "dock" | "power";
 
 export type RaceView = { state: SessionState, time_s: number, end_s: number, planned_s: number, speed: number, lanes: Array<LaneView>, };
 
@@ -718,7 +754,27 @@ weekdays: number,
 /** Bits: colon, PM, AM, clock, schedule. */
 lamps: number, } | { "do": "motors",
 /** Bits: side brush, vacuum, main brush, side brush clockwise, main brush outward. */
-bits: number, } | { "do": "calibrate",
+bits: number, } | { "do": "pwm_motors",
+/** -127 to 127; inward positive. */
+main_brush: number,
+/** -127 to 127; counter-clockwise positive. */
+side_brush: number,
+/** 0 to 127. */
+vacuum: number, } | { "do": "drive_pwm",
+/** -255 to 255. */
+right: number,
+/** -255 to 255. */
+left: number, } | { "do": "clock",
+/** 0 Sunday to 6 Saturday. */
+day: number,
+/** 0 to 23. */
+hour: number,
+/** 0 to 59. */
+minute: number, } | { "do": "schedule",
+/** Bits, the lowest for Sunday; none for no schedule. */
+days: number,
+/** Hour and minute, from Sunday to Saturday. */
+times: [[number, number], [number, number], [number, number], [number, number], [number, number], [number, number], [number, number]], } | { "do": "calibrate",
 /** The calibration. */
 what: Calibration, } | { "do": "answer",
 /** Degrees or metres, as requested. */
@@ -806,12 +862,16 @@ export type RowView = {
 /** Number of the planner in the view's `entrants`. */
 entrant: number, trials: number, missing: number, failure: string, values: Array<MedianAndRange | null>,
 /** Which values are the best of their columns. */
-best: Array<boolean>, };
+best: Array<boolean>,
+/** What a paper prints in the place of each value. */
+printed: Array<number | null>, };
 
 /** The choices of a scenario besides its room, as text that settings check. Missing ones stay unchanged. */
 export type ScenarioChoices = {
 /** Id of the robot. */
 robot: string | null,
+/** Figures of a twin, as in links; without them the robot is the model. */
+twin: string | null,
 /** Side of the planning cells, m. */
 cell_size: number | null,
 /** Id of the planner. */
@@ -1141,6 +1201,23 @@ returns: number,
 /** Another client of the bridge drives: what is sent from here doesn't reach the robot. */
 is_watching: boolean, };
 
+/** A figure of a twin, for people. */
+export type TwinFigure = {
+/** What it is. */
+name: string,
+/** Its value; `None` if there is neither a measurement nor a default. */
+value: number | null,
+/** Its standard deviation; `None` for a value that wasn't fitted. */
+uncertainty: number | null,
+/** The model's value; `None` if the model has none. */
+model: number | null,
+/** Unit, empty for none. */
+unit: string,
+/** Digits after the point. */
+digits: number,
+/** A sentence: what it was found from, or why it is the model's. */
+how: string, };
+
 /** A unit in the menu. */
 export type UnitView = {
 /** Its name. */
@@ -1156,5 +1233,7 @@ export type VirtualView = {
 pose: [number, number, number], mode: string, awake: boolean, lifted: boolean, fallen: boolean, lamps: number,
 /** Colour, 0 green to 255 red, and brightness. */
 clean_light: [number, number], digits: string, weekdays: number, schedule: number, motors: number,
+/** Share of the room's dirt that is left; `None` in a room without any. */
+dirt_left: number | null,
 /** Tunes started since the last view: notes of MIDI number and 1/64 s. */
 tunes: Array<Array<[number, number]>>, };

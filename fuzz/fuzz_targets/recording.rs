@@ -1,10 +1,11 @@
-//! Any file as a recording: no panic, and what is read can be played, examined and written as a table.
+//! Any file as a recording: no panic, and what is read can be played, examined, written as a table and made a twin.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
 use robovac_link::{
     connection::{LineRecording, Replay},
     recording::{Examination, csv},
+    twin::TwinFit,
 };
 use std::sync::Arc;
 
@@ -19,7 +20,10 @@ fuzz_target!(|text: &str| {
             let mut examination = Examination::new(Arc::clone(&recording));
             while examination.go_on(10.0) {}
             let _ = examination.timeline().summary();
-            let _ = csv(recording, |_| Ok::<_, ()>(()));
+            let _ = csv(Arc::clone(&recording), |_| Ok::<_, ()>(()));
+            if let Ok(fit) = TwinFit::of(Arc::clone(&recording)) {
+                let _ = fit.check(recording);
+            }
         }
     }
 });

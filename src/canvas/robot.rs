@@ -118,7 +118,7 @@ fn bumper(
     Ok(())
 }
 
-/// Brush, wheels and button, when zoomed in.
+/// Brush, castors and sensors, when zoomed in.
 fn details(
     context: &CanvasRenderingContext2d,
     palette: &Palette,
@@ -136,6 +136,14 @@ fn details(
     context.arc(-0.2 * radius, 0.0, 0.24 * radius, 0.0, TAU)?;
     context.stroke();
     let unit = radius / robot.radius;
+    // Castors, under the body: a wheel seen from above, in the ring in which it swivels.
+    for castor in robot.castors {
+        let (x, y, size) = (unit * castor.at[0], -unit * castor.at[1], unit * castor.radius);
+        context.begin_path();
+        context.arc(x, y, size, 0.0, TAU)?;
+        context.stroke();
+        context.stroke_rect(x - 0.8 * size, y - 0.3 * size, 1.6 * size, 0.6 * size);
+    }
     // Windows of the light bumper, in its rim.
     if let Some(light) = robot.suite.light_bumper {
         context.set_fill_style_str(palette.body);

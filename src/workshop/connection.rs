@@ -77,8 +77,8 @@ impl Connection {
         self.link.take_tx()
     }
 
-    /// Request to the line, to be executed before the next bytes are sent: `{ baud: 19200 }`, `{ brc: true }` or
-    /// `null`.
+    /// Request to the line, to be executed before the next bytes are sent: `{ baud: 19200 }`, `{ brc: true }`,
+    /// `"stop"` or `null`.
     #[wasm_bindgen(unchecked_return_type = "rust.LineRequest | null")]
     pub fn take_line(&mut self) -> Result<JsValue, JsValue> {
         to_js(&self.link.take_line())
@@ -95,8 +95,8 @@ impl Connection {
     }
 
     /// Starts the algorithm chosen in `mirror`: a behaviour, or the planned line with these `corners`, x and y in turn,
-    /// m.
-    pub fn ride(&mut self, now: f64, mirror: &SessionMirror, corners: &[f64]) -> Result<(), JsValue> {
+    /// m. Brushes and vacuum run for one that cleans, if `cleans`.
+    pub fn ride(&mut self, now: f64, mirror: &SessionMirror, corners: &[f64], cleans: bool) -> Result<(), JsValue> {
         let session = mirror.session();
         let prepared = session.prepared().ok_or("The robot doesn't fit into the room.")?;
         let (settings, start) = (session.settings(), prepared.floor.start);
@@ -115,8 +115,8 @@ impl Connection {
                 Box::new(prepared.follower(&robot, &line.into(), odometry).carefully())
             }
         };
-        let title = settings.algorithm.title();
-        self.link.ride(now, title, controller, start).map_err(|e| e.to_string().into())
+        let (title, cleans) = (settings.algorithm.title(), cleans && settings.algorithm.cleans());
+        self.link.ride(now, title, controller, start, cleans).map_err(|e| e.to_string().into())
     }
 
     /// The snapshot for the page; `transport` is the state of the line.
@@ -143,7 +143,7 @@ impl Connection {
     }
 
     /// The robot's estimated trail since the last call: x and y in m, heading in rad and contacts, in turn; see
-    /// `app::connection::Connection::take_trace`.
+    /// `robovac_link::connection::Connection::take_trace`.
     pub fn take_trace(&mut self) -> Vec<f64> {
         self.link.take_trace()
     }

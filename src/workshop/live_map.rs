@@ -11,7 +11,7 @@ use robovac_core::{
     geometry::{Point, Pose},
     robot::RobotModel,
 };
-use robovac_link::connection::SETS_OFF;
+use robovac_link::connection::{SETS_OFF, SWEEPS};
 use robovac_playground::canvas::Canvas;
 use robovac_sim::experiment::Shows;
 use wasm_bindgen::prelude::*;
@@ -23,8 +23,8 @@ const MOST_TRAIL: usize = 4000;
 const TRAIL_STEP: f64 = 0.02;
 /// Distance between two readings that can't be driven, m: the robot was moved, or its estimate was set.
 const JUMP: f64 = 0.3;
-/// Contacts that leave a mark: bumpers and cliffs, see `app::connection::Connection::take_trace`.
-const FELT: u8 = 1 | 2 | 4 | 8 | 16 | 32;
+/// Contacts that leave a mark: bumpers and cliffs, see `robovac_link::connection::Connection::take_trace`.
+const FELT: u16 = 1 | 2 | 4 | 8 | 16 | 32;
 
 /// A driving robot on a canvas. Its poses are estimates; [`LiveMap::anchor`] transforms them to the room.
 #[wasm_bindgen]
@@ -45,8 +45,8 @@ pub struct LiveMap {
     bumps: [bool; 2],
     /// Its trail, m on the paper.
     trail: Vec<Point>,
-    /// Its whole trail in the room, for a larger paper.
-    places: Vec<Point>,
+    /// Its whole trail in the room, for a larger paper, and whether it swept on the way there.
+    places: Vec<(Point, bool)>,
     marks: Vec<FeltMark>,
     /// Its last contacts: a mark is left when they begin.
     felt: u8,
@@ -123,7 +123,7 @@ impl LiveMap {
         self.anchor(Pose::new(x, y, heading), really.or_else(|| self.paper.start()));
     }
 
-    /// Adds a trace of `app::connection::Connection::take_trace`.
+    /// Adds a trace of `robovac_link::connection::Connection::take_trace`.
     pub fn follow(&mut self, trace: &[f64]) {
         for &[x, y, heading, felt] in trace.as_chunks().0 {
             if ![x, y, heading].into_iter().all(f64::is_finite) {
@@ -137,12 +137,14 @@ impl LiveMap {
                 continue;
             }
             let place = self.placed(x, y, heading);
-            let felt = felt as u8;
-            for mark in FeltMark::of(&self.robot, place, felt & FELT & !self.felt) {
+            let bits = felt as u16;
+            // Those that fit into a byte are contacts.
+            let felt = (bits & FELT) as u8;
+            for mark in FeltMark::of(&self.robot, place, felt & !self.felt) {
                 self.marks.push(mark);
             }
             self.felt = felt;
-            self.go_to(place);
+            self.go_to(place, bits & SWEEPS != 0);
         }
     }
 
@@ -255,6 +257,7 @@ impl LiveMap {
             body: robot.body,
             radius: robot.radius,
             wheels: [robot.wheel_base, robot.wheel_radius],
+            castors: robot.castors,
             suite: robot.sensors,
             is_lifted: self.is_lifted,
             tool_width: robot.tool_width,
@@ -301,22 +304,30 @@ impl LiveMap {
         Pose::new(place.x, place.y, heading + self.anchor.heading)
     }
 
-    fn go_to(&mut self, place: Pose) {
+    fn go_to(&mut self, place: Pose, sweeps: bool) {
         let point = place.position();
-        if self.places.last().is_some_and(|last| (point - last).norm() < TRAIL_STEP) {
-            return;
+        if let Some((last, swept)) = self.places.last_mut() {
+            let distance = (point - *last).norm();
+            if distance < TRAIL_STEP {
+                // Brushes that start at rest sweep where they are.
+                if sweeps && !std::mem::replace(swept, true) {
+                    let last = *last;
+                    self.sweep_to(last);
+                }
+                return;
+            }
+            if distance > JUMP {
+                self.lift();
+            }
         }
         self.has_changed = true;
-        if self.places.last().is_some_and(|last| (point - last).norm() > JUMP) {
-            self.lift();
-        }
-        self.places.push(point);
+        self.places.push((point, sweeps));
         if self.paper.is_too_small_for(point) {
             // Larger paper, on which everything is drawn again.
             self.paper = self.paper.larger(point, &self.robot);
             self.spread();
         } else {
-            self.sweep_to(point);
+            self.draw_to(point, sweeps);
         }
     }
 
@@ -334,6 +345,16 @@ impl LiveMap {
         if let (Some(tracker), Some(floor)) = (&mut self.tracker, &self.paper.floor) {
             tracker.sweep_to(floor, at);
         }
+    }
+
+    /// Extends the trail, and what was swept along it.
+    fn draw_to(&mut self, place: Point, sweeps: bool) {
+        let at = place + self.paper.shift;
+        if sweeps {
+            self.sweep_to(place);
+        } else if let Some(tracker) = &mut self.tracker {
+            tracker.lift();
+        }
         if self.trail.len() >= MOST_TRAIL {
             self.trail.drain(..MOST_TRAIL / 4);
         }
@@ -347,12 +368,12 @@ impl LiveMap {
         self.versions = self.versions.map(|version| version + 1);
         self.has_changed = true;
         self.trail.clear();
-        for place in std::mem::take(&mut self.places) {
-            if self.places.last().is_some_and(|last: &Point| (place - last).norm() > JUMP) {
+        for (place, sweeps) in std::mem::take(&mut self.places) {
+            if self.places.last().is_some_and(|(last, _)| (place - *last).norm() > JUMP) {
                 self.lift();
             }
-            self.sweep_to(place);
-            self.places.push(place);
+            self.draw_to(place, sweeps);
+            self.places.push((place, sweeps));
         }
     }
 }

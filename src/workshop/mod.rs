@@ -12,6 +12,7 @@ mod replay;
 mod runner;
 mod session_mirror;
 mod trial;
+mod twin;
 mod virtual_robot;
 
 #[allow(unused_imports, reason = "the boundary's tests are Rust; the page uses them by their exports")]

@@ -88,6 +88,11 @@ impl SessionMirror {
         if self.session.planned().is_some() { Ok(()) } else { Err(self.session.view().message.into()) }
     }
 
+    /// Whether the chosen algorithm is for cleaning.
+    pub fn cleans(&self) -> bool {
+        self.session.settings().algorithm.cleans()
+    }
+
     /// Corners of the line that was planned, x and y in turn, m; none if there is no plan.
     pub fn corners(&self) -> Vec<f64> {
         self.session.planned().map_or(Vec::new(), |planned| planned.line.iter().flat_map(|p| [p.x, p.y]).collect())

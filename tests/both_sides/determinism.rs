@@ -92,7 +92,7 @@ fn ride_over_a_bad_line() {
         if look == 600 {
             let info = controller::find("bounce").unwrap();
             let controller = info.build(&Setup { robot, params: &Params::defaults(info.params), seed: 1 }).unwrap();
-            link.ride(now, info.title, controller, prepared.floor.start).unwrap();
+            link.ride(now, info.title, controller, prepared.floor.start, false).unwrap();
         }
     }
     assert!(link.view(60.0).distance_m > 5.0);

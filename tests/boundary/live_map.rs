@@ -3,6 +3,7 @@
 use super::workshop::{LiveMap, SessionMirror, plan};
 use js_sys::{Function, Reflect, Uint32Array};
 use robovac_app::explore::Session;
+use robovac_link::connection::SWEEPS;
 use robovac_playground::wire::to_js;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -27,9 +28,14 @@ fn map(guest: &SessionMirror, known: bool) -> LiveMap {
     map
 }
 
-/// A straight way from a place to the right, a reading every 2 cm.
+/// A straight way from a place to the right, a reading every 2 cm, with the main brush running or not.
+fn way(x: f64, y: f64, length: f64, sweeps: bool) -> Vec<f64> {
+    let flags = if sweeps { f64::from(SWEEPS) } else { 0.0 };
+    (0..=(length / 0.02) as u32).flat_map(|i| [x + 0.02 * f64::from(i), y, 0.0, flags]).collect()
+}
+
 fn straight(x: f64, y: f64, length: f64) -> Vec<f64> {
-    (0..=(length / 0.02) as u32).flat_map(|i| [x + 0.02 * f64::from(i), y, 0.0, 0.0]).collect()
+    way(x, y, length, true)
 }
 
 fn number(object: &JsValue, name: &str) -> f64 {
@@ -61,8 +67,22 @@ fn a_known_room_has_a_share() {
 #[wasm_bindgen_test]
 fn a_robot_that_is_elsewhere_all_at_once_has_not_driven_there() {
     let mut map = map(&guest("room=empty&robot=roomba600"), true);
-    map.follow(&[1.0, 1.0, 0.0, 0.0, 4.0, 3.0, 0.0, 0.0]);
-    assert!(map.swept_m2() < 0.06, "{} m²", map.swept_m2());
+    let sweeps = f64::from(SWEEPS);
+    map.follow(&[1.0, 1.0, 0.0, sweeps, 4.0, 3.0, 0.0, sweeps]);
+    assert!(map.swept_m2() > 0.03 && map.swept_m2() < 0.06, "{} m²", map.swept_m2());
+}
+
+#[wasm_bindgen_test]
+fn floor_is_swept_only_while_the_brush_runs_also_on_larger_paper() {
+    let mut map = map(&guest("room=empty&robot=roomba600"), false);
+    map.follow(&way(0.0, 0.0, 3.0, false));
+    assert_eq!(map.swept_m2(), 0.0);
+    // The brush starts where the robot stands.
+    map.follow(&[3.0, 0.0, 0.0, f64::from(SWEEPS)]);
+    assert!(map.swept_m2() > 0.015);
+    map.follow(&way(3.0, 0.0, 1.0, true));
+    map.follow(&way(4.0, 0.0, 12.0, false));
+    assert!((map.swept_m2() - 1.1 * TOOL_WIDTH).abs() < 0.2 * TOOL_WIDTH, "{} m²", map.swept_m2());
 }
 
 #[wasm_bindgen_test]
@@ -80,7 +100,8 @@ fn beliefs_are_placed_where_the_robot_stands() {
 #[wasm_bindgen_test]
 fn a_bump_leaves_one_mark_however_long_it_is_felt() {
     let mut map = map(&guest("room=empty&robot=roomba600"), true);
-    map.follow(&[1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 8.0]);
+    // With and without the brush.
+    map.follow(&[1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, 513.0, 1.0, 1.0, 0.0, 512.0, 1.0, 1.0, 0.0, 520.0]);
     map.show_robot(1.0, 1.0, 0.0, false, false, false);
     let words = map.words("Empty room", "Safe", "");
     assert!(words.contains("; 1 bump, 1 cliff."), "{words}");

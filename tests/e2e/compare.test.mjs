@@ -385,6 +385,23 @@ test("numbers and charts can be saved", async (t) => {
   assert.ok(colours > 10, `${colours} colours`);
 });
 
+test("table 2 of the thesis is one click away, with its printed values beside the bars", async (t) => {
+  const { page, app, screenshot } = await openCompare(t, { room: "room=flat", link: "vs=neural&rooms=this", viewport: { width: 1440, height: 900 } });
+  await page.locator("#compare-table-2").click();
+  await page.locator(".compare[data-view=numbers]").waitFor({ state: "attached" });
+  await tried(page, 3);
+  const { rows } = await app.poll(() => table(page), (shown) => shown.rows.length === 3 && shown.rows.every(({ cells }) => !cells.includes("–")));
+  assert.deepEqual(rows.map(({ name }) => name).sort(), ["Genetic algorithm", "Growing spirals", "Improved snake"]);
+  assert.match(await app.text("#compare-robot"), /cells of 20 cm/);
+  assert.match(await app.text("#table-note"), /Table 2 as Emu & Obaida print it/);
+  // Figures 5.4 to 5.6, in this order.
+  const charts = await page.locator("#charts figure").evaluateAll((all) => all.map((figure) => [figure.querySelector("figcaption").textContent, figure.querySelectorAll("rect.printed").length]));
+  assert.deepEqual(charts.slice(0, 3), [["Length, m", 3], ["Direction changes", 3], ["Revisits", 3]]);
+  assert.ok(charts.slice(3).every(([, printed]) => printed === 0));
+  assert.match(await app.text("#charts"), /37 printed/);
+  await screenshot("table-2");
+});
+
 test("a room of one's own is compared in", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty", viewport: { width: 1366, height: 768 } });
   await page.locator("#tab-compare").click();

@@ -2,6 +2,7 @@
 // LINK_ROUNDS=100 tries what kills as often, LOAD=2 with that many busy processes per core beside.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
+import net from "node:net";
 import { test } from "node:test";
 import { chromium } from "playwright-core";
 import { CHROMIUM_FLAGS, chromiumPath } from "./browser.mjs";
@@ -9,6 +10,7 @@ import { Bridge } from "./serial/bridge.mjs";
 import { FloorPlanTab, openDesk } from "./serial/desk.mjs";
 import { underLoad } from "./serial/load.mjs";
 import { Robot, lastStop, moves, now } from "./serial/robot.mjs";
+import { hangInWorker } from "./serial/ways.mjs";
 
 const skip = process.platform === "win32" ? "pseudo-terminals are needed" : false;
 const ROUNDS = Number(process.env.LINK_ROUNDS ?? 2);
@@ -123,6 +125,7 @@ test("the bridge that is ended stops the robot; one that was killed does so as s
       // Else its own stop would be the next.
       await desk.tab.evaluate(() => window.connection.close());
       robot.forget();
+      assert.ok(!robot.isAtRest(), "nobody could stop it");
       const again = await Bridge.start(t, robot);
       await robot.rests();
       assert.ok(!robot.heard().some(moves));
@@ -135,7 +138,7 @@ test("the bridge that is ended stops the robot; one that was killed does so as s
   }
 });
 
-test("one page drives, the other watches until it has left", { skip }, async (t) => {
+test("one page drives, the other watches, stops the robot, and drives when it is its turn", { skip }, async (t) => {
   const robot = await Robot.start(t);
   const bridge = await Bridge.start(t, robot);
   const { desk: driver, server } = await openDesk(t, { allow: [/WebSocket/] });
@@ -143,35 +146,110 @@ test("one page drives, the other watches until it has left", { skip }, async (t)
   const { desk: watcher } = await ownBrowser(t, server);
   await ride(driver, bridge, robot);
   await watcher.tab.evaluate((url) => window.connection.open({ kind: "socket", url }), bridge.address);
-  const seen = await watcher.until((view) => view.phase === "connected" && view.wheels[1] !== undefined && view.transport.is_watching);
-  assert.match(seen.transport.text, /watching/);
-  assert.deepEqual([seen.can.arm, seen.can.press], [false, false]);
-  assert.equal(await watcher.ask({ do: "arm", full: false }), false);
-  assert.match((await watcher.failures())[0].what, /Another client of the bridge drives/);
+  const seen = await watcher.until((view) => view.phase === "connected" && view.transport.is_watching && view.moves_alone && view.mode === "Safe");
+  assert.match(seen.transport.text, /watching, and can stop it/);
+  assert.deepEqual([seen.doing.title, seen.clock, Object.values(seen.can).filter(Boolean)], ["Another client drives", "", [true]]);
+  for (const request of [{ do: "arm", full: false }, { do: "raw", bytes: [137, 0, 0, 0, 0] }]) {
+    assert.equal(await watcher.ask(request), false);
+    assert.match((await watcher.failures()).at(-1).what, /Another client of the bridge drives/);
+  }
+  // A watcher that is left, or asked to leave, changes nothing; its Stop does.
+  await watcher.tab.evaluate(() => window.connection.leave("You left the Robot tab."));
+  assert.ok(!robot.isAtRest() && !robot.heard().some(({ opcode }) => opcode === 137));
+  assert.ok(await watcher.ask({ do: "stop" }));
+  await driver.until((view) => /Another client of the bridge stopped the robot/.test(view.notice?.text));
+  await robot.rests();
+  await watcher.until((view) => view.doing.title === "Watching" && /bridge was told to stop/.test(view.notice?.text));
+  // The stick is still held, which moves nothing until the driver takes control again.
+  lastStop(robot.heard());
   robot.forget();
-  await watcher.ask({ do: "raw", bytes: [131, 145, 0, 100, 0, 100] });
-  await watcher.ask({ do: "stop" });
+  await driver.arm();
+  await robot.drives();
   await driver.letGo();
+  await robot.rests();
+  robot.forget();
   await driver.tab.evaluate(() => window.connection.close());
   await watcher.until((view) => !view.transport.is_watching && view.phase === "connected" && view.can.arm);
-  lastStop(robot.heard());
+  assert.ok(!robot.heard().some(moves), "it moved");
   await watcher.arm();
   await watcher.drive(TURN);
+  await robot.drives();
 });
 
-test("the robot's cable is pulled out and put back: nothing moves until the user says so", { skip }, async (t) => {
+test("the robot's cable is pulled out and put back: the bridge stops it, and nothing moves until the user says so", { skip }, async (t) => {
   const robot = await Robot.start(t);
   const bridge = await Bridge.start(t, robot);
   const { desk } = await openDesk(t, { allow: [/WebSocket/] });
   await ride(desk, bridge, robot);
   await robot.unplug();
   await desk.until((view) => view.transport.state === "lost" && /serial port is gone/.test(view.transport.text));
+  // Nobody but the bridge can stop it now.
+  await desk.tab.evaluate(() => window.connection.close());
+  assert.ok(!robot.isAtRest(), "nobody could stop it");
   robot.forget();
   await robot.plug();
-  await desk.until((view) => view.transport.state === "open" && view.phase === "connected");
+  await robot.rests();
+  assert.ok(!moves(robot.heard()[0]), "the first is a stop");
+  // Once more, with a page that comes back by itself; its stick is held all the time.
+  await connect(desk, bridge);
+  await desk.arm();
+  await robot.drives();
+  await robot.unplug();
+  await desk.until((view) => view.transport.state === "lost");
+  robot.forget();
+  await robot.plug();
+  await desk.until((view) => view.transport.returns > 0 && view.phase === "connected");
   await robot.rests();
   assert.ok(!robot.heard().some(moves), "it moved");
+  await desk.arm();
+  await robot.drives();
   await desk.letGo();
+});
+
+/** A network between page and bridge that delays everything by the same time. Returns its address for the page. */
+async function slowNetwork(t, bridge, delayMs) {
+  const { hostname, port } = new URL(bridge.address);
+  const delayed = (from, to) => {
+    from.on("data", (data) => setTimeout(() => to.destroyed || to.write(data), delayMs));
+    from.on("close", () => setTimeout(() => to.destroy(), delayMs));
+    from.on("error", () => {});
+  };
+  const server = net.createServer((near) => {
+    const far = net.connect(Number(port), hostname);
+    delayed(near, far);
+    delayed(far, near);
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.3", resolve));
+  t.after(() => server.close());
+  return { address: `ws://127.0.0.3:${server.address().port}/` };
+}
+
+// slow: connecting takes some delays.
+test("a network that delivers everything late shows the sensors and never moves the robot", { skip }, async (t) => {
+  const robot = await Robot.start(t);
+  const network = await slowNetwork(t, await Bridge.start(t, robot), 150);
+  const { desk } = await openDesk(t, { allow: [/WebSocket/] });
+  await connect(desk, network);
+  robot.forget();
+  await desk.arm();
+  await desk.tab.evaluate((how) => (window.stick = setInterval(() => window.connection.request({ do: "drive", ...how }), 50)), TURN);
+  await desk.until((view) => /network is too slow to drive over/.test(view.notice?.text) && view.mode === "Passive" && view.readings);
+  assert.ok(!robot.heard().some(moves), "it moved");
+  await desk.letGo();
+});
+
+// slow: the worker hangs for a while.
+test("the line's worker hangs: the other one has the bridge stop the robot, over a connection that doesn't drive", { skip }, async (t) => {
+  const robot = await Robot.start(t);
+  const bridge = await Bridge.start(t, robot);
+  const { desk } = await openDesk(t, { allow: [/WebSocket/] });
+  await ride(desk, bridge, robot);
+  const at = hangInWorker(desk, "line-worker.js");
+  await desk.tab.waitForFunction(() => window.seen.failures.some(({ what }) => /A stop command was sent over a new connection/.test(what)));
+  assert.ok((await stoppedAfter(robot, at)) < LIMIT_MS);
+  // By the word, which goes through Safe; the bytes of a client that doesn't drive never arrive.
+  const stop = robot.heard().findLastIndex(moves);
+  assert.ok(robot.heard().some(({ opcode }, index) => index > stop && opcode === 131), "the word has arrived");
 });
 
 test("a slow robot is found through the bridge, which changes its baud rate", { skip }, async (t) => {

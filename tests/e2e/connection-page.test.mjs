@@ -157,7 +157,7 @@ const small = (page) =>
   page.evaluate(() =>
     [...document.querySelectorAll("#panel-connection :is(button:not(.term), select, input, summary)")]
       .filter((node) => node.checkVisibility({ visibilityProperty: true }) && !node.closest(".piano"))
-      .map((node) => ({ name: node.id || node.textContent, ...(({ width, height, x, y }) => ({ width, height, x, y }))(node.getBoundingClientRect().toJSON()) }))
+      .map((node) => ({ name: node.id || node.textContent, ...(({ width, height, x, y }) => ({ width, height, x, y }))((node.matches("[type=checkbox]") ? node.closest("label") : node).getBoundingClientRect().toJSON()) }))
       .filter(({ width, height }) => width > 0 && (height < 40 || width < 32)),
   );
 const overflow = (page) => page.evaluate(() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]);

@@ -73,10 +73,10 @@ test("a behaviour rides the virtual robot, and lifting it ends that", async (t) 
   assert.ok(open, JSON.stringify(await desk.failures()));
   await desk.until((v) => v.phase === "connected");
   // Not without control.
-  assert.equal(await desk.tab.evaluate(() => window.connection.ride([])), false);
+  assert.equal(await desk.tab.evaluate(() => window.connection.ride([], false)), false);
   assert.deepEqual((await desk.failures()).map(({ kind }) => kind), ["refused"]);
   await desk.arm();
-  assert.equal(await desk.tab.evaluate(() => window.connection.ride([])), true);
+  assert.equal(await desk.tab.evaluate(() => window.connection.ride([], false)), true);
   const { virtual } = await desk.until((v) => v.distance_m > 0.2);
   const trace = await desk.tab.evaluate(() => window.seen.trace);
   assert.equal(trace.length % 4, 0);

@@ -3,7 +3,8 @@
 use coverage_planners::{PLANNERS, find, metrics::METRICS};
 use robovac_app::{
     compare::{
-        Comparison, ComparisonTable, MOST_LANES, MedianAndRange, RoomChoice, Row, TrialProgress, to_csv, to_json,
+        Comparison, ComparisonTable, MOST_LANES, MedianAndRange, PrintedRow, RoomChoice, Row, TrialProgress, to_csv,
+        to_json,
     },
     explore::{Session, SessionState},
 };
@@ -257,6 +258,81 @@ fn files_hold_every_trial_with_all_numbers() {
     let json: serde_json::Value = serde_json::from_str(&to_json(&comparison.records())).expect("it is JSON");
     assert_eq!(json[1]["numbers"]["turns"], 34.0);
     assert_eq!(json[0]["error"], "a \"reason\", with a comma");
+}
+
+#[test]
+fn walk_that_misses_cells_is_the_best_in_nothing_but_coverage() {
+    let session = session("room12ft");
+    let mut comparison = comparison(&session, &[]);
+    comparison.restore("vs=boustrophedon,snake~rules:program&rooms=this").expect("the rules exist");
+    work(&mut comparison);
+    let table = comparison.table(None);
+    let [complete, printed] = &table.rows[..] else { panic!("there are two rows") };
+    assert!(complete.is_complete && !printed.is_complete);
+    let steps = column("steps");
+    assert!(printed.values[steps].map(|v| v.median) < complete.values[steps].map(|v| v.median));
+    assert!((0..METRICS.len()).all(|metric| !table.is_best(printed, metric)));
+}
+
+/// As a click on the button makes it.
+fn table_2() -> (Comparison, ComparisonTable) {
+    let mut session = session("empty");
+    session.restore("room=thesis226&robot=cell&cell=0.2&seed=1").expect("the room ships");
+    let mut comparison = comparison(&session, &[]);
+    comparison.restore("vs=spiral,snake,genetic&rooms=this&seeds=1").expect("the planners exist");
+    work(&mut comparison);
+    let table = comparison.table(None);
+    (comparison, table)
+}
+
+/// What the page and docs/planners.md say of Table 2: the printed values, ours, and in which order they are.
+#[test]
+fn order_of_table_2_is_as_the_documentation_claims() {
+    let (_, table) = table_2();
+    let order = |value: &dyn Fn(&Row) -> Option<f64>| {
+        let mut rows: Vec<(f64, &str)> =
+            table.rows.iter().map(|row| (value(row).expect("it is known"), row.entrant.id())).collect();
+        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        rows.into_iter().map(|(_, planner)| planner).collect::<Vec<_>>()
+    };
+    let ours = |metric: &str| order(&|row| Some(row.values[column(metric)]?.median));
+    let printed = |metric: &str| order(&|row| row.printed?.value(metric));
+    for metric in ["revisits", "length"] {
+        assert_eq!(ours(metric), ["genetic", "snake", "spiral"], "{metric}");
+        assert_eq!(ours(metric), printed(metric), "{metric}");
+    }
+    assert_eq!(ours("direction_changes"), ["genetic", "snake", "spiral"]);
+    assert_eq!(printed("direction_changes"), ["snake", "genetic", "spiral"]);
+
+    let page =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/planners.md")).expect("it can be read");
+    for row in &table.rows {
+        let PrintedRow { algorithm, turns, revisits, length_m, planner } = row.printed.expect("it is in the table");
+        let [changes, again, length] =
+            ["direction_changes", "revisits", "length"].map(|id| row.values[column(id)].expect("it is known").median);
+        let line = format!(
+            "| {algorithm} | {turns} | {revisits} | {length_m:.1} | `{planner}` | {changes} | {again} | {length:.1} |"
+        );
+        assert!(page.contains(&line), "{line}");
+    }
+    // The room was laid out so that the snake does about what is printed.
+    let snake = table.rows.iter().find(|row| row.entrant.id() == "snake").expect("it takes part");
+    for (metric, far) in [("direction_changes", 2.0), ("revisits", 1.0), ("length", 2.0)] {
+        let value = snake.values[column(metric)].expect("it is known").median;
+        assert!((value - snake.printed.and_then(|p| p.value(metric)).expect("it is printed")).abs() <= far, "{metric}");
+    }
+}
+
+#[test]
+fn printed_values_are_shown_only_beside_their_room() {
+    let (mut comparison, _) = table_2();
+    comparison.take(&session("thesis226"));
+    assert!(comparison.table(None).rows.iter().all(|row| row.printed.is_some()));
+    assert!(comparison.table(Some(RoomChoice::Shipped("flat"))).rows.iter().all(|row| row.printed.is_none()));
+    let mut finer = session("thesis226");
+    finer.configure(|s| s.set_cell_size(0.1)).expect("the size is in range");
+    comparison.take(&finer);
+    assert!(comparison.table(None).rows.iter().all(|row| row.printed.is_none()));
 }
 
 #[test]

@@ -62,3 +62,29 @@ fn files_that_are_named_exist() {
 fn the_front_page_is_short() {
     assert!(fs::metadata(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap().len() <= README as u64);
 }
+
+/// The text of all Rust files below a folder.
+fn sources(folder: &Path) -> String {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let texts = entries.filter(|path| !path.ends_with("target")).map(|path| match path.extension() {
+        _ if path.is_dir() => sources(&path),
+        Some(ending) if ending == "rs" => fs::read_to_string(&path).unwrap(),
+        _ => String::new(),
+    });
+    texts.collect()
+}
+
+/// In docs/papers.md the last column names tests, by file or by name.
+#[test]
+fn tests_that_hold_us_to_the_papers_exist() {
+    let (root, pages) = pages();
+    let all = ["crates", "tests"].map(|folder| sources(&root.join(folder))).concat();
+    let (_, text) = pages.iter().find(|(path, _)| path.ends_with("docs/papers.md")).unwrap();
+    let rows = text.lines().filter_map(|line| line.strip_prefix('|')?.strip_suffix('|')?.rsplit_once('|'));
+    let names = rows.flat_map(|(_, held_by)| held_by.split('`').skip(1).step_by(2));
+    let names: Vec<&str> = names.filter(|name| !name.contains(['/', ':', ' '])).collect();
+    assert!(names.len() > 10, "{names:?}");
+    for name in names {
+        assert!(all.contains(&format!("fn {name}(")), "there is no test {name}");
+    }
+}

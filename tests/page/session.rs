@@ -231,6 +231,29 @@ fn room_of_ones_own_survives_by_scenario_and_link() {
 }
 
 #[test]
+fn a_twin_is_kept_by_links_scenarios_and_other_tabs_until_another_robot_is_chosen() {
+    let mut session = opened();
+    session.restore("room=empty&behaviour=bounce&robot=roomba600&twin=base:242,acceleration:1.4").unwrap();
+    let twin = session.settings().twin;
+    assert_eq!(twin.and_then(|twin| twin.wheel_base_mm), Some(242.0));
+    assert_eq!(session.view().twin, "base:242,acceleration:1.4");
+    let (link, saved) = (session.link(), session.scenario_json());
+    let (mut by_link, mut by_file, mut by_tab) = (opened(), opened(), opened());
+    by_link.restore(&link).unwrap();
+    by_file.load(&[SourceFile { name: "saved.json".into(), bytes: saved.into_bytes() }]).unwrap();
+    by_tab.follow(&session.snapshot()).unwrap();
+    for other in [&by_link, &by_file, &by_tab] {
+        assert_eq!(other.settings().twin, twin);
+    }
+    // A connected robot is itself.
+    assert_eq!(session.snapshot().for_connection("bounce").unwrap().choices.twin, None);
+    let refused = session.restore("twin=base:2420").unwrap_err().to_string();
+    assert!(refused.contains("wheel_base_mm can't be 2420") && session.settings().twin == twin, "{refused}");
+    session.configure(|settings| settings.select_robot("roomba600")).unwrap();
+    assert_eq!(session.settings().twin, None);
+}
+
+#[test]
 fn snapshot_is_followed_by_other_tabs() {
     let mut session = opened();
     session.select_room("empty").unwrap();
@@ -584,6 +607,22 @@ fn search_of_the_snake_follows_the_robot() {
     session.frame(0.0, &mut || true);
     assert_eq!(decision(&session).as_ref(), steps.first());
     assert_eq!(session.view().search.text, format!("{}.", steps[0].note));
+}
+
+#[test]
+fn search_says_why_a_walk_ends_early() {
+    let mut session = opened();
+    session.restore("room=room12ft&robot=cell&planner=snake&p.rules=program").unwrap();
+    session.show_search(true);
+    session.plan_now(|| 0.0);
+    session.seek(session.planned().unwrap().drive.duration_s * 2.0);
+    while session.state() != SessionState::Finished {
+        session.frame(1.0, &mut || true);
+    }
+    let planned = session.planned().unwrap();
+    assert!(planned.walk.visited_cells < planned.walk.reachable_cells);
+    let ending = session.search().unwrap().ending().expect("it ends early");
+    assert_eq!((ending.step, &session.view().search.text), (planned.walk.steps, &format!("{}.", ending.note)));
 }
 
 #[test]

@@ -1,5 +1,5 @@
 // @ts-check
-// Bars for turns, revisits and length, as in figures 5.4 to 5.6 of Emu & Obaida 2020, and all numbers side by side.
+// Bars for length, turns and revisits, as in figures 5.4 to 5.6 of Emu & Obaida 2020, and all numbers side by side.
 import { shown } from "../format.js";
 
 /**
@@ -7,12 +7,12 @@ import { shown } from "../format.js";
  * @typedef {import("../types").CatalogueEntry} Planner
  */
 
-/** Numbers that get bars. */
-const BARS = ["turns", "revisited_cells", "length", "duration", "above_bound"];
+/** Numbers that get bars; the first three are those of the figures. */
+const BARS = ["length", "direction_changes", "revisits", "turns", "duration", "above_bound"];
 /** Numbers of the chart with an axis for each. */
 const AXES = ["coverage", "length", "duration", "energy", "turns", "revisits", "overlap_area", "planning"];
-/** Height of a bar with its name, and width of all, in units of the drawing. */
-const [ROW, WIDTH] = [34, 330];
+/** Height of a bar with its name, of a printed value's bar, and width of all, in units of the drawing. */
+const [ROW, PRINTED, WIDTH] = [34, 18, 330];
 
 /** @param {string} text */
 const safe = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
@@ -37,21 +37,27 @@ function bars({ metrics, rows }, planners, id) {
   if (!metric) return "";
   const known = rows.flatMap((row) => {
     const spread = row.values[column];
-    return spread ? [{ row, spread }] : [];
+    return spread ? [{ row, spread, printed: row.printed[column] ?? null }] : [];
   });
   known.sort((a, b) => a.spread.median - b.spread.median);
-  const most = Math.max(...known.map(({ spread }) => spread.max), 1e-9);
-  const x = (/** @type {number} */ value) => (value / most) * (WIDTH - 64);
+  const most = Math.max(...known.map(({ spread, printed }) => Math.max(spread.max, printed ?? 0)), 1e-9);
+  const any = known.some(({ printed }) => printed !== null);
+  const x = (/** @type {number} */ value) => (value / most) * (WIDTH - (any ? 96 : 64));
   const title = `${metric.label}${metric.unit && metric.unit !== "s" ? `, ${metric.unit}` : ""}`;
-  const height = 6 + ROW * known.length;
-  const items = known.map(({ row, spread }, i) => {
-    const y = 6 + ROW * i;
+  const pitch = ROW + (any ? PRINTED : 0);
+  const height = 6 + pitch * known.length;
+  const items = known.map(({ row, spread, printed }, i) => {
+    const y = 6 + pitch * i;
     const { title: name, mark } = drawn(planners[row.entrant]);
     const range = spread.max > spread.min ? `<path class="range" d="M${x(spread.min)} ${y + 22}H${x(spread.max)}"/>` : "";
-    return `<g data-entrant="${row.entrant}"><title>${name}: ${shown(metric, spread.median)}</title><text x="0" y="${y + 11}" class="name">${name}</text><rect y="${y + 16}" width="${Math.max(x(spread.median), 1)}" height="12" rx="2" ${mark}/>${range}<text x="${x(spread.max) + 6}" y="${y + 26}" class="value">${shown(metric, spread.median)}</text></g>`;
+    return `<g data-entrant="${row.entrant}"><title>${name}: ${shown(metric, spread.median)}</title><text x="0" y="${y + 11}" class="name">${name}</text><rect y="${y + 16}" width="${Math.max(x(spread.median), 1)}" height="12" rx="2" ${mark}/>${range}<text x="${x(spread.max) + 6}" y="${y + 26}" class="value">${shown(metric, spread.median)}</text>${printed === null ? "" : printedBar(x(printed), y + ROW, shown(metric, printed))}</g>`;
   });
   return svg(title, height, items.join(""), `${title}: ${known.map(({ row, spread }) => `${planners[row.entrant]?.title} ${shown(metric, spread.median)}`).join(", ")}`);
 }
+
+/** What a paper prints. @param {number} width @param {number} y @param {string} value */
+const printedBar = (width, y, value) =>
+  `<rect class="printed" y="${y}" width="${Math.max(width, 1)}" height="10" rx="2"/><text class="value" x="${width + 6}" y="${y + 9}">${value} printed</text>`;
 
 /** One axis for each number, the best at the top, the worst at the bottom. @param {Table} table @param {Planner[]} planners */
 function parallel({ metrics, rows }, planners) {

@@ -1,7 +1,7 @@
 // @ts-check
 // The table of all numbers, sortable, the best of every column marked; the charts below it.
 import { drawCharts } from "./charts.js";
-import { byId, changed, fill, make, select, setText } from "../dom.js";
+import { button, byId, changed, fill, make, select, setText } from "../dom.js";
 import { swatch } from "./entrants.js";
 import { count, shown, unitOf } from "../format.js";
 import { cueScroll } from "./scroll-cue.js";
@@ -11,6 +11,9 @@ import { cueScroll } from "./scroll-cue.js";
  * @typedef {Table["rows"][number]} Row
  * @typedef {Table["metrics"][number]} Metric
  */
+
+/** Table 2 of Emu & Obaida 2020: their three algorithms in a room with as many cells as theirs. */
+const TABLE_2 = { place: "room=thesis226&robot=cell&cell=0.2&seed=1", plans: "vs=spiral,snake,genetic&rooms=this&seeds=1" };
 
 /** @param {import("./tab.js").Comparing} it @returns {(view: import("../types").ComparisonView) => void} */
 export function startNumbers(it) {
@@ -23,6 +26,10 @@ export function startNumbers(it) {
   const body = byId("compared").querySelector("tbody");
   if (!head || !body) throw new Error("the page has no table");
   for (const node of byId("panel-compare").querySelectorAll(".table-scroll")) cueScroll(/** @type {HTMLElement} */ (node));
+
+  button("compare-table-2").addEventListener("click", () => {
+    if (app.act((p) => p.restore(TABLE_2.place)) && it.act((c) => c.restore(TABLE_2.plans))) button("view-numbers").click();
+  });
 
   /** @param {number} column */
   const sortBy = (column) => {
@@ -51,7 +58,7 @@ export function startNumbers(it) {
     if (!changed(body, "table", `${view.version} ${menu.value}`)) return;
     const room = menu.value === "all" ? undefined : Number(menu.value);
     table = comparison.table(room);
-    setText(byId("table-note"), `${note(view, room === undefined)} ${table ? proven(table) : ""}`.trim());
+    setText(byId("table-note"), `${note(view, room === undefined)} ${table ? proven(table) : ""} ${table ? beside(table) : ""}`.trim());
     show();
   };
 }
@@ -66,6 +73,12 @@ function note({ seeds, entrants }, together) {
 function proven({ bounds }) {
   if (!bounds) return "";
   return `Proven: no walk over these cells has fewer than ${count(bounds.steps)} steps or ${count(bounds.turns)} quarter turns, or steps + 2 × turns below ${count(bounds.cost)}.`;
+}
+
+/** @param {Table} table */
+function beside({ rows }) {
+  if (!rows.some(({ printed }) => printed.some((value) => value !== null))) return "";
+  return "Dashed bars: Table 2 as Emu & Obaida print it. Their room is lost; this one has as many cells and was laid out so that the snake does about what is printed. Compare the order of the algorithms, not the values.";
 }
 
 /** @param {Metric} metric @param {number} column @param {Row[]} rows @param {{ column: number, down: boolean } | undefined} order @param {(column: number) => void} sortBy */

@@ -4,10 +4,7 @@ import { mayTry } from "./local-network.js";
 import { failure } from "./ports.js";
 
 /** The version that this page speaks. */
-const VERSION = "1";
-
-/** How often the bridge gets a sign of life, ms. It stops the robot after 200 ms without one. */
-export const ALIVE_MS = 50;
+const VERSION = "2";
 
 /** The codes with which the bridge closes a connection, with the reason in words: one that may pass, or for good. */
 const CLOSED = 4000;
@@ -19,23 +16,31 @@ export const closure = ({ code, reason }) => ({ why: `The bridge closed the conn
 /** The bridge's TCP port, unless the address names another. */
 const PORT = 7626;
 
-/**
- * The first message of a bridge: whether it is one of ours. Throws a sentence if it is too new.
- * @param {unknown} data
- */
-export function isHello(data) {
-  const version = typeof data === "string" ? /^hello roomba-bridge (\d+)$/.exec(data)?.[1] : undefined;
-  if (version !== undefined && version !== VERSION) throw `This bridge speaks version ${version} of the protocol, this page version ${VERSION}. Use a bridge and a page of the same age.`;
-  return version !== undefined;
+/** @param {unknown} data */
+const versionIn = (data) => (typeof data === "string" ? /^hello roomba-bridge (\d+)$/.exec(data)?.[1] : undefined);
+
+/** Whether a bridge's first message is that of one of ours. @param {unknown} data */
+export const isHello = (data) => versionIn(data) !== undefined;
+
+/** Why this page can't speak to a bridge of ours; "" if it can. @param {unknown} hello Its first message. */
+export function misfit(hello) {
+  const version = versionIn(hello);
+  return version === undefined || version === VERSION ? "" : `This bridge speaks version ${version} of the protocol, this page version ${VERSION}. Use a bridge and a page of the same age.`;
 }
 
-/** Why the bridge stopped the robot, as a sentence about it. @param {string} word */
-export function haltedBecause(word) {
-  if (word === "silent") return "The bridge stopped the wheels: nothing was heard of the driving page for 0.2 s.";
-  if (word === "lost") return "The bridge stopped the robot: the driving page was silent for a second.";
-  if (word === "left") return "The bridge stopped the robot: the driving page has left.";
-  return "The bridge was ended, and stopped the robot.";
-}
+/** Why the bridge stopped the robot, as a sentence about it. @type {Record<string, string>} */
+const HALTED = {
+  silent: "The bridge stopped the wheels: this page didn't answer it within 0.2 s. The page was busy, or the network is slow.",
+  late: "The bridge didn't let the robot start: the command took longer than 0.2 s. The network is too slow to drive over.",
+  flooded: "The bridge stopped the robot: this page sent more than the robot's serial line can carry.",
+  stopped: "Another client of the bridge stopped the robot.",
+  lost: "The bridge stopped the robot: this page was silent for a second.",
+  left: "The bridge stopped the robot: the driving page has left.",
+  ended: "The bridge was ended, and stopped the robot.",
+};
+
+/** @param {string} word */
+export const haltedBecause = (word) => HALTED[word] ?? "The bridge stopped the robot.";
 
 /**
  * The address of a bridge as a user writes it, completed: "roomba.local" is enough. Null if it is none.

@@ -123,13 +123,14 @@ export class ConnectionClient {
 
   /**
    * Starts the algorithm of the followed snapshot: a behaviour, or the planned line with these corners, x and y in
-   * turn, m. Resolves to whether it drives.
+   * turn, m. With `cleans`, brushes and vacuum run for one that is for cleaning. Resolves to whether it drives.
    * @param {Float64Array | number[]} corners
+   * @param {boolean} cleans
    * @returns {Promise<boolean>}
    */
-  async ride(corners) {
+  async ride(corners, cleans) {
     this.#movesUntil = performance.now() + 500;
-    return (await this.#ask({ type: "ride", id: 0, corners: Float64Array.from(corners) })) === true;
+    return (await this.#ask({ type: "ride", id: 0, corners: Float64Array.from(corners), cleans })) === true;
   }
 
   /** Stops the robot and gives control up. @param {string} why A sentence for a returning user. */
@@ -208,7 +209,8 @@ export class ConnectionClient {
   /** Whether the robot moves, or can by requests since the latest view. */
   #mayMove() {
     if (!this.isOpen) return false;
-    const { mode, ride } = this.#view ?? { mode: "", ride: null };
+    const { mode, ride, transport } = this.#view ?? { mode: "", ride: null };
+    if (transport?.is_watching) return false;
     return mode === "Safe" || mode === "Full" || ride?.done === false || performance.now() < this.#movesUntil;
   }
 }

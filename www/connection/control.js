@@ -36,8 +36,9 @@ export function startControl(it) {
     const open = view.is_open && !view.is_recording;
     const isThere = view.phase === "connected" && open;
     setHidden(button("connection-stop"), !open);
-    button("connection-stop").classList.toggle("moving", view.is_moving || view.moves_alone);
-    for (const id of ["connection-control", "connection-ride"]) setHidden(byId(id), !isThere);
+    button("connection-stop").classList.toggle("moving", view.is_moving || view.moves_alone || (view.motors & 7) !== 0);
+    // Who only watches has nothing to choose.
+    for (const id of ["connection-control", "connection-ride"]) setHidden(byId(id), !isThere || view.transport.is_watching);
     for (const row of byId("connection-modes").children) {
       const isIn = row.getAttribute("data-mode") === view.mode;
       setAttribute(row, "class", isIn ? "in" : "");

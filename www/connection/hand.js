@@ -11,6 +11,11 @@ const BUTTONS = [[1, "Clean", 80, 52], [2, "Spot", 45, 62], [4, "Dock", 115, 62]
 /** Lamps: bit, name, colour, place. @type {[bit: number, name: string, colour: string, x: number, y: number][]} */
 const LAMPS = [[1, "Dirt", "#5aa2ff", 62, 15], [2, "Spot", "#4fd675", 45, 44], [4, "Dock", "#4fd675", 115, 44], [8, "Check", "#ff9a3c", 98, 15]];
 
+/** Lights of the schedule, which are seen only while lit: bit, name, text, place. Weekdays are above the digits. @type {[bit: number, name: string, text: string, x: number, y: number][]} */
+const WEEKDAYS = ["Sunday", "Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday"].map((name, day) => [1 << day, name, name.charAt(0), 59 + 7 * day, 79]);
+/** @type {typeof WEEKDAYS} */
+const SCHEDULE = [[1, "colon", ":", 80, 95], [2, "PM", "PM", 113, 99], [4, "AM", "AM", 113, 90], [8, "clock", "CLK", 45, 99], [16, "schedule", "SCH", 45, 90]];
+
 /** Colour of the Clean light. @param {number} colour 0 green to 255 red @param {number} intensity */
 export const cleanColour = (colour, intensity) => `rgb(${Math.round(90 + 0.65 * colour)} ${Math.round(220 - 0.62 * colour)} 60 / ${intensity / 255})`;
 
@@ -31,14 +36,26 @@ export function face() {
   });
   draw("rect", { x: 55, y: 81, width: 50, height: 20, rx: 3, class: "glass" }, svg);
   const digits = draw("text", { x: 80, y: 96, class: "digits" }, svg);
+  const small = (/** @type {typeof WEEKDAYS} */ list) => list.map(([bit, name, text, x, y]) => {
+    const node = draw("text", { x, y, class: "small", visibility: "hidden" }, svg);
+    node.textContent = text;
+    return { bit, name, node };
+  });
+  const [days, marks] = [small(WEEKDAYS), small(SCHEDULE)];
   return {
     svg,
-    /** @param {{ lamps: number, clean_light: [number, number], digits: string }} display */
-    show({ lamps: lit, clean_light: [colour, intensity], digits: text }) {
+    /** @param {{ lamps: number, clean_light: [number, number], digits: string, weekdays: number, schedule: number }} display */
+    show({ lamps: lit, clean_light: [colour, intensity], digits: text, weekdays, schedule }) {
       setAttribute(light, "fill", cleanColour(colour, intensity));
       for (const { bit, colour: shine, lamp } of lamps) setAttribute(lamp, "fill", lit & bit ? shine : "#0000");
       setText(digits, text.replace(/[^ -~]/g, " "));
-      const on = lamps.filter(({ bit }) => lit & bit).map(({ name }) => name);
+      for (const { bit, node } of days) setAttribute(node, "visibility", weekdays & bit ? "visible" : "hidden");
+      for (const { bit, node } of marks) setAttribute(node, "visibility", schedule & bit ? "visible" : "hidden");
+      const on = [
+        ...lamps.filter(({ bit }) => lit & bit),
+        ...days.filter(({ bit }) => weekdays & bit),
+        ...marks.filter(({ bit }) => schedule & bit),
+      ].map(({ name }) => name);
       setAttribute(svg, "aria-label", `Display: ${text.trim() || "dark"}. Lamps: ${on.join(", ") || "none"}. Clean light: ${intensity === 0 ? "off" : colour < 85 ? "green" : colour < 170 ? "orange" : "red"}.`);
     },
   };
@@ -101,7 +118,8 @@ export function startVirtual(it) {
       setAttribute(lift, "data-tip", virtual.lifted ? "Puts it down where it was." : "Lifts it: its wheels drop, and Safe mode ends. Or drag it on the map.");
       setAttribute(plug, "data-tip", isPlugged ? "Unplugs its charger." : "Plugs its charger in: Safe mode ends.");
       const what = virtual.fallen ? "It has fallen down the stairs: lift it and put it down." : virtual.lifted ? "In your hand." : virtual.awake ? `Awake, ${virtual.mode}.` : "Asleep: press Clean to wake it.";
-      setText(byId("hand-note"), what);
+      const dirt = virtual.dirt_left === null ? "" : ` Dirt left: ${Math.round(100 * virtual.dirt_left)} %.`;
+      setText(byId("hand-note"), what + dirt);
     },
   };
 }

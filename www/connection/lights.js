@@ -1,17 +1,21 @@
 // @ts-check
-// Lamps, the Clean light, digits, brushes and vacuum; and the robot's own buttons.
-import { byId, make, setAttribute, setEnabled } from "../dom.js";
+// Lamps, the Clean light, digits and the lights of the schedule; and the robot's own buttons.
+import { byId, make, setEnabled } from "../dom.js";
 import { ask } from "./dialogs.js";
 import { face } from "./hand.js";
+import { group, slider, toggles, wishes } from "./switches.js";
 
 /** Bits of opcode 139. @type {[bit: number, name: string][]} */
 const LAMPS = [[1, "Dirt"], [2, "Spot"], [4, "Dock"], [8, "Check robot"]];
-/** Bits of opcode 138. @type {[bit: number, name: string, tip: string][]} */
-const MOTORS = [[1, "Side brush", "Sweeps dirt from the edge."], [2, "Vacuum", "Loud."], [4, "Main brush", "Keep fingers and hair away."], [8, "Side brush clockwise", "Counter-clockwise otherwise."], [16, "Main brush outward", "Throws dirt out instead of picking it up."]];
-/** @type {[button: "clean" | "spot" | "dock" | "power", name: string, what: string][]} */
+/** Bits of opcode 162. @type {[bit: number, name: string][]} */
+const WEEKDAYS = [[1, "Sun"], [2, "Mon"], [4, "Tue"], [8, "Wed"], [16, "Thu"], [32, "Fri"], [64, "Sat"]];
+/** @type {[bit: number, name: string][]} */
+const SCHEDULE = [[16, "Schedule"], [8, "Clock"], [4, "AM"], [2, "PM"], [1, "Colon"]];
+/** @type {[button: "clean" | "spot" | "dock" | "max" | "power", name: string, what: string][]} */
 const BUTTONS = [
   ["clean", "Clean", "The robot starts its own cleaning program, and this page loses control. Stop takes it back."],
   ["spot", "Spot", "The robot cleans a spot of about one metre, and this page loses control. Stop takes it back."],
+  ["max", "Max", "The robot cleans until its battery is empty, and this page loses control. Stop takes it back."],
   ["dock", "Dock", "The robot drives to its home base, and this page loses control. Stop takes it back."],
   ["power", "Power", "It goes to sleep. Only its Clean button, or a cable with a wake-up wire, wakes it."],
 ];
@@ -19,46 +23,26 @@ const BUTTONS = [
 /** @param {import("./tab.js").ConnectionTab} it @returns {(view: import("./types").ConnectionView) => void} */
 export function startLights(it) {
   const { svg, show } = face();
-  const state = { lamps: 0, clean_light: /** @type {[number, number]} */ ([0, 128]), digits: "" };
-  const light = () => {
-    show(state);
-    void it.request({ do: "leds", lamps: state.lamps, colour: state.clean_light[0], intensity: state.clean_light[1] });
+  const lights = wishes(it, { lamps: 0, clean_light: /** @type {[number, number]} */ ([0, 0]), digits: "    ", weekdays: 0, schedule: 0 });
+  const light = (/** @type {Partial<typeof lights.now>} */ wish) => {
+    const { lamps, clean_light: [colour, intensity] } = lights.wish(wish);
+    void lights.ask({ do: "leds", lamps, colour, intensity });
   };
-  /** @param {string} name @param {string} tip @param {() => void} act */
-  const toggle = (name, tip, act) => {
-    const node = make("button", { type: "button", className: "toggle", "aria-pressed": "false", ...(tip ? { "data-tip": tip } : {}) }, name);
-    node.addEventListener("click", () => {
-      if (node.getAttribute("aria-disabled") === "true") return;
-      setAttribute(node, "aria-pressed", String(node.getAttribute("aria-pressed") !== "true"));
-      act();
-    });
-    return node;
+  const mark = (/** @type {Partial<typeof lights.now>} */ wish) => {
+    const { weekdays, schedule } = lights.wish(wish);
+    void lights.ask({ do: "schedule_leds", weekdays, lamps: schedule });
   };
-  const lamps = LAMPS.map(([bit, name]) => toggle(name, "", () => {
-    state.lamps ^= bit;
-    light();
-  }));
-  const range = (/** @type {string} */ label, /** @type {0 | 1} */ which) => {
-    const node = make("input", { type: "range", min: "0", max: "255", value: String(state.clean_light[which]) });
-    node.addEventListener("change", () => {
-      state.clean_light[which] = Number(node.value);
-      light();
-    });
-    return make("label", { className: "field" }, make("span", { className: "label" }, label), node);
-  };
+  const lamps = toggles(LAMPS, (bit) => light({ lamps: lights.now.lamps ^ bit }));
+  const weekdays = toggles(WEEKDAYS, (bit) => mark({ weekdays: lights.now.weekdays ^ bit }));
+  const schedule = toggles(SCHEDULE, (bit) => mark({ schedule: lights.now.schedule ^ bit }));
+  const colour = slider("Clean light: green to red", 0, 255, (value) => light({ clean_light: [value, lights.now.clean_light[1]] }));
+  const brightness = slider("Brightness", 0, 255, (value) => light({ clean_light: [lights.now.clean_light[0], value] }));
   const digits = make("input", { type: "text", maxLength: 4, size: 4, placeholder: "HOLA", autocomplete: "off", spellcheck: false });
   const form = make("form", { className: "field" }, make("label", { className: "field" }, make("span", { className: "label" }, "Digits"), digits), make("button", { type: "submit" }, "Show"));
   form.addEventListener("submit", (event) => {
     event.preventDefault();
-    state.digits = digits.value.replace(/[^ -~]/g, "?");
-    show(state);
-    void it.request({ do: "digits", text: state.digits });
+    void lights.ask({ do: "digits", text: digits.value.replace(/[^ -~]/g, "?") });
   });
-  let bits = 0;
-  const motors = MOTORS.map(([bit, name, tip]) => toggle(name, tip, () => {
-    bits ^= bit;
-    void it.request({ do: "motors", bits });
-  }));
   const buttons = BUTTONS.map(([id, name, what]) => {
     const node = make("button", { type: "button" }, name);
     node.addEventListener("click", async () => {
@@ -66,23 +50,23 @@ export function startLights(it) {
     });
     return node;
   });
-  const group = (/** @type {string} */ title, /** @type {Node[]} */ ...nodes) => make("fieldset", { className: "connection-set" }, make("legend", {}, title), ...nodes);
   byId("connection-lights").append(
     make("div", { className: "connection-sets" },
-      group("Lights", make("div", { className: "connection-lamps" }, svg, make("div", { className: "connection-hand" }, ...lamps), range("Clean light: green to red", 0), range("Brightness", 1)), form),
-      group("Brushes and vacuum", make("div", { className: "connection-hand" }, ...motors)),
+      group("Lights", make("div", { className: "connection-lamps" }, svg, lamps.node, colour.field, brightness.field), form),
+      group("Schedule lights", make("p", { className: "note" }, "Models without a schedule may lack these."), weekdays.node, schedule.node),
       group("Robot buttons", make("p", { className: "note" }, "They return control to the robot's own program."), make("div", { className: "connection-hand" }, ...buttons)),
     ),
   );
-  show(state);
 
-  return ({ can, mode }) => {
-    for (const node of [...lamps, ...motors, ...form.querySelectorAll("button")]) setEnabled(node, can.drive);
+  return ({ can, lights: lit }) => {
+    const now = lights.take(lit);
+    show(now);
+    lamps.show(now.lamps, can.drive);
+    weekdays.show(now.weekdays, can.drive);
+    schedule.show(now.schedule, can.drive);
+    colour.show(now.clean_light[0], can.drive);
+    brightness.show(now.clean_light[1], can.drive);
+    for (const node of form.querySelectorAll("button")) setEnabled(node, can.drive);
     for (const node of buttons) setEnabled(node, can.press);
-    // Passive switches motors off, and the robot has its lights for itself.
-    if (mode === "Passive" && bits !== 0) {
-      bits = 0;
-      for (const node of motors) setAttribute(node, "aria-pressed", "false");
-    }
   };
 }

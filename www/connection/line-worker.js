@@ -75,7 +75,9 @@ async function heard(message) {
   else if (message.type === "write") {
     isActing ||= message.isActing;
     line?.write(message.bytes);
-  } else {
+  } else if (message.type === "take") line?.take?.();
+  else if (message.type === "stop") line?.stop?.();
+  else {
     try {
       await done(message);
       say({ type: "done", id: message.id, view: view() });

@@ -61,6 +61,14 @@ export class RemoteLine {
     await this.#ask({ type: "brc", id: 0, isLow });
   }
 
+  take() {
+    this.#post({ type: "take" });
+  }
+
+  stop() {
+    this.#post({ type: "stop" });
+  }
+
   async close() {
     this.view.state = "closed";
     // Who no longer answers can't be waited for.

@@ -9,6 +9,7 @@ import { atMostEvery } from "../shared/frame-pacer.js";
 import { startRange } from "../shared/range.js";
 import { fillSpeeds } from "../shared/time-line.js";
 import { startTimeline } from "./timeline.js";
+import { startTwin } from "./twin.js";
 
 /** Milliseconds between views. */
 const PAUSE = 50;
@@ -44,10 +45,12 @@ export function startReplay(it, to) {
     if (!chosen) return;
     try {
       if (chosen.size > MOST) throw `"${chosen.name}" is too large for a recording.`;
-      const read = new Replay(chosen.name, await chosen.text());
+      const text = await chosen.text();
+      const read = new Replay(chosen.name, text);
       end();
       [replay, isPlaying, name] = [read, true, chosen.name.replace(/\.[^.]*$/, "")];
       timeline.begin(read);
+      twin.begin({ text, name });
       to.settle();
       setHidden(byId("replay"), false);
       last = performance.now();
@@ -70,6 +73,7 @@ export function startReplay(it, to) {
     look();
   };
   const timeline = startTimeline(go);
+  const twin = startTwin(it.app);
   button("replay-csv").addEventListener("click", () => replay && download(`${name}.csv`, replay.csv(), "text/csv"));
   const showRange = startRange("replay-at", go);
   const look = () => {
@@ -86,6 +90,7 @@ export function startReplay(it, to) {
   const end = () => {
     if (!replay) return false;
     timeline.begin();
+    twin.begin();
     replay.free();
     replay = undefined;
     setHidden(byId("replay"), true);

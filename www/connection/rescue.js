@@ -1,12 +1,15 @@
 // @ts-check
 // Sends a last stop over a line whose worker no longer answers: opens it once more, writes, closes.
 import { accessBy } from "./access.js";
-import { bridgeAddress } from "./bridge-words.js";
+import { bridgeAddress, isHello } from "./bridge-words.js";
+import { HELLO_MS } from "./dial.js";
 import { findPort } from "./ports.js";
 
 /** How long it is tried, ms. A worker that hangs lets go of its port only when the browser ends it, which takes two seconds. */
 const PATIENCE_MS = 6000;
 const AGAIN_MS = 10;
+/** How long the bridge's confirmation of a stop is waited for, ms. */
+const CONFIRM_MS = 500;
 
 /**
  * Says whether the bytes were sent.
@@ -33,14 +36,28 @@ async function overSerial(access, address, baud, bytes) {
   await port.close();
 }
 
-/** @param {string} url @param {Uint8Array} bytes */
+/**
+ * Ours drops the bytes, since this connection doesn't drive, but everyone may tell it to stop. Others pass the bytes on.
+ * @param {string} url @param {Uint8Array} bytes
+ */
 function overSocket(url, bytes) {
   return new Promise((resolve, reject) => {
     const socket = new WebSocket(bridgeAddress(url) ?? url);
+    let [isOurs, isStopped] = [false, false];
     socket.onopen = () => {
       socket.send(Uint8Array.from(bytes));
-      socket.close();
+      setTimeout(() => isOurs || socket.close(), HELLO_MS);
     };
-    socket.onclose = ({ wasClean }) => (wasClean ? resolve(undefined) : reject(new Error("closed")));
+    socket.onmessage = ({ data }) => {
+      if (isHello(data)) {
+        isOurs = true;
+        socket.send("stop");
+        setTimeout(() => socket.close(), CONFIRM_MS);
+      } else if (isOurs && data === "halted stopped") {
+        isStopped = true;
+        socket.close();
+      }
+    };
+    socket.onclose = ({ wasClean }) => (isOurs ? isStopped : wasClean) ? resolve(undefined) : reject(new Error("closed"));
   });
 }

@@ -1,11 +1,14 @@
 // @ts-check
 // Algorithms that drive the robot: chosen here or in Explore, planned first where there is something to plan.
-import { button, byId, fill, make, select, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
+import { button, byId, changed, fill, input, make, select, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { Planning } from "../planning.js";
-import { choose } from "./dialogs.js";
+import { choose, keep, kept } from "./dialogs.js";
 
 /** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
+
+/** Whether brushes and vacuum run: "on" or "off". */
+const CLEANS = "connection-cleans";
 
 /** @param {ConnectionTab} it */
 export function startRide(it) {
@@ -18,6 +21,13 @@ export function startRide(it) {
     cancel();
     room.choose(choice.value);
     it.live.map.set_planned(room.mirror.corners());
+  });
+
+  const cleans = input("connection-cleans");
+  let wantsCleaning = kept(CLEANS) !== "off";
+  cleans.addEventListener("change", () => {
+    wantsCleaning = cleans.checked;
+    keep(CLEANS, wantsCleaning ? "on" : "off");
   });
 
   const odometry = select("connection-odometry");
@@ -86,7 +96,7 @@ export function startRide(it) {
     if (!line || !it.view.can.ride) return;
     it.connection.follow(room.followed());
     it.live.map.set_planned(line);
-    await it.connection.ride(line);
+    await it.connection.ride(line, wantsCleaning);
   });
   button("connection-end").addEventListener("click", () => {
     cancel();
@@ -114,6 +124,10 @@ export function startRide(it) {
       setEnabled(button("connection-go"), can.ride);
       setEnabled(button("connection-end"), goes || waiting !== undefined);
       setEnabled(choice, !goes);
+      // Those that don't clean leave them off, whatever is wanted for others.
+      const canClean = room.mirror.cleans();
+      cleans.disabled = goes || !canClean;
+      if (changed(cleans, "shown", canClean)) cleans.checked = canClean && wantsCleaning;
       if (document.activeElement !== odometry) odometry.value = view.odometry;
       setEnabled(odometry, !goes && !view.is_recording);
     },

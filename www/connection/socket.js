@@ -1,20 +1,14 @@
 // @ts-check
 // A line over a WebSocket, for bridges to the robot's serial line: `robovac bridge`, which watches this page and can set the
 // baud rate; or an ESP's firmware, or websockify before ser2net. Binary messages hold the robot's bytes as they are.
-import { ALIVE_MS, closure, haltedBecause, isHello, wellFormed } from "./bridge-words.js";
-import { unreachable } from "./local-network.js";
+import { closure, haltedBecause, isHello, misfit, wellFormed } from "./bridge-words.js";
+import { dial } from "./dial.js";
 import { takeLock } from "./lock.js";
 import { failure } from "./ports.js";
 import { within } from "./serial-port.js";
 
-/** Time limit for a bridge to answer, and to take bytes, ms. */
-const OPEN_MS = 8000;
+/** Time limit for a bridge to take bytes, and time until a lost one is tried again, ms. */
 const STALL_MS = 1500;
-
-/** How long a bridge's first message is waited for: only ours sends one, or closes the connection, ms. */
-const HELLO_MS = 150;
-
-/** When a bridge that was lost is tried again, ms. */
 const AGAIN_MS = 2000;
 
 /** @typedef {import("./types").Transport} Transport */
@@ -36,10 +30,10 @@ export class SocketLine {
   #stalledAt = Infinity;
   /** Whether it is `robovac bridge`. */
   #isOurs = false;
-  /** Why this page can't speak to the bridge. */
-  #refused = "";
-  /** @type {ReturnType<typeof setInterval> | undefined} */
-  #beating;
+  /** The number of this page's turn to drive, until it is taken. */
+  #turn = "";
+  /** Whether the line hasn't been used by this page yet. */
+  #isNew = true;
 
   /** @param {string} url @param {import("./types").TransportEvents} events */
   constructor(url, events) {
@@ -66,8 +60,7 @@ export class SocketLine {
       const address = wellFormed(this.#url);
       const unlock = await takeLock(`bridge ${address.host}${address.pathname}`);
       if (!unlock) throw failure("busy", "Another tab of this page is connected to that robot.", "Disconnect there, or close that tab.");
-      this.#unlock = unlock;
-      this.#address = address;
+      [this.#unlock, this.#address] = [unlock, address];
       // A token is nobody's business.
       this.view.name = `${address.origin}${address.pathname}`;
       await this.#connect();
@@ -99,6 +92,21 @@ export class SocketLine {
     if (this.#isOurs) this.view.brc = isLow ? "low" : "high";
   }
 
+  /** Takes the turn to drive: what is written from here on counts. To be called when all written before is outdated or sent. */
+  take() {
+    if (!this.#turn) return;
+    this.#say(`take ${this.#turn}`);
+    this.#turn = "";
+    // The bridge may have been started at another rate.
+    if (this.#isNew) void this.setBaud(115200);
+    this.#isNew = false;
+  }
+
+  /** Has the bridge stop the robot, whoever drives it. */
+  stop() {
+    this.#say("stop");
+  }
+
   /** @param {string} word */
   #say(word) {
     if (this.#isOurs && this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(word);
@@ -109,90 +117,65 @@ export class SocketLine {
     this.view.state = "closed";
     const socket = this.#socket;
     this.#socket = undefined;
-    clearInterval(this.#beating);
     if (socket) await within(1000, new Promise((done) => (socket.addEventListener("close", done), socket.close()))).catch(() => {});
     this.#unlock();
   }
 
   async #connect() {
     const address = /** @type {URL} */ (this.#address);
-    const socket = new WebSocket(address);
-    socket.binaryType = "arraybuffer";
-    /** What came before the line was open. @type {MessageEvent[]} */
-    const early = [];
-    /** @type {CloseEvent | undefined} */
-    let closed;
-    try {
-      await within(OPEN_MS, new Promise((resolve, reject) => ((socket.onopen = resolve), (socket.onerror = socket.onclose = reject))));
-      await within(HELLO_MS, new Promise((resolve) => ((socket.onmessage = (message) => resolve(early.push(message))), (socket.onclose = (event) => resolve((closed = event)))))).catch(() => {});
-    } catch {
+    const { socket, early } = await dial(address);
+    const refused = this.#isClosed ? "The connection was closed before it was established." : misfit(early[0]);
+    if (refused) {
       socket.close();
-      throw await unreachable(address);
+      throw failure("failed", refused, "");
     }
-    if (closed) {
-      const { why, isForGood } = closure(closed);
-      throw failure(isForGood ? "denied" : "unreachable", why, "");
-    }
-    if (this.#isClosed) {
-      socket.close();
-      throw failure("failed", "The connection was closed before it was established.", "");
-    }
-    this.#isOurs = false;
-    Object.assign(this.view, { can_baud: false, brc: "none", baud: 115200, is_watching: false, state: "open", text: "" });
+    this.#isOurs = isHello(early[0]);
+    [this.#turn, this.#isNew] = ["", true];
+    // Until ours says that this page may drive, it doesn't.
+    Object.assign(this.view, { can_baud: this.#isOurs, brc: this.#isOurs ? "high" : "none", baud: 115200, is_watching: this.#isOurs, state: "opening", text: "" });
     this.#socket = socket;
+    for (const data of this.#isOurs ? early.slice(1) : early) this.#heard(data);
+    this.view.state = "open";
     socket.onmessage = ({ data }) => this.#socket === socket && this.#heard(data);
     socket.onerror = null;
     socket.onclose = (event) => this.#socket === socket && this.#lose(closure(event).why);
-    for (const { data } of early) this.#heard(data);
-    if (this.#refused) throw failure("failed", this.#refused, "");
-  }
-
-  /** The line of `robovac bridge`, as it is at the beginning. */
-  #greet() {
-    this.#isOurs = true;
-    this.view.can_baud = true;
-    // An earlier client may have left it otherwise.
-    void this.setBaud(115200);
-    void this.setBrc(false);
-    clearInterval(this.#beating);
-    this.#beating = setInterval(() => this.#say("alive"), ALIVE_MS);
   }
 
   /** @param {unknown} data */
   #heard(data) {
     if (typeof data !== "string") this.#events.onbytes(new Uint8Array(/** @type {ArrayBuffer} */ (data)));
-    else if (!this.#isOurs) {
-      try {
-        if (isHello(data)) this.#greet();
-        else this.#events.onbytes(new TextEncoder().encode(data));
-      } catch (why) {
-        this.#refused = String(why);
-        this.#lose(this.#refused);
-      }
-    } else if (data === "watch") this.#watches(true);
-    else if (data === "drive" && this.view.is_watching) {
+    else if (this.#isOurs) this.#obey(data);
+    else if (isHello(data)) this.#lose("The bridge answered too late.");
+    else this.#events.onbytes(new TextEncoder().encode(data));
+  }
+
+  /** A message of `robovac bridge`. @param {string} text */
+  #obey(text) {
+    const [word, value = ""] = text.split(" ");
+    // At once, and here: this is what shows that page and network are quick enough to drive.
+    if (word === "beat") this.#say(`alive ${value}`);
+    else if (word === "watch") this.#watches(true);
+    else if (word === "drive") {
+      this.#turn = value;
+      if (!this.view.is_watching) return;
       this.#watches(false);
-      this.#greet();
       // The robot is in this page's hands now, which begin as on any other line.
-      this.#events.onopened();
-    } else if (data.startsWith("halted ") && !this.view.is_watching) this.#events.onhalted?.(haltedBecause(data.slice(7)));
+      if (this.view.state === "open") this.#events.onopened();
+    } else if (word === "halted" && !this.view.is_watching) this.#events.onhalted?.(haltedBecause(value));
   }
 
   /** @param {boolean} isWatching */
   #watches(isWatching) {
     this.view.is_watching = isWatching;
-    this.view.text = isWatching ? "Another client drives this robot. You are watching." : "";
+    this.view.text = isWatching ? "Another client drives this robot. You are watching, and can stop it." : "";
   }
 
   /** @param {string} why */
   #lose(why) {
     this.#socket?.close();
     this.#socket = undefined;
-    clearInterval(this.#beating);
     if (this.#isClosed) return;
-    this.view.state = "lost";
-    this.view.is_watching = false;
-    this.view.text = `${why} Retrying every ${AGAIN_MS / 1000} s.`;
+    Object.assign(this.view, { state: "lost", is_watching: false, text: `${why} Retrying every ${AGAIN_MS / 1000} s.` });
     this.#events.onlost(why, false);
     void this.#comeBack();
   }
@@ -205,7 +188,7 @@ export class SocketLine {
         await this.#connect();
       } catch (error) {
         const { kind, what } = /** @type {import("./types").Failure} */ (error);
-        if (kind !== "denied") continue;
+        if (this.#isClosed || (kind !== "denied" && kind !== "failed")) continue;
         this.view.text = what;
         return this.#events.onlost(what, true);
       }

@@ -14,9 +14,11 @@ import { startDrive } from "./drive.js";
 import { startLights } from "./lights.js";
 import { startLine } from "./line.js";
 import { startMap } from "./live-map.js";
+import { startMotors } from "./motors.js";
 import { startReplay } from "./replay.js";
 import { startRide } from "./ride.js";
 import { startRoom } from "./room.js";
+import { startSchedule } from "./schedule.js";
 import { startSensors } from "./sensors.js";
 import { startSongs } from "./songs.js";
 import { startVirtual } from "./hand.js";
@@ -37,6 +39,7 @@ import { startVirtual } from "./hand.js";
  * @property {(target: import("./types").Target) => Promise<boolean>} open
  * @property {() => Promise<void>} close
  * @property {() => void} halt What would go on driving is let go.
+ * @property {(() => void)[]} onhalt Listeners for that.
  */
 
 /** Time after which a view with the reason of a refusal has certainly arrived, ms. */
@@ -53,7 +56,7 @@ export function startConnection(app, module, guard) {
   room.take();
   const closed = /** @type {ConnectionView} */ ({ ...Connection.closed(), virtual: null });
   // The rest of it follows below: its parts need each other.
-  const it = /** @type {ConnectionTab} */ (/** @type {unknown} */ ({ app, connection, view: closed, personality: "", onview: [], room, complain }));
+  const it = /** @type {ConnectionTab} */ (/** @type {unknown} */ ({ app, connection, view: closed, personality: "", onview: [], onhalt: [], room, complain }));
   /** Unanswered requests, oldest first; the reason of a refusal arrives before the answer. @type {string[]} */
   const asked = [];
   /** Number of the notice that is over. */
@@ -67,7 +70,7 @@ export function startConnection(app, module, guard) {
     const worked = await connection.request(request);
     asked.shift();
     if (worked && (request.do === "arm" || request.do === "connect")) settle();
-    else if (worked && request.do !== "drive") forgive();
+    else if (worked && request.do !== "drive" && request.do !== "drive_pwm") forgive();
     return worked;
   };
   it.open = async (target) => {
@@ -82,8 +85,7 @@ export function startConnection(app, module, guard) {
   const drive = startDrive(it);
   const ride = startRide(it);
   it.halt = () => {
-    drive.stop();
-    ride.cancel();
+    for (const release of [drive.stop, ride.cancel, ...it.onhalt]) release();
   };
   it.close = async () => {
     it.halt();
@@ -91,7 +93,7 @@ export function startConnection(app, module, guard) {
     await connection.close();
   };
   const traffic = startConsole(it);
-  const updates = [startConnect, startControl, startSensors, startLine, startSongs, startLights, startCalibrate].map((begin) => begin(it));
+  const updates = [startConnect, startControl, startSensors, startLine, startSongs, startLights, startMotors, startSchedule, startCalibrate].map((begin) => begin(it));
   startDrawer();
   startSheets(byId("panel-connection"), byId("connection-floor"));
 
@@ -124,9 +126,9 @@ export function startConnection(app, module, guard) {
   new MutationObserver(() => {
     if (currentTab() === "connection") return;
     wasHere = false;
-    const { is_moving: moves, moves_alone: movesAlone, is_recording: isRecording } = it.view;
+    const { is_moving: moves, moves_alone: movesAlone, motors, is_recording: isRecording } = it.view;
     it.halt();
-    if ((moves || movesAlone) && !isRecording) connection.leave("You left the Robot tab.");
+    if ((moves || movesAlone || (motors & 7) !== 0) && !isRecording) connection.leave("You left the Robot tab.");
   }).observe(byId("panel-connection"), { attributes: true, attributeFilter: ["hidden"] });
 
   return {

@@ -74,6 +74,8 @@ export type ToLine =
   /** `isActing`: whether the robot may be moving because of it. */
   | { type: "write"; bytes: Uint8Array; isActing: boolean }
   | { type: "beat"; isActing: boolean }
+  | { type: "take" }
+  | { type: "stop" }
   | { type: "baud"; id: number; baud: number }
   | { type: "brc"; id: number; isLow: boolean }
   | { type: "close"; id: number };
@@ -97,7 +99,7 @@ export type ToConnection =
   | { type: "open"; id: number; target: WorkerTarget }
   | { type: "close"; id: number }
   | { type: "request"; id: number; request: Request }
-  | { type: "ride"; id: number; corners: Float64Array }
+  | { type: "ride"; id: number; corners: Float64Array; cleans: boolean }
   | { type: "virtual"; touch: Touch }
   | { type: "recording"; id: number };
 
@@ -169,6 +171,9 @@ export interface Transport {
   setBaud(baud: number): Promise<void>;
   /** Pulls the BRC wire low, or lets it go. */
   setBrc(isLow: boolean): Promise<void>;
+  /** Where several clients share a robot: takes the turn to drive it, and stops it whoever drives. */
+  take?(): void;
+  stop?(): void;
   /** Sends pending bytes, and releases everything; takes a second at most. */
   close(): Promise<void>;
 }

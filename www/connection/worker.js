@@ -54,9 +54,15 @@ function pump() {
       const bytes = connection.take_tx();
       if (!bytes.length) return;
       line.write(bytes, connection.is_acting());
-    } else if ("brc" in wanted) line.setBrc(wanted.brc).catch(broke);
+    } else if (wanted === "stop") share("stop");
+    else if ("brc" in wanted) line.setBrc(wanted.brc).catch(broke);
     else changeBaud(wanted.baud);
   }
+}
+
+/** Takes the turn to drive a robot that others see, too, or has it stopped. @param {"take" | "stop"} what */
+function share(what) {
+  if (line instanceof RemoteLine) line[what]();
 }
 
 /** @param {number} baud */
@@ -140,7 +146,12 @@ async function open(target) {
   const events = {
     onbytes: (bytes) => safely(() => connection.feed(now(), bytes)),
     onopened: () => opened(),
-    onhalted: (why) => safely(() => connection.leave(now(), why)),
+    onhalted: (why) =>
+      safely(() => {
+        connection.leave(now(), why);
+        // What was driving until now has been sent before.
+        share("take");
+      }),
     onlost: (why, forGood) => safely(() => connection.lost(now(), why, forGood)),
   };
   line = lineTo(target, mirror, holder, events);
@@ -156,6 +167,7 @@ async function open(target) {
 
 function opened() {
   const view = line?.view;
+  share("take");
   if (view) safely(() => connection.opened(now(), view));
 }
 
@@ -180,7 +192,7 @@ async function answer(message) {
   if (message.type === "request" && message.request.do !== "disconnect") {
     attempt(() => connection.request(now(), message.request));
   } else if (message.type === "ride") {
-    attempt(() => connection.ride(now(), mirror, message.corners));
+    attempt(() => connection.ride(now(), mirror, message.corners, message.cleans));
   } else if (message.type === "follow") {
     const { snapshot, algorithm } = message;
     if (mirror.is_behind(snapshot, algorithm)) {

@@ -2,6 +2,7 @@
 // The forms: what cleans which room, made from the catalogue.
 import { button, byId, changed, fill, input, make, select, setHidden, setText, typed } from "../dom.js";
 import { explainer } from "../explainer.js";
+import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { paramField } from "../params.js";
 
 /**
@@ -13,6 +14,8 @@ import { paramField } from "../params.js";
 
 /** Parameters beyond these fold away. */
 const FEW = 2;
+/** Menu entry of a twin, which isn't in the catalogue. */
+const TWIN = "twin";
 
 /** @param {App} app @returns {(view: View) => void} */
 export function startPanel(app) {
@@ -21,6 +24,8 @@ export function startPanel(app) {
   const algorithms = [...planners, ...behaviours];
   fill(select("room"), rooms.map(({ id, title }) => [id, title]));
   select("algorithm").replaceChildren(group("Path planners", planners), group("Reactive behaviours", behaviours));
+  fill(select("odometry"), ODOMETRIES);
+  byId("odometry-field").setAttribute("data-tip", ODOMETRY_TIP);
   fill(select("robot"), robots.map(({ id, title }) => [id, title]));
   fill(select("cell-size"), cell_sizes_m.map((size) => [String(size), `${+(size * 100).toFixed(2)} cm`]));
 
@@ -39,7 +44,7 @@ export function startPanel(app) {
   };
   bind("room", (p, id) => p.select_room(id));
   bind("algorithm", (p, id) => p.select_algorithm(id));
-  bind("robot", (p, id) => p.select_robot(id));
+  bind("robot", (p, id) => (id === TWIN ? p.restore(`twin=${twin}`) : p.select_robot(id)));
   bind("cell-size", (p, metres) => p.set_cell_size(Number(metres)));
   bind("slip", (p, id) => p.set_slip(id));
   bind("noise", (p, level) => p.set_noise("all", level));
@@ -58,6 +63,17 @@ export function startPanel(app) {
     shown.set(control, value);
     if (control instanceof HTMLInputElement && control.type === "checkbox") control.checked = value === "true";
     else Reflect.set(control, "value", value);
+  };
+
+  /** Figures of the twin that was the robot last; "" if none was. */
+  let twin = "";
+  /** @param {View} view */
+  const showRobot = (view) => {
+    if (view.twin && !twin) select("robot").append(new Option("Twin of your Roomba", TWIN));
+    twin = view.twin || twin;
+    show(select("robot"), view.twin ? TWIN : view.robot);
+    const summary = robots.find(({ id }) => id === view.robot)?.summary ?? "";
+    setText(byId("robot-note"), view.twin ? "Your robot, as fitted to a recording in the tab Robot" : summary);
   };
 
   /** @type {Map<string, HTMLElement[]>} */
@@ -80,7 +96,7 @@ export function startPanel(app) {
     showRoom(room, rooms);
     show(select("room"), room.id);
     show(select("algorithm"), view.algorithm);
-    show(select("robot"), view.robot);
+    showRobot(view);
     show(select("cell-size"), String(view.cell_size_m));
     showRealism(view, show);
     noises.forEach(({ menu }, index) => show(menu, view.noise[index] ?? "off"));
@@ -92,7 +108,6 @@ export function startPanel(app) {
     setHidden(byId("search-refusal"), !refusal);
     setText(byId("search-refusal"), refusal);
     input("show-search").disabled = refusal !== "";
-    setText(byId("robot-note"), robots.find(({ id }) => id === view.robot)?.summary ?? "");
     warnOfCells(view, robots);
     const algorithm = algorithms.find(({ id }) => id === view.algorithm);
     if (algorithm && changed(byId("params"), "algorithm", algorithm.id)) {

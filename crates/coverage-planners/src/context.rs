@@ -69,6 +69,11 @@ impl<'a> PlanContext<'a> {
         }
     }
 
+    /// Whether decisions are reported to anybody.
+    pub fn is_traced(&self) -> bool {
+        self.tracer.is_some()
+    }
+
     /// Whether there is an observer; values that are only shown needn't be computed otherwise.
     pub fn is_observed(&self) -> bool {
         self.observer.is_some()

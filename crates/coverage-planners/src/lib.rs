@@ -64,13 +64,19 @@ pub use job::CoverageJob;
 pub use objective::{Finish, Objective, Proof};
 pub use path::{CoveragePath, PathError};
 pub use robovac_core::registry::{Example, Explainer, ParamError, ParamKind, ParamSpec, ParamValue, Params};
-pub use trace::TraceStep;
+pub use trace::{THE_END, TraceStep};
 
 /// An algorithm that finds a walk over all free cells.
 pub trait Planner {
     /// Plans a walk from `job.start`. Must return [`PlanError::Cancelled`] soon after the context reports a
     /// cancellation.
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError>;
+
+    /// Whether it visits every cell with its parameters. If not, it doesn't whatever [`PlannerClaims::complete`] says of
+    /// its defaults.
+    fn is_complete(&self) -> bool {
+        true
+    }
 
     /// The planners whose walks, made with their defaults, this one begins with in `job`, and the job they are given; none
     /// for most.

@@ -4,6 +4,9 @@ use robovac_core::grid::{Cell, Direction};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
+/// Rule of the last [`TraceStep`] of a walk that misses cells; its note says why the walk ends.
+pub const THE_END: &str = "The end";
+
 /// One decision of a planner.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TraceStep {

@@ -27,6 +27,8 @@ pub struct Import {
 pub struct ScenarioChoices {
     /// Id of the robot.
     pub robot: Option<String>,
+    /// Figures of a twin, as in links; without them the robot is the model.
+    pub twin: Option<String>,
     /// Side of the planning cells, m.
     pub cell_size: Option<f64>,
     /// Id of the planner.
@@ -107,9 +109,11 @@ impl ScenarioChoices {
     /// The choices of `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        let Scenario { robot, cell_size, planner, behaviour, slip, noise, quantised, odometry, .. } = scenario.clone();
+        let Scenario { robot, twin, cell_size, planner, behaviour, slip, noise, quantised, odometry, .. } =
+            scenario.clone();
         Self {
             robot,
+            twin: twin.map(|twin| twin.to_string()),
             cell_size,
             planner,
             behaviour,
@@ -131,6 +135,7 @@ impl ScenarioChoices {
         let noisy = noisy.filter(|&(_, level)| level != NoiseLevel::Off);
         Self {
             robot: Some(settings.robot.to_owned()),
+            twin: settings.twin.map(|twin| twin.to_string()),
             cell_size: Some(settings.cell_size),
             planner: algorithm.planner().map(|info| info.id.to_owned()),
             behaviour: algorithm.behaviour().map(|info| info.id.to_owned()),
@@ -153,6 +158,9 @@ impl ScenarioChoices {
         let mut settings = now.clone();
         if let Some(id) = &self.robot {
             at("robot", settings.select_robot(id))?;
+        }
+        if let Some(text) = &self.twin {
+            at("twin", settings.take_link("twin", text))?;
         }
         if let Some(metres) = self.cell_size {
             at("cell_size", settings.set_cell_size(metres))?;

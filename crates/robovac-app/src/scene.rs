@@ -7,7 +7,7 @@ use robovac_core::{
     floor_plan::{FloorPlan, Object},
     geometry::{Point, Pose},
     grid::Cell,
-    robot::{Body, RobotModel, SensorReadings, SensorSuite},
+    robot::{Body, Castor, RobotModel, SensorReadings, SensorSuite},
 };
 use robovac_sim::experiment::Shows;
 use robovac_sim::{Life, Run};
@@ -110,6 +110,8 @@ pub struct RobotView {
     pub radius: f64,
     /// Distance between its wheels, and their radius, m.
     pub wheels: [f64; 2],
+    /// Its castors.
+    pub castors: &'static [Castor],
     /// Its sensors.
     pub suite: SensorSuite,
     /// Whether it is held.
@@ -165,6 +167,7 @@ impl RobotView {
             body: model.body,
             radius: model.radius,
             wheels: [model.wheel_base, model.wheel_radius],
+            castors: model.castors,
             suite: model.sensors,
             is_lifted: run.is_lifted(),
             tool_width: 2.0 * run.floor().tool_radius,

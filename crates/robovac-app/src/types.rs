@@ -12,6 +12,7 @@ use robovac_link::{
     connection::{ConnectionView, LineRequest, Request, Traffic},
     emulator::{PersonalityView, VirtualView},
     recording::Timeline,
+    twin::{Prediction, TwinFigure},
 };
 use robovac_sim::montecarlo::Summary;
 use std::collections::BTreeMap;
@@ -54,6 +55,7 @@ pub fn declarations() -> String {
     all.visit::<MapView>();
     all.visit::<PageView>();
     all.visit::<PersonalityView>();
+    all.visit::<Prediction>();
     all.visit::<Request>();
     all.visit::<SessionSnapshot>();
     all.visit::<StudyOffer>();
@@ -63,6 +65,7 @@ pub fn declarations() -> String {
     all.visit::<TableView>();
     all.visit::<Timeline>();
     all.visit::<Traffic>();
+    all.visit::<TwinFigure>();
     all.visit::<VirtualView>();
     let texts: Vec<String> = all.texts.into_values().collect();
     // Single-line comments on one line.

@@ -3,14 +3,17 @@
 mod clients;
 mod gate;
 mod robot_port;
+mod service;
 
 use super::{failure::Failure, output::say, signals::end_requested};
 use clients::{Clients, Heard};
 use gate::Gate;
 use robot_port::RobotPort;
 pub use robot_port::cannot_open;
-use roomba_bridge::{Bridge, ClientId, Ends, FromBridge, Full, HALT, Limits};
+use roomba_bridge::{Bridge, ClientId, Ends, FromBridge, Full, Halted, Limits, MAX_CLIENTS};
+use service::Service;
 use std::{
+    io,
     net::{SocketAddr, TcpListener, ToSocketAddrs},
     sync::{
         LazyLock,
@@ -25,8 +28,8 @@ use std::{
 const AGAIN: Duration = Duration::from_millis(500);
 /// Lines of the log that wait for a reader; later ones are dropped.
 const MOST_LINES: usize = 256;
-/// Time for the last messages to leave.
-const LAST_WORDS: Duration = Duration::from_millis(300);
+/// Time for the last messages to leave, and for the last stop to be repeated.
+const LAST_WORDS: Duration = Duration::from_millis(400);
 
 /// Connect a robot's serial port to the network, for the page's tab Robot. Stops the robot when the page is silent for
 /// 0.2 s, when its connection ends, and when the bridge starts or ends. One page drives, others can watch
@@ -75,7 +78,7 @@ fn parse_baud(text: &str) -> Result<u32, String> {
 
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let is_over = end_requested()?;
-    let listener = TcpListener::bind(&arguments.listen).map_err(|e| Failure::io(&arguments.listen, &e))?;
+    let listener = TcpListener::bind(&arguments.listen).map_err(|e| cannot_listen(&arguments.listen, &e))?;
     let address = listener.local_addr().map_err(|e| Failure::io(&arguments.listen, &e))?;
     let is_local = arguments.listen.to_socket_addrs().is_ok_and(|mut all| all.all(|one| one.ip().is_loopback()));
     let token = match &arguments.token {
@@ -87,9 +90,28 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let port = RobotPort::open(arguments.port.as_deref(), arguments.baud)?;
     let clients = Clients::new(listener, Gate::new(token.clone(), arguments.origins.clone()))?;
     say(&format!("ready {}", address_for_users(address, token.as_deref())));
-    Host { arguments, began: Instant::now(), clients, port: Some(port), bridge: Bridge::new(Limits::default()) }
-        .run(&is_over);
+    let bridge = Bridge::new(Limits::default(), arguments.baud);
+    let service = Service::from_environment();
+    Host { arguments, began: Instant::now(), clients, port: Some(port), bridge, service, halted: None }.run(&is_over);
     Ok(String::new())
+}
+
+fn cannot_listen(address: &str, error: &io::Error) -> Failure {
+    let port = address.rsplit_once(':').map_or("", |(_, port)| port);
+    match error.kind() {
+        io::ErrorKind::AddrInUse => Failure::system(format!(
+            "can't listen on {address}: another program does, maybe another bridge. End it, or use --listen with another port than {port}"
+        )),
+        io::ErrorKind::AddrNotAvailable => Failure::system(format!(
+            "can't listen on {address}: this computer doesn't have that address. Use --listen with one that it has, or 0.0.0.0:{port} for all of them"
+        )),
+        io::ErrorKind::PermissionDenied => Failure::system(format!(
+            "can't listen on {address}: permission denied. Use --listen with a port from 1024 on"
+        )),
+        _ => Failure::system(format!(
+            "can't listen on {address}: {error}. Use --listen with an address of this computer and a port, such as 0.0.0.0:7626"
+        )),
+    }
 }
 
 /// 16 hexadecimal digits.
@@ -118,6 +140,9 @@ struct Host<'a> {
     clients: Clients,
     /// None while it is gone.
     port: Option<RobotPort>,
+    service: Service,
+    /// Why the robot was stopped last, until that client or another one drives.
+    halted: Option<Halted>,
 }
 
 /// What the rules act on.
@@ -125,15 +150,17 @@ struct Wires<'a> {
     began: Instant,
     clients: &'a mut Clients,
     port: Option<&'a mut RobotPort>,
+    halted: &'a mut Option<Halted>,
 }
 
 impl Ends for Wires<'_> {
-    fn robot(&mut self, bytes: &[u8]) {
+    fn robot(&mut self, command: &[u8]) -> bool {
+        self.port.as_mut().is_none_or(|port| port.queue(command))
+    }
+
+    fn stop(&mut self, bytes: &[u8]) {
         if let Some(port) = &mut self.port {
-            if bytes.starts_with(&HALT) {
-                port.discard();
-            }
-            port.write(bytes);
+            port.stop(bytes);
         }
     }
 
@@ -151,7 +178,14 @@ impl Ends for Wires<'_> {
 
     fn tell(&mut self, client: ClientId, word: FromBridge) {
         match word {
-            FromBridge::Drive => report(self.began, &format!("client {client} drives")),
+            FromBridge::Drive(_) => {
+                report(self.began, &format!("client {client} may drive"));
+                *self.halted = None;
+            }
+            // It is told to all clients.
+            FromBridge::Halted(why) if self.halted.replace(why).is_none() => {
+                report(self.began, &format!("the robot was stopped: {why}"));
+            }
             FromBridge::Watch => report(self.began, &format!("client {client} watches")),
             _ => {}
         }
@@ -177,6 +211,7 @@ fn report(began: Instant, text: &str) {
 impl Host<'_> {
     fn run(mut self, is_over: &AtomicBool) {
         self.opened();
+        self.service.ready();
         let mut buffer = [0; 4096];
         while !is_over.load(Ordering::Relaxed) {
             match self.port.as_mut().map(|port| port.read(&mut buffer)) {
@@ -184,32 +219,43 @@ impl Host<'_> {
                 Some(Err(error)) => self.lost(&error.to_string()),
                 None => self.find_again(),
             }
-            // First, so that what waited while this program was held up is no sign of life.
+            self.round();
             let now_ms = self.now_ms();
-            let (bridge, mut wires) = self.parts();
-            bridge.tick(now_ms, &mut wires);
-            for heard in self.clients.listen(self.port.as_mut().is_none_or(RobotPort::has_room)) {
-                self.take(heard);
-            }
-            let was_on = self.bridge.is_on();
-            let now_ms = self.now_ms();
-            let (bridge, mut wires) = self.parts();
-            bridge.tick(now_ms, &mut wires);
-            if was_on && !self.bridge.is_on() {
-                report(self.began, "the robot was stopped");
-            }
+            self.service.alive(now_ms);
         }
+        let (ended, now_ms) = (Instant::now(), self.now_ms());
         let (bridge, mut wires) = self.parts();
-        bridge.ended(&mut wires);
-        self.clients.finish(LAST_WORDS);
+        bridge.ended(now_ms, &mut wires);
+        while (self.clients.is_closing() || self.bridge.is_stopping()) && ended.elapsed() < LAST_WORDS {
+            // Whoever comes now comes too late.
+            let now_ms = self.now_ms();
+            self.clients.listen(now_ms);
+            let (bridge, mut wires) = self.parts();
+            bridge.tick(now_ms, &mut wires);
+            thread::sleep(Duration::from_millis(2));
+        }
         if let Some(port) = &mut self.port {
             port.finish();
         }
     }
 
+    /// What has come from clients, and what is due.
+    fn round(&mut self) {
+        let now_ms = self.now_ms();
+        for heard in self.clients.listen(now_ms) {
+            self.take(heard);
+        }
+        let now_ms = self.now_ms();
+        let (bridge, mut wires) = self.parts();
+        bridge.tick(now_ms, &mut wires);
+        if let Some(port) = &mut self.port {
+            port.pump();
+        }
+    }
+
     fn parts(&mut self) -> (&mut Bridge, Wires<'_>) {
-        let wires = Wires { began: self.began, clients: &mut self.clients, port: self.port.as_mut() };
-        (&mut self.bridge, wires)
+        let Self { began, clients, port, halted, bridge, .. } = self;
+        (bridge, Wires { began: *began, clients, port: port.as_mut(), halted })
     }
 
     fn now_ms(&self) -> u64 {
@@ -227,7 +273,10 @@ impl Host<'_> {
                 if !is_there {
                     wires.close(client, "the robot's serial port is gone: plug it in");
                 } else if bridge.joined(client, now_ms, &mut wires) == Err(Full) {
-                    wires.close(client, "there are too many clients");
+                    wires.close(
+                        client,
+                        &format!("it has {MAX_CLIENTS} clients, and takes no more. Close a page that watches"),
+                    );
                 }
             }
             Heard::Bytes(client, bytes) => bridge.bytes(client, &bytes, now_ms, &mut wires),
@@ -244,8 +293,9 @@ impl Host<'_> {
         if let Some(port) = &mut self.port {
             report(self.began, &format!("{} is open; the robot is stopped and woken", port.name()));
         }
+        let now_ms = self.now_ms();
         let (bridge, mut wires) = self.parts();
-        bridge.opened(&mut wires);
+        bridge.opened(now_ms, &mut wires);
         if let Some(port) = &mut self.port {
             port.wake();
         }

@@ -7,9 +7,9 @@ use robovac_sim::{Conditions, Noise, NoiseLevel, SensorKind, SlipLevel};
 /// Errors of wheels and sensors.
 #[derive(clap::Args)]
 pub struct ConditionsArguments {
-    /// Wheel slip
-    #[arg(long, value_name = "LEVEL", default_value = SlipLevel::None.id(), value_parser = slip_parser())]
-    slip: SlipLevel,
+    /// Wheel slip: none, typical or harsh [default: none]
+    #[arg(long, value_name = "LEVEL", hide_possible_values = true, value_parser = slip_parser())]
+    slip: Option<SlipLevel>,
     /// Sensor noise: off, typical or harsh, or for one kind of sensor as in cliff=harsh; can be repeated [default: off]
     #[arg(long, value_name = "LEVEL", value_parser = parse_noise)]
     noise: Vec<(Option<SensorKind>, NoiseLevel)>,
@@ -24,14 +24,20 @@ pub struct ConditionsArguments {
 impl ConditionsArguments {
     /// All of them but odometry.
     pub fn conditions(&self) -> Conditions {
-        let mut noise = Noise::default();
+        self.over(Conditions::default())
+    }
+
+    /// The same where they were given, and `otherwise`.
+    pub fn over(&self, otherwise: Conditions) -> Conditions {
+        let mut noise = otherwise.noise;
         for &(kind, level) in &self.noise {
             match kind {
                 None => noise = Noise::all(level),
                 Some(kind) => noise.set(kind, level),
             }
         }
-        Conditions { slip: self.slip, noise, quantised: self.quantised, ..Conditions::default() }
+        let (slip, quantised) = (self.slip.unwrap_or(otherwise.slip), self.quantised || otherwise.quantised);
+        Conditions { slip, noise, quantised, ..otherwise }
     }
 }
 

@@ -29,6 +29,11 @@ impl Failure {
         Self { code: IO, message: format!("{path}: {error}; check the path and your permissions") }
     }
 
+    /// The system refuses something, with what helps.
+    pub fn system(message: String) -> Self {
+        Self { code: IO, message }
+    }
+
     /// An option has a value that won't do.
     pub fn usage(message: String) -> Self {
         Self { code: USAGE, message }

@@ -23,6 +23,7 @@ mod simulate;
 mod source;
 mod sweep;
 mod task;
+mod twin;
 mod virtual_roomba;
 
 use clap::{Parser, Subcommand};
@@ -75,6 +76,7 @@ enum Command {
     Map(map::Arguments),
     Monitor(monitor::Arguments),
     Recording(recording::Arguments),
+    Twin(twin::Arguments),
     VirtualRoomba(virtual_roomba::Arguments),
 }
 
@@ -99,6 +101,7 @@ fn main() -> ExitCode {
         Command::Map(arguments) => map::run(&arguments),
         Command::Monitor(arguments) => monitor::run(&arguments),
         Command::Recording(arguments) => recording::run(&arguments),
+        Command::Twin(arguments) => twin::run(&arguments),
         Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
     };
     match result.and_then(|text| print(&text)) {

@@ -141,6 +141,8 @@ fn send(port: &mut dyn SerialPort, link: &mut Connection) -> io::Result<()> {
             LineRequest::Baud(baud) => port.set_baud_rate(baud)?,
             // A terminal without that wire is no reason to stop: the next thing is tried.
             LineRequest::Brc(is_low) => drop(port.write_request_to_send(is_low)),
+            // For bridges only.
+            LineRequest::Stop => {}
         }
     }
     port.write_all(&link.take_tx())

@@ -5,17 +5,18 @@ use super::{
     failure::Failure,
     output, plan,
     task::{self, ParamArguments, PlacementArguments},
+    twin,
 };
 use robovac_core::{floor_plan::ScenarioPose, robot::OdometryModel};
 use robovac_sim::{
-    Run, STEP_S, SlipLevel, What, controller,
+    Conditions, Run, STEP_S, SlipLevel, What, controller,
     experiment::{
         Algorithm,
         planning::{Placement, PlanningTask, TaskReport},
     },
 };
 use serde::Serialize;
-use std::{fmt::Write, time::Instant};
+use std::{fmt::Write, path::PathBuf, time::Instant};
 
 /// The default robot.
 pub const DEFAULT_ROBOT: &str = "roomba600";
@@ -33,6 +34,9 @@ pub struct Arguments {
     params: ParamArguments,
     #[command(flatten)]
     conditions: ConditionsArguments,
+    /// Simulate a twin: a file of "robovac twin --json". Its levels of slip and noise count where none is given
+    #[arg(long, value_name = "FILE", conflicts_with = "robot")]
+    twin: Option<PathBuf>,
     /// Simulated time between two samples
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0, value_parser = parse_seconds, allow_hyphen_values = true)]
     sample: f64,
@@ -108,9 +112,15 @@ struct SimulateSample {
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let algorithm = arguments.algorithm.find()?;
     let params = arguments.params.checked(algorithm.params())?;
-    let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
+    let mut placement = arguments.placement.placement(DEFAULT_ROBOT)?;
     let seed = arguments.params.seed;
-    let (conditions, odometry) = (arguments.conditions.conditions(), arguments.conditions.odometry);
+    let (mut conditions, odometry) = (Conditions::default(), arguments.conditions.odometry);
+    if let Some(path) = &arguments.twin {
+        let file = twin::open(path)?;
+        placement.robot = file.twin.of(&placement.robot);
+        conditions = file.conditions(conditions);
+    }
+    let conditions = arguments.conditions.over(conditions);
     let (prepared, mut run) = match algorithm {
         Algorithm::Planner(planner) => {
             let task = PlanningTask { placement: placement.clone(), planner, params: params.clone(), seed };

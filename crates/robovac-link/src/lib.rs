@@ -32,6 +32,7 @@
 //! - [`driver`]: the host's end: identifies the robot, reads its sensors, stops it
 //! - [`connection`]: a driver with a controller, a view model and a recording
 //! - [`recording`]: what a recording of the line contains, in words and as a table
+//! - [`twin`]: the figures of one robot, fitted to a recording
 //! - [`emulator`]: the robot's end
 //! - [`sensors`]: conversion between the sensor readings of the simulator and of the Open Interface
 
@@ -42,5 +43,6 @@ pub mod emulator;
 mod path_commands;
 pub mod recording;
 pub mod sensors;
+pub mod twin;
 
 pub use path_commands::{TimedCommand, commands, commands_text};

@@ -58,7 +58,7 @@ pub use observer::RunObserver;
 pub use recording::RunRecording;
 pub use run::{Conditions, Run, RunSetup};
 pub use senses::Supply;
-pub use sim_robot::SimRobot;
+pub use sim_robot::{SimRobot, kept_speed};
 pub use slip::{Slip, SlipLevel};
 pub use touch::Touch;
 pub use world::World;

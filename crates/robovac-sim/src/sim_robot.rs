@@ -196,7 +196,7 @@ impl SimRobot {
     fn approach(&self, speed: f64, wanted: f64) -> f64 {
         let least = if self.is_braking { BRAKING } else { 0.0 };
         let most = self.model.acceleration.max(least) * STEP_S;
-        let wanted = if self.is_quantised { quantised(wanted, self.model.speed_steps) } else { wanted };
+        let wanted = if self.is_quantised { kept_speed(wanted, self.model.speed_steps) } else { wanted };
         let wanted = wanted.clamp(-self.model.max_wheel_speed, self.model.max_wheel_speed);
         speed + (wanted - speed).clamp(-most, most)
     }
@@ -220,7 +220,7 @@ impl RobotPort for SimRobot {
 /// Below the smallest speed it doesn't turn. Above, it takes the next of the speeds that lie a step apart: commanded 11
 /// to 39 mm/s, a Create 2 drives at 39 mm/s, and so on in steps of 28.5 mm/s (K. Tibow, Roombas, motors, and noise,
 /// ktibow.github.io/blog/roombamotors; the step is also in the Create 2 Open Interface specification).
-fn quantised(wanted: f64, [smallest, step]: [f64; 2]) -> f64 {
+pub fn kept_speed(wanted: f64, [smallest, step]: [f64; 2]) -> f64 {
     let speed = wanted.abs();
     if step <= 0.0 {
         return wanted;
@@ -249,8 +249,8 @@ mod tests {
             (-0.3, -0.3245),
             (0.3245, 0.3245),
         ] {
-            assert!((quantised(wanted, steps) - expected).abs() < 1e-9, "{wanted}: {}", quantised(wanted, steps));
+            assert!((kept_speed(wanted, steps) - expected).abs() < 1e-9, "{wanted}: {}", kept_speed(wanted, steps));
         }
-        assert_eq!(quantised(0.0123, [0.0, 0.0]), 0.0123);
+        assert_eq!(kept_speed(0.0123, [0.0, 0.0]), 0.0123);
     }
 }

@@ -1,22 +1,33 @@
 //! Who drives, and the dead man's switch.
 
 use super::{
-    motion::{HALT, Motion, STOP},
+    motion::{HALT, Motion, STOP, STOP_ALL, starts},
+    repeat::Repeat,
     words::{FromBridge, Halted, ToBridge},
 };
-use roomba_oi::{CommandDecoder, MAX_RECEIVED};
+use roomba_oi::{Command, CommandDecoder, MAX_RECEIVED};
 
 /// Clients at once, at most.
 pub const MAX_CLIENTS: usize = 8;
+
+/// Longest command that is passed on: a stream of all packets has 61 bytes. Longer ones would make a stop wait behind them.
+const LONGEST: usize = 64;
+
+/// The rate of robots that lost their settings, baud.
+const SLOW_BAUD: u32 = 19_200;
 
 /// Names a client while it is connected; chosen by the program.
 pub type ClientId = u32;
 
 /// The serial port, and the clients' connections.
 pub trait Ends {
-    /// Sends bytes to the robot: one or several whole commands.
-    fn robot(&mut self, bytes: &[u8]);
-    /// Sets the serial port's rate, after all bytes so far have left.
+    /// Queues a whole command for the robot. Returns whether there was room; if not, nothing of it may be sent.
+    ///
+    /// A queue should hold no more than the line carries in 0.1 s, so that commands don't get old in it.
+    fn robot(&mut self, command: &[u8]) -> bool;
+    /// Sends a stop at once, instead of all commands in the queue.
+    fn stop(&mut self, bytes: &[u8]);
+    /// Sets the serial port's rate, after all stops so far have left.
     fn baud(&mut self, baud: u32);
     /// Pulls the robot's wake-up pin low, or releases it.
     fn brc(&mut self, is_low: bool);
@@ -29,18 +40,21 @@ pub trait Ends {
 /// Time limits, ms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Limits {
-    /// Silence of the driver after which the wheels are stopped, while anything of the robot is on.
+    /// Age of the newest [`FromBridge::Beat`] that the driver has answered, at which the wheels are stopped, while anything of
+    /// the robot is on, and at which commands that set something in motion are too late.
     pub halt_ms: u64,
-    /// Silence after which everything is stopped and the driver is disconnected, while anything is on.
+    /// The same age at which everything is stopped and the driver is disconnected, while anything is on.
     pub lost_ms: u64,
-    /// Silence after which the driver is disconnected while nothing is on, so that others can drive.
+    /// Silence after which a client is disconnected, so that others have its place.
     pub idle_ms: u64,
+    /// Time between two [`FromBridge::Beat`].
+    pub beat_ms: u64,
 }
 
 impl Default for Limits {
-    /// 0.2 s, 1 s, 10 s.
+    /// 0.2 s, 1 s, 5 s, 0.04 s.
     fn default() -> Self {
-        Self { halt_ms: 200, lost_ms: 1000, idle_ms: 10_000 }
+        Self { halt_ms: 200, lost_ms: 1000, idle_ms: 5000, beat_ms: 40 }
     }
 }
 
@@ -48,39 +62,63 @@ impl Default for Limits {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Full;
 
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Client {
+    id: ClientId,
+    heard_ms: u64,
+}
+
 /// The rules of the bridge. Times are ms of any clock that never runs backwards.
 #[derive(Debug, Clone)]
 pub struct Bridge {
     limits: Limits,
+    /// The rate at which every driver finds the line, baud.
+    home_baud: u32,
+    baud: u32,
+    is_brc_low: bool,
     /// In order of arrival; the first one drives.
-    clients: [Option<ClientId>; MAX_CLIENTS],
+    clients: [Option<Client>; MAX_CLIENTS],
+    /// Number of the latest [`FromBridge::Drive`], when it was sent, and whether it was answered.
+    turn: u32,
+    turn_ms: u64,
+    is_taken: bool,
+    /// When the newest message was sent that the driver has answered.
+    alive_ms: u64,
+    /// When the last [`FromBridge::Beat`] was sent, which is its number.
+    beat_ms: Option<u64>,
     decoder: CommandDecoder,
     motion: Motion,
-    heard_ms: u64,
-    is_halted: bool,
+    repeat: Repeat,
 }
 
 impl Bridge {
-    /// A bridge without a serial port and without clients.
-    pub fn new(limits: Limits) -> Self {
+    /// A bridge without a serial port and without clients; the port will be open at `baud`.
+    pub fn new(limits: Limits, baud: u32) -> Self {
         Self {
             limits,
+            home_baud: baud,
+            baud,
+            is_brc_low: false,
             clients: [None; MAX_CLIENTS],
+            turn: 0,
+            turn_ms: 0,
+            is_taken: false,
+            alive_ms: 0,
+            beat_ms: None,
             decoder: CommandDecoder::default(),
             motion: Motion::UNKNOWN,
-            heard_ms: 0,
-            is_halted: false,
+            repeat: Repeat::default(),
         }
     }
 
-    /// The client that drives.
+    /// The client that drives, or may.
     pub fn driver(&self) -> Option<ClientId> {
-        self.clients[0]
+        self.clients[0].map(|client| client.id)
     }
 
     /// All clients in order of arrival, the driver first.
     pub fn clients(&self) -> impl Iterator<Item = ClientId> {
-        self.clients.iter().flatten().copied()
+        self.clients.iter().flatten().map(|client| client.id)
     }
 
     /// Whether wheels, brushes or vacuum are on, as far as the bridge knows.
@@ -88,19 +126,33 @@ impl Bridge {
         self.motion.is_on()
     }
 
-    /// The serial port is open: the first that the robot gets is a stop.
-    pub fn opened(&mut self, ends: &mut impl Ends) {
+    /// Whether a stop is still being repeated.
+    pub fn is_stopping(&self) -> bool {
+        !self.repeat.is_over()
+    }
+
+    /// The serial port is open: the first that the robot gets is a stop, at both rates that robots have by themselves.
+    pub fn opened(&mut self, now_ms: u64, ends: &mut impl Ends) {
         self.motion = Motion::UNKNOWN;
+        self.baud = self.home_baud;
+        if self.home_baud != SLOW_BAUD {
+            ends.baud(SLOW_BAUD);
+            ends.stop(&[0; LONGEST]);
+            ends.stop(&STOP);
+            ends.baud(self.home_baud);
+        }
         // What was interrupted in the middle of a command would take the stop for its data. Zeros do nothing by themselves.
-        ends.robot(&[0; MAX_RECEIVED]);
-        self.stop(ends);
+        ends.stop(&[0; MAX_RECEIVED]);
+        self.stop(&STOP, now_ms, ends);
     }
 
     /// The serial port is gone: nobody can drive. All clients are disconnected for the reason `why`.
     pub fn closed(&mut self, why: &str, ends: &mut impl Ends) {
         self.decoder.clear();
+        self.repeat = Repeat::default();
+        self.is_taken = false;
         for client in core::mem::take(&mut self.clients).into_iter().flatten() {
-            ends.close(client, why);
+            ends.close(client.id, why);
         }
     }
 
@@ -110,7 +162,7 @@ impl Bridge {
     /// [`Full`] if there are [`MAX_CLIENTS`]; the program should disconnect it with a reason.
     pub fn joined(&mut self, client: ClientId, now_ms: u64, ends: &mut impl Ends) -> Result<(), Full> {
         let place = self.clients.iter().position(Option::is_none).ok_or(Full)?;
-        self.clients[place] = Some(client);
+        self.clients[place] = Some(Client { id: client, heard_ms: now_ms });
         ends.tell(client, FromBridge::Hello);
         if place == 0 {
             self.hand_over(now_ms, ends);
@@ -131,100 +183,174 @@ impl Bridge {
             return;
         }
         for &byte in bytes {
+            let Some(received) = self.decoder.push(byte) else { continue };
             // Bytes that are no command stay here, since nobody knows what they would do.
-            if let Some(received) = self.decoder.push(byte)
-                && let Ok(command) = received.command
-            {
-                self.motion.sent(&command);
-                ends.robot(received.bytes);
+            let Ok(command) = received.command else { continue };
+            if received.bytes.len() > LONGEST {
+                continue;
+            }
+            let starts = starts(&command);
+            if starts && now_ms.saturating_sub(self.alive_ms) >= self.limits.halt_ms {
+                return if self.is_on() { self.halt(now_ms, ends) } else { self.next_turn(Halted::Late, now_ms, ends) };
+            }
+            if !ends.robot(received.bytes) {
+                self.stop(&STOP, now_ms, ends);
+                return self.next_turn(Halted::Flooded, now_ms, ends);
+            }
+            self.motion.sent(&command);
+            if starts || matches!(command, Command::Control | Command::Safe | Command::Full) {
+                // It is in the driver's hands again.
+                self.repeat = Repeat::default();
             }
         }
     }
 
     /// A text message.
     pub fn text(&mut self, client: ClientId, text: &str, now_ms: u64, ends: &mut impl Ends) {
-        if !self.heard(client, now_ms) {
-            return;
-        }
+        let drives = self.heard(client, now_ms);
         match text.parse() {
-            Ok(ToBridge::Alive) => {}
-            Ok(ToBridge::Baud(baud)) => {
+            Ok(ToBridge::Alive(sent_ms)) if drives && self.beat_ms.is_some_and(|last| sent_ms <= last) => {
+                self.alive_ms = self.alive_ms.max(sent_ms);
+            }
+            Ok(ToBridge::Take(turn)) if !drives && self.driver() == Some(client) && turn == self.turn => {
+                self.is_taken = true;
+                self.alive_ms = self.turn_ms;
+            }
+            Ok(ToBridge::Stop) if self.clients().any(|known| known == client) => {
+                self.stop(&STOP_ALL, now_ms, ends);
+                self.next_turn(Halted::Stopped, now_ms, ends);
+            }
+            Ok(ToBridge::Baud(baud)) if drives && baud != self.baud => {
                 // At another rate, no stop would be understood.
                 if self.motion.is_on() || self.motion.is_host_driven {
-                    self.stop(ends);
+                    self.stop(&STOP, now_ms, ends);
                 }
+                self.baud = baud;
                 ends.baud(baud);
             }
-            Ok(ToBridge::Brc { is_low }) => ends.brc(is_low),
+            Ok(ToBridge::Brc { is_low }) if drives => {
+                self.is_brc_low = is_low;
+                ends.brc(is_low);
+            }
+            Ok(_) => {}
             Err(_) => ends.tell(client, FromBridge::Unknown),
         }
     }
 
     /// Lets time pass. To be called every 10 ms or so.
     pub fn tick(&mut self, now_ms: u64, ends: &mut impl Ends) {
-        let Some(driver) = self.driver() else { return };
-        let silence_ms = now_ms.saturating_sub(self.heard_ms);
-        if !self.is_on() {
-            if silence_ms >= self.limits.idle_ms {
-                self.remove(driver, Halted::Lost, now_ms, ends);
-                ends.close(driver, "nothing was heard of this client");
+        if let Some(bytes) = self.repeat.due(now_ms) {
+            ends.stop(bytes);
+        }
+        self.beat(now_ms, ends);
+        self.watch_driver(now_ms, ends);
+        for client in self.clients.into_iter().flatten() {
+            if now_ms.saturating_sub(client.heard_ms) >= self.limits.idle_ms {
+                self.remove(client.id, Halted::Lost, now_ms, ends);
+                ends.close(client.id, "nothing was heard of this client: it should answer each beat");
             }
-        } else if silence_ms >= self.limits.lost_ms {
-            self.remove(driver, Halted::Lost, now_ms, ends);
-            ends.close(driver, "the robot was stopped: nothing was heard of this client while it drove");
-        } else if silence_ms >= self.limits.halt_ms && !self.is_halted {
-            self.is_halted = true;
-            ends.robot(&HALT);
-            self.tell_all(FromBridge::Halted(Halted::Silent), ends);
         }
     }
 
-    /// The bridge ends: stops the robot and disconnects all clients.
-    pub fn ended(&mut self, ends: &mut impl Ends) {
+    /// The bridge ends: stops the robot and disconnects all clients. Call [`Self::tick`] while it [is
+    /// stopping](Self::is_stopping).
+    pub fn ended(&mut self, now_ms: u64, ends: &mut impl Ends) {
         if self.driver().is_some() {
-            self.stop(ends);
+            self.stop(&STOP, now_ms, ends);
             self.tell_all(FromBridge::Halted(Halted::Ended), ends);
         }
+        let repeat = self.repeat;
         self.closed("the bridge was ended", ends);
+        self.repeat = repeat;
     }
 
-    /// Whether it is the driver; takes note of its sign of life.
-    fn heard(&mut self, client: ClientId, now_ms: u64) -> bool {
-        let drives = self.driver() == Some(client);
-        if drives {
-            self.heard_ms = self.heard_ms.max(now_ms);
-            self.is_halted = false;
+    fn beat(&mut self, now_ms: u64, ends: &mut impl Ends) {
+        if self.beat_ms.is_none_or(|last| now_ms.saturating_sub(last) >= self.limits.beat_ms) {
+            self.beat_ms = Some(now_ms);
+            self.tell_all(FromBridge::Beat(now_ms), ends);
         }
-        drives
+    }
+
+    fn watch_driver(&mut self, now_ms: u64, ends: &mut impl Ends) {
+        let Some(driver) = self.driver() else { return };
+        let age_ms = now_ms.saturating_sub(self.alive_ms);
+        if !self.is_on() {
+            return;
+        }
+        if age_ms >= self.limits.lost_ms {
+            self.remove(driver, Halted::Lost, now_ms, ends);
+            ends.close(driver, "the robot was stopped: nothing was heard of this client while it drove");
+        } else if age_ms >= self.limits.halt_ms && self.is_taken {
+            self.halt(now_ms, ends);
+        }
+    }
+
+    /// Takes note of a message; whether it is of the driver, who has taken its turn.
+    fn heard(&mut self, client: ClientId, now_ms: u64) -> bool {
+        if let Some(known) = self.clients.iter_mut().flatten().find(|known| known.id == client) {
+            known.heard_ms = known.heard_ms.max(now_ms);
+        }
+        self.is_taken && self.driver() == Some(client)
     }
 
     fn remove(&mut self, client: ClientId, why: Halted, now_ms: u64, ends: &mut impl Ends) {
-        let Some(place) = self.clients.iter().position(|&known| known == Some(client)) else { return };
+        let Some(place) = self.clients().position(|known| known == client) else { return };
         self.clients[place..].rotate_left(1);
         self.clients[MAX_CLIENTS - 1] = None;
         if place == 0 {
             if self.motion.is_host_driven || self.motion.is_on() {
-                self.stop(ends);
+                self.stop(&STOP, now_ms, ends);
                 self.tell_all(FromBridge::Halted(why), ends);
             }
             self.hand_over(now_ms, ends);
         }
     }
 
-    /// The first in order drives.
+    /// The first in order may drive, on a line as it was at the beginning.
     fn hand_over(&mut self, now_ms: u64, ends: &mut impl Ends) {
+        if core::mem::take(&mut self.is_brc_low) {
+            ends.brc(false);
+        }
+        if self.baud != self.home_baud {
+            self.baud = self.home_baud;
+            if self.is_stopping() {
+                // It is repeated at the other rate only.
+                ends.stop(&STOP);
+                ends.baud(self.home_baud);
+                self.stop(&STOP, now_ms, ends);
+            } else {
+                ends.baud(self.home_baud);
+            }
+        }
+        self.begin_turn(now_ms, ends);
+    }
+
+    /// Stops the wheels alone; the driver may be back at once.
+    fn halt(&mut self, now_ms: u64, ends: &mut impl Ends) {
+        ends.stop(&HALT);
+        self.repeat = Repeat::of(&HALT, now_ms);
+        self.next_turn(Halted::Silent, now_ms, ends);
+    }
+
+    /// The robot was stopped, or held back. What its driver sends is dropped until it has heard of that.
+    fn next_turn(&mut self, why: Halted, now_ms: u64, ends: &mut impl Ends) {
+        self.begin_turn(now_ms, ends);
+        self.tell_all(FromBridge::Halted(why), ends);
+    }
+
+    fn begin_turn(&mut self, now_ms: u64, ends: &mut impl Ends) {
         self.decoder.clear();
-        self.heard_ms = self.heard_ms.max(now_ms);
-        self.is_halted = false;
+        (self.turn, self.turn_ms, self.is_taken) = (self.turn.wrapping_add(1), now_ms, false);
         if let Some(driver) = self.driver() {
-            ends.tell(driver, FromBridge::Drive);
+            ends.tell(driver, FromBridge::Drive(self.turn));
         }
     }
 
-    fn stop(&mut self, ends: &mut impl Ends) {
+    fn stop(&mut self, bytes: &'static [u8], now_ms: u64, ends: &mut impl Ends) {
         self.decoder.clear();
         self.motion = Motion::OWN;
-        ends.robot(&STOP);
+        self.repeat = Repeat::of(bytes, now_ms);
+        ends.stop(bytes);
     }
 
     fn tell_all(&self, word: FromBridge, ends: &mut impl Ends) {
@@ -237,7 +363,6 @@ impl Bridge {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use roomba_oi::Command;
 
     /// Keeps what was sent.
     #[derive(Default)]
@@ -246,20 +371,30 @@ mod tests {
         told: Vec<(ClientId, String)>,
         closed: Vec<ClientId>,
         line: Vec<String>,
+        is_full: bool,
     }
 
     impl Ends for Wires {
-        fn robot(&mut self, bytes: &[u8]) {
+        fn robot(&mut self, command: &[u8]) -> bool {
+            if !self.is_full {
+                self.robot.extend(command);
+            }
+            !self.is_full
+        }
+        fn stop(&mut self, bytes: &[u8]) {
             self.robot.extend(bytes);
         }
         fn baud(&mut self, baud: u32) {
-            self.line.push(format!("baud {baud}"));
+            let before = self.sent().len();
+            self.line.push(format!("{before} bytes, baud {baud}"));
         }
         fn brc(&mut self, is_low: bool) {
             self.line.push(format!("brc {is_low}"));
         }
         fn tell(&mut self, client: ClientId, word: FromBridge) {
-            self.told.push((client, word.to_string()));
+            if !matches!(word, FromBridge::Beat(_)) {
+                self.told.push((client, word.to_string()));
+            }
         }
         fn close(&mut self, client: ClientId, _why: &str) {
             self.closed.push(client);
@@ -281,21 +416,50 @@ mod tests {
 
     const DRIVE: [u8; 6] = [131, 145, 0, 100, 0, 100];
 
-    /// A bridge with its port open and clients 1 and 2, at 0 ms.
+    /// A bridge with its port open, at 0 ms: client 1 drives, client 2 watches.
     fn bridge() -> (Bridge, Wires) {
-        let (mut bridge, mut wires) = (Bridge::new(Limits::default()), Wires::default());
-        bridge.opened(&mut wires);
-        let sent = wires.sent();
-        assert!(
-            sent.ends_with(&STOP) && sent[..sent.len() - STOP.len()] == [0; MAX_RECEIVED],
-            "the first bytes are a stop"
-        );
+        let (mut bridge, mut wires) = (Bridge::new(Limits::default(), 115_200), Wires::default());
+        bridge.opened(0, &mut wires);
+        bridge.repeat = Repeat::default();
+        wires.sent();
+        wires.line.clear();
         for client in [1, 2] {
             bridge.joined(client, 0, &mut wires).unwrap();
         }
-        assert_eq!(wires.told(1), ["hello roomba-bridge 1", "drive"]);
-        assert_eq!(wires.told(2), ["hello roomba-bridge 1", "watch"]);
+        bridge.text(1, "take 1", 0, &mut wires);
+        assert_eq!(wires.told(1), ["hello roomba-bridge 2", "drive 1"]);
+        assert_eq!(wires.told(2), ["hello roomba-bridge 2", "watch"]);
         (bridge, wires)
+    }
+
+    /// Lets time pass; the clients `alive` answer each beat after `delay_ms`.
+    fn pass(
+        bridge: &mut Bridge,
+        wires: &mut Wires,
+        times_ms: core::ops::Range<u64>,
+        alive: &[ClientId],
+        delay_ms: u64,
+    ) {
+        for now_ms in times_ms.step_by(10) {
+            let answered = now_ms.saturating_sub(delay_ms) / 40 * 40;
+            for &client in alive {
+                bridge.text(client, &format!("alive {answered}"), now_ms, wires);
+            }
+            bridge.tick(now_ms, wires);
+        }
+    }
+
+    #[test]
+    fn the_first_bytes_are_a_stop_at_both_rates_of_robots() {
+        let (mut bridge, mut wires) = (Bridge::new(Limits::default(), 115_200), Wires::default());
+        bridge.opened(0, &mut wires);
+        let slow = LONGEST + STOP.len();
+        assert_eq!(wires.line, ["0 bytes, baud 19200".to_owned(), format!("{slow} bytes, baud 115200")]);
+        let sent = wires.sent();
+        assert!(sent.ends_with(&STOP) && sent[..sent.len() - STOP.len()] == [0; MAX_RECEIVED]);
+        let mut wires = Wires::default();
+        Bridge::new(Limits::default(), SLOW_BAUD).opened(0, &mut wires);
+        assert_eq!((wires.line.len(), wires.robot.len()), (0, MAX_RECEIVED + STOP.len()));
     }
 
     #[test]
@@ -304,21 +468,58 @@ mod tests {
             let mut decoder = CommandDecoder::default();
             bytes.iter().filter_map(|&b| Some(format!("{:?}", decoder.push(b)?.command.unwrap()))).collect::<Vec<_>>()
         };
-        let still = format!("{:?}", Command::DriveDirect { right: 0, left: 0 });
-        assert_eq!(commands(&HALT), [still.clone(), still.clone()]);
-        let off = format!("{:?}", Command::Motors(roomba_oi::Motors::default()));
-        assert_eq!(commands(&STOP), [still.clone(), still, off, "Start".to_owned()]);
+        let still = &*format!("{:?}", Command::DriveDirect { right: 0, left: 0 });
+        let off = &*format!("{:?}", Command::Motors(roomba_oi::Motors::default()));
+        assert_eq!(commands(&HALT), [still, still]);
+        assert_eq!(commands(&STOP), [still, still, off, "Start"]);
+        assert_eq!(commands(&STOP_ALL), [still, still, off, "Start", "Safe", still, off, "Start"]);
     }
 
     #[test]
     fn watchers_never_reach_the_robot() {
         let (mut bridge, mut wires) = bridge();
-        bridge.bytes(2, &DRIVE, 5, &mut wires);
-        bridge.text(2, "baud 19200", 5, &mut wires);
-        bridge.text(2, "brc low", 5, &mut wires);
+        for word in ["take 1", "take 2", "baud 19200", "brc low"] {
+            bridge.text(2, word, 5, &mut wires);
+            bridge.bytes(2, &DRIVE, 5, &mut wires);
+        }
         assert!(wires.sent().is_empty() && wires.line.is_empty());
         bridge.text(1, "baud 19200", 5, &mut wires);
-        assert_eq!(wires.line, ["baud 19200"]);
+        assert_eq!(wires.line, ["0 bytes, baud 19200"]);
+    }
+
+    #[test]
+    fn whoever_watches_can_stop_the_robot_and_its_driver_must_take_it_again() {
+        let (mut bridge, mut wires) = bridge();
+        bridge.bytes(1, &DRIVE, 0, &mut wires);
+        wires.sent();
+        bridge.text(2, "stop", 10, &mut wires);
+        assert_eq!(wires.sent(), STOP_ALL);
+        assert_eq!(wires.told(1), ["drive 2", "halted stopped"]);
+        assert_eq!(wires.told(2), ["halted stopped"]);
+        // Still on its way.
+        bridge.bytes(1, &DRIVE, 11, &mut wires);
+        bridge.text(1, "take 1", 11, &mut wires);
+        bridge.bytes(1, &DRIVE, 11, &mut wires);
+        assert_eq!(wires.sent(), []);
+        bridge.text(1, "take 2", 12, &mut wires);
+        bridge.bytes(1, &DRIVE, 12, &mut wires);
+        assert_eq!(wires.sent(), DRIVE);
+        // A client that was never admitted has no say.
+        bridge.text(9, "stop", 13, &mut wires);
+        assert_eq!(wires.sent(), []);
+    }
+
+    #[test]
+    fn what_a_watcher_sent_before_it_knew_that_it_drives_is_dropped() {
+        let (mut bridge, mut wires) = bridge();
+        bridge.left(1, 10, &mut wires);
+        assert_eq!(wires.told(2), ["drive 2"]);
+        bridge.bytes(2, &DRIVE, 11, &mut wires);
+        bridge.text(2, "baud 19200", 11, &mut wires);
+        assert!(wires.sent().is_empty() && wires.line.is_empty());
+        bridge.text(2, "take 2", 12, &mut wires);
+        bridge.bytes(2, &DRIVE, 12, &mut wires);
+        assert_eq!(wires.sent(), DRIVE);
     }
 
     #[test]
@@ -328,10 +529,12 @@ mod tests {
         wires.sent();
         bridge.bytes(1, &[145, 1], 10, &mut wires);
         assert!(wires.sent().is_empty());
-        bridge.tick(210, &mut wires);
+        bridge.tick(200, &mut wires);
         assert_eq!(wires.sent(), HALT);
-        bridge.bytes(1, &[244, 1, 244], 250, &mut wires);
-        assert_eq!(wires.sent(), [145, 1, 244, 1, 244], "it goes on when its driver is back");
+        bridge.text(1, "take 2", 250, &mut wires);
+        bridge.bytes(1, &[145, 1], 250, &mut wires);
+        bridge.bytes(1, &[244, 1, 244], 251, &mut wires);
+        assert_eq!(wires.sent(), [145, 1, 244, 1, 244], "the half before was forgotten");
     }
 
     #[test]
@@ -340,6 +543,7 @@ mod tests {
         bridge.bytes(1, &[145, 1], 10, &mut wires);
         bridge.left(1, 10, &mut wires);
         wires.sent();
+        bridge.text(2, "take 2", 20, &mut wires);
         bridge.bytes(2, &[128], 20, &mut wires);
         assert_eq!(wires.sent(), [128]);
     }
@@ -351,16 +555,93 @@ mod tests {
         wires.sent();
         bridge.tick(199, &mut wires);
         assert!(wires.sent().is_empty());
-        for now_ms in [200, 300, 999] {
-            bridge.tick(now_ms, &mut wires);
-        }
-        assert_eq!(wires.sent(), HALT, "once");
-        assert_eq!(wires.told(2), ["halted silent"]);
-        bridge.text(1, "alive", 999, &mut wires);
+        bridge.tick(200, &mut wires);
+        assert_eq!(wires.sent(), HALT);
+        assert_eq!(wires.told(1), ["drive 2", "halted silent"]);
+        pass(&mut bridge, &mut wires, 210..1000, &[], 0);
+        assert_eq!(wires.sent(), HALT.repeat(3));
+        bridge.bytes(1, &DRIVE, 998, &mut wires);
+        assert!(wires.sent().is_empty(), "what was held up on its way is dropped");
+        bridge.text(1, "take 2", 999, &mut wires);
+        bridge.text(1, "alive 960", 999, &mut wires);
         bridge.bytes(1, &DRIVE, 999, &mut wires);
         assert_eq!(wires.sent(), DRIVE);
-        bridge.tick(1199, &mut wires);
+        bridge.tick(1159, &mut wires);
+        assert_eq!(wires.sent(), []);
+        bridge.tick(1160, &mut wires);
+        assert_eq!(wires.sent(), HALT, "the age of the beat counts, not when its answer came");
+    }
+
+    #[test]
+    fn a_steady_delay_of_the_network_is_no_sign_of_life() {
+        for (delay_ms, drives) in [(0, true), (60, true), (140, true), (200, false), (300, false), (5000, false)] {
+            let (mut bridge, mut wires) = bridge();
+            // It took control long ago.
+            pass(&mut bridge, &mut wires, 0..6000, &[1, 2], delay_ms);
+            bridge.bytes(1, &[131], 6000, &mut wires);
+            wires.sent();
+            bridge.bytes(1, &DRIVE[1..], 6000, &mut wires);
+            assert_eq!(wires.sent() == DRIVE[1..], drives, "{delay_ms} ms");
+            assert_eq!(wires.told(1) == ["drive 2", "halted late"], !drives, "{delay_ms} ms");
+            bridge.text(1, "take 2", 6000, &mut wires);
+            pass(&mut bridge, &mut wires, 6010..8000, &[1, 2], delay_ms);
+            assert_eq!(wires.sent(), [], "{delay_ms} ms");
+            assert_eq!(bridge.driver(), Some(1), "who can't drive may see its sensors");
+        }
+        // The delay begins while it drives.
+        let (mut bridge, mut wires) = bridge();
+        bridge.bytes(1, &DRIVE, 0, &mut wires);
+        pass(&mut bridge, &mut wires, 0..1000, &[1, 2], 20);
+        assert_eq!(wires.sent(), DRIVE);
+        pass(&mut bridge, &mut wires, 1000..1500, &[1, 2], 300);
+        assert_eq!(wires.sent(), HALT.repeat(4));
+    }
+
+    #[test]
+    fn numbers_of_beats_that_were_never_sent_are_no_sign_of_life() {
+        let (mut bridge, mut wires) = bridge();
+        bridge.text(1, "alive 100000", 0, &mut wires);
+        bridge.tick(0, &mut wires);
+        bridge.bytes(1, &DRIVE, 0, &mut wires);
+        bridge.text(1, "alive 100000", 100, &mut wires);
+        wires.sent();
+        bridge.tick(200, &mut wires);
         assert_eq!(wires.sent(), HALT);
+    }
+
+    #[test]
+    fn a_late_command_of_a_robot_that_drives_stops_it() {
+        let (mut bridge, mut wires) = bridge();
+        bridge.bytes(1, &DRIVE, 0, &mut wires);
+        wires.sent();
+        // The bridge itself was held up: no time has passed for it.
+        bridge.bytes(1, &DRIVE, 300, &mut wires);
+        assert_eq!(wires.sent(), [&[131][..], &HALT].concat());
+        assert_eq!(wires.told(1), ["drive 2", "halted silent"]);
+    }
+
+    #[test]
+    fn nothing_starts_late_but_everything_may_stop_late() {
+        for (command, starts) in [
+            (&[131][..], false),
+            (&[145, 0, 0, 0, 0], false),
+            (&[138, 0], false),
+            (&[148, 1, 7], false),
+            (&[145, 0, 1, 0, 0], true),
+            (&[137, 255, 0, 0, 0], true),
+            (&[146, 0, 0, 0, 1], true),
+            (&[138, 1], true),
+            (&[144, 0, 0, 1], true),
+            (&[135], true),
+            (&[136], true),
+            (&[134], true),
+            (&[143], true),
+            (&[165, 1], true),
+        ] {
+            let (mut bridge, mut wires) = bridge();
+            bridge.bytes(1, command, 200, &mut wires);
+            assert_eq!(wires.sent() == command, !starts, "{command:?}");
+        }
     }
 
     #[test]
@@ -370,10 +651,12 @@ mod tests {
         bridge.tick(1000, &mut wires);
         assert!(wires.sent().ends_with(&STOP));
         assert_eq!((wires.closed.as_slice(), bridge.driver()), (&[1][..], Some(2)));
-        assert_eq!(wires.told(2), ["halted lost", "drive"]);
+        assert_eq!(wires.told(2), ["halted lost", "drive 2"]);
         // What it had still on its way is dropped.
+        bridge.text(1, "take 2", 1001, &mut wires);
         bridge.bytes(1, &DRIVE, 1001, &mut wires);
         assert!(wires.sent().is_empty());
+        bridge.text(2, "take 2", 1002, &mut wires);
         bridge.bytes(2, &DRIVE, 1002, &mut wires);
         assert_eq!(wires.sent(), DRIVE);
     }
@@ -406,12 +689,59 @@ mod tests {
     }
 
     #[test]
-    fn an_idle_driver_makes_room_after_a_while() {
+    fn a_stop_is_repeated_until_somebody_drives_again() {
         let (mut bridge, mut wires) = bridge();
-        bridge.tick(9_999, &mut wires);
+        bridge.bytes(1, &DRIVE, 0, &mut wires);
+        wires.sent();
+        bridge.left(1, 0, &mut wires);
+        pass(&mut bridge, &mut wires, 0..3000, &[2], 0);
+        assert_eq!(wires.sent(), STOP.repeat(4));
+        assert!(!bridge.is_stopping());
+        // Questions don't end it, driving does.
+        let (mut bridge, mut wires) = self::bridge();
+        bridge.bytes(1, &DRIVE, 0, &mut wires);
+        bridge.left(1, 0, &mut wires);
+        bridge.text(2, "take 2", 0, &mut wires);
+        bridge.bytes(2, &[128, 142, 35], 0, &mut wires);
+        wires.sent();
+        pass(&mut bridge, &mut wires, 0..110, &[2], 0);
+        assert_eq!(wires.sent(), STOP);
+        bridge.bytes(2, &[131], 110, &mut wires);
+        pass(&mut bridge, &mut wires, 110..3000, &[2], 0);
+        assert_eq!(wires.sent(), [131]);
+    }
+
+    #[test]
+    fn a_driver_that_sends_more_than_the_line_carries_is_stopped() {
+        let (mut bridge, mut wires) = bridge();
+        bridge.bytes(1, &DRIVE, 0, &mut wires);
+        wires.sent();
+        wires.is_full = true;
+        bridge.bytes(1, &DRIVE, 1, &mut wires);
+        assert_eq!(
+            (wires.sent(), wires.told(1)),
+            (STOP.to_vec(), vec!["drive 2".to_owned(), "halted flooded".to_owned()])
+        );
+        wires.is_full = false;
+        bridge.bytes(1, &DRIVE, 2, &mut wires);
+        assert_eq!(wires.sent(), []);
+    }
+
+    #[test]
+    fn silent_clients_make_room_after_a_while() {
+        let (mut bridge, mut wires) = bridge();
+        pass(&mut bridge, &mut wires, 0..5000, &[2], 0);
         assert_eq!(bridge.driver(), Some(1));
-        bridge.tick(10_000, &mut wires);
-        assert_eq!((bridge.driver(), wires.closed), (Some(2), vec![1]));
+        bridge.tick(5000, &mut wires);
+        assert_eq!((bridge.driver(), wires.closed.as_slice()), (Some(2), &[1][..]));
+        // Also those that watch, and those that never say a word.
+        for client in 3..=9 {
+            bridge.joined(client, 5000, &mut wires).unwrap();
+        }
+        assert_eq!(bridge.joined(10, 5000, &mut wires), Err(Full));
+        pass(&mut bridge, &mut wires, 5000..10_010, &[2, 4], 0);
+        assert_eq!(bridge.clients().collect::<Vec<_>>(), [2, 4]);
+        assert_eq!(bridge.joined(10, 10_010, &mut wires), Ok(()));
     }
 
     #[test]
@@ -419,29 +749,58 @@ mod tests {
         let (mut bridge, mut wires) = bridge();
         bridge.bytes(1, &DRIVE, 0, &mut wires);
         wires.sent();
-        bridge.ended(&mut wires);
+        bridge.ended(0, &mut wires);
         assert_eq!((wires.sent(), wires.closed.as_slice()), (STOP.to_vec(), &[1, 2][..]));
+        pass(&mut bridge, &mut wires, 0..500, &[], 0);
+        assert_eq!((wires.sent(), bridge.is_stopping()), (STOP.repeat(3), false));
         let (mut bridge, mut wires) = self::bridge();
         bridge.closed("the cable was pulled", &mut wires);
         assert_eq!((wires.sent(), bridge.clients().count()), (vec![], 0));
-        bridge.opened(&mut wires);
+        bridge.opened(0, &mut wires);
         assert!(wires.sent().ends_with(&STOP));
     }
 
     #[test]
-    fn what_is_no_command_stays_here() {
+    fn what_is_no_command_or_too_long_for_one_stays_here() {
         let (mut bridge, mut wires) = bridge();
         bridge.bytes(1, &[0, 255, 153, 7, 142, 35], 0, &mut wires);
         assert_eq!(wires.sent(), [7, 142, 35]);
+        let all: Vec<u8> = [148, 59].into_iter().chain(0..59).collect();
+        bridge.bytes(1, &all, 0, &mut wires);
+        assert_eq!(wires.sent(), all);
+        bridge.bytes(1, &[148, 255].into_iter().chain([7; 255]).chain([142, 35]).collect::<Vec<_>>(), 0, &mut wires);
+        assert_eq!(wires.sent(), [142, 35]);
     }
 
     #[test]
     fn the_robot_is_stopped_before_its_line_changes_its_rate() {
         let (mut bridge, mut wires) = bridge();
         bridge.bytes(1, &DRIVE, 0, &mut wires);
+        bridge.text(1, "baud 115200", 10, &mut wires);
+        assert_eq!((wires.sent(), wires.line.len()), (DRIVE.to_vec(), 0), "it has this rate");
         bridge.text(1, "baud 19200", 10, &mut wires);
-        assert!(wires.sent().ends_with(&STOP));
-        assert_eq!(wires.line, ["baud 19200"]);
+        assert_eq!(wires.line, [format!("{} bytes, baud 19200", STOP.len())]);
+    }
+
+    #[test]
+    fn a_driver_that_dies_at_another_rate_is_stopped_there_and_the_next_one_finds_the_line_as_at_first() {
+        let (mut bridge, mut wires) = bridge();
+        bridge.text(1, "baud 19200", 0, &mut wires);
+        bridge.text(1, "brc low", 0, &mut wires);
+        bridge.bytes(1, &DRIVE, 0, &mut wires);
+        wires.sent();
+        wires.line.clear();
+        bridge.left(1, 10, &mut wires);
+        let stops = 2 * STOP.len();
+        assert_eq!(wires.line, ["brc false".to_owned(), format!("{stops} bytes, baud 115200")]);
+        assert_eq!(wires.sent(), STOP);
+        // Nothing was on: then nothing has to be stopped.
+        bridge.text(2, "take 2", 10, &mut wires);
+        bridge.text(2, "baud 57600", 10, &mut wires);
+        bridge.repeat = Repeat::default();
+        wires.line.clear();
+        bridge.left(2, 20, &mut wires);
+        assert_eq!((wires.line, wires.robot), (vec!["0 bytes, baud 115200".to_owned()], vec![]));
     }
 
     #[test]

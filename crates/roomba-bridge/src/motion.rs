@@ -1,6 +1,6 @@
 //! What of the robot is on, by the commands that it was sent.
 
-use roomba_oi::Command;
+use roomba_oi::{Buttons, Command, Motors};
 
 /// Stops wheels, brushes and vacuum, and leaves the mode in which a host drives. The wheels twice: bytes can get lost on the
 /// line, and a command that lacks some takes the first bytes of the next one.
@@ -8,6 +8,9 @@ pub const STOP: [u8; 13] = [145, 0, 0, 0, 0, 145, 0, 0, 0, 0, 138, 0, 128];
 
 /// Stops the wheels and keeps the mode, for a host that may be back at once.
 pub const HALT: [u8; 10] = [145, 0, 0, 0, 0, 145, 0, 0, 0, 0];
+
+/// [`STOP`], and then the same from Safe, which ends what the robot does by itself, such as cleaning.
+pub const STOP_ALL: [u8; 22] = [145, 0, 0, 0, 0, 145, 0, 0, 0, 0, 138, 0, 128, 131, 145, 0, 0, 0, 0, 138, 0, 128];
 
 /// What a host switched on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,14 +37,10 @@ impl Motion {
     /// Takes note of a command.
     pub fn sent(&mut self, command: &Command<'_>) {
         match *command {
-            Command::Drive { velocity, .. } => self.wheels = velocity != 0,
-            Command::DriveDirect { right, left } | Command::DrivePwm { right, left } => {
-                self.wheels = (right, left) != (0, 0);
+            Command::Drive { .. } | Command::DriveDirect { .. } | Command::DrivePwm { .. } => {
+                self.wheels = starts(command);
             }
-            Command::Motors(motors) => self.motors = motors != roomba_oi::Motors::default(),
-            Command::PwmMotors { main_brush, side_brush, vacuum } => {
-                self.motors = main_brush != 0 || side_brush != 0 || vacuum != 0;
-            }
+            Command::Motors(_) | Command::PwmMotors { .. } => self.motors = starts(command),
             Command::Control | Command::Safe | Command::Full => self.is_host_driven = true,
             // That it stops the wheels isn't documented.
             Command::Start => self.is_host_driven = false,
@@ -54,5 +53,18 @@ impl Motion {
             | Command::SeekDock => *self = Self::OWN,
             _ => {}
         }
+    }
+}
+
+/// Whether a command can set anything in motion: wheels, brushes, or a program of the robot's own.
+pub fn starts(command: &Command<'_>) -> bool {
+    match *command {
+        Command::Drive { velocity, .. } => velocity != 0,
+        Command::DriveDirect { right, left } | Command::DrivePwm { right, left } => (right, left) != (0, 0),
+        Command::Motors(motors) => motors != Motors::default(),
+        Command::PwmMotors { main_brush, side_brush, vacuum } => main_brush != 0 || side_brush != 0 || vacuum != 0,
+        Command::Buttons(buttons) => buttons != Buttons::default(),
+        Command::Clean | Command::Max | Command::Spot | Command::SeekDock => true,
+        _ => false,
     }
 }

@@ -16,6 +16,8 @@
 
 use roomba_bridge::{Bridge, ClientId, Ends, FromBridge, Full, Limits};
 
+/// The rate of the robot's serial port.
+const BAUD: u32 = 115_200;
 /// Events of one round.
 const MOST_EVENTS: usize = 32;
 
@@ -32,7 +34,7 @@ pub enum Arrived<'a> {
     Gone(ClientId),
 }
 
-/// The chip and its libraries. No call may wait for longer than a few milliseconds.
+/// The chip and its libraries. No call may wait for longer than a few milliseconds, but for those while it starts.
 pub trait Board: Ends {
     /// Milliseconds since the start.
     fn now_ms(&self) -> u64;
@@ -53,8 +55,9 @@ pub struct Firmware {
 impl Firmware {
     /// Stops the robot, and is ready for clients.
     pub fn start(board: &mut impl Board) -> Self {
-        let mut bridge = Bridge::new(Limits::default());
-        bridge.opened(board);
+        let mut bridge = Bridge::new(Limits::default(), BAUD);
+        let now_ms = board.now_ms();
+        bridge.opened(now_ms, board);
         Self { bridge, buffer: [0; 1024] }
     }
 
@@ -93,8 +96,9 @@ impl Firmware {
 pub fn label(word: FromBridge) -> &'static str {
     match word {
         FromBridge::Hello => "connected",
-        FromBridge::Drive => "drives",
+        FromBridge::Drive(_) => "may drive",
         FromBridge::Watch => "watches",
+        FromBridge::Beat(_) => "alive",
         FromBridge::Halted(_) => "robot stopped",
         FromBridge::Unknown => "not understood",
     }
@@ -105,17 +109,29 @@ mod tests {
     use super::*;
     use roomba_bridge::STOP;
 
+    const DRIVE: &[u8] = &[131, 145, 0, 100, 0, 100];
+
+    enum Message {
+        Joins,
+        Binary(&'static [u8]),
+        Text(&'static str),
+    }
+
     /// A board in memory.
     #[derive(Default)]
     struct Bench {
         now_ms: u64,
         robot: Vec<u8>,
-        arriving: Vec<(ClientId, Option<Vec<u8>>)>,
+        arriving: Vec<(ClientId, Message)>,
         closed: Vec<ClientId>,
     }
 
     impl Ends for Bench {
-        fn robot(&mut self, bytes: &[u8]) {
+        fn robot(&mut self, command: &[u8]) -> bool {
+            self.robot.extend(command);
+            true
+        }
+        fn stop(&mut self, bytes: &[u8]) {
             self.robot.extend(bytes);
         }
         fn baud(&mut self, _baud: u32) {}
@@ -138,13 +154,14 @@ mod tests {
         fn broadcast(&mut self, _bytes: &[u8]) {}
         fn next_event<'b>(&mut self, buffer: &'b mut [u8]) -> Option<Arrived<'b>> {
             let (client, message) = self.arriving.pop()?;
+            let mut put = |bytes: &[u8]| buffer[..bytes.len()].copy_from_slice(bytes);
             Some(match message {
-                None => Arrived::Client(client),
-                Some(bytes) => {
-                    let place = &mut buffer[..bytes.len()];
-                    place.copy_from_slice(&bytes);
-                    Arrived::Binary(client, place)
+                Message::Joins => Arrived::Client(client),
+                Message::Binary(bytes) => {
+                    put(bytes);
+                    Arrived::Binary(client, &buffer[..bytes.len()])
                 }
+                Message::Text(text) => Arrived::Text(client, text),
             })
         }
     }
@@ -154,10 +171,11 @@ mod tests {
         let mut bench = Bench::default();
         let mut firmware = Firmware::start(&mut bench);
         assert!(bench.robot.ends_with(&STOP));
-        bench.arriving = vec![(1, Some(vec![131, 145, 0, 100, 0, 100])), (1, None)];
+        bench.arriving = vec![(1, Message::Binary(DRIVE)), (1, Message::Text("take 1")), (1, Message::Joins)];
         for now_ms in (0..2000).step_by(10) {
             bench.now_ms = now_ms;
             firmware.step(&mut bench);
+            assert!(now_ms != 100 || bench.robot.ends_with(DRIVE), "it drove");
         }
         assert!(bench.robot.ends_with(&STOP), "{:?}", bench.robot);
         assert_eq!((firmware.driver(), bench.closed), (None, vec![1]));

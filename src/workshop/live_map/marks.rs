@@ -21,7 +21,7 @@ pub(super) struct FeltMark {
 }
 
 impl FeltMark {
-    /// The contacts of a robot at `place`: bits as in `app::connection::Connection::take_trace`.
+    /// The contacts of a robot at `place`: bits as in `robovac_link::connection::Connection::take_trace`.
     pub fn of(robot: &RobotModel, place: Pose, felt: u8) -> impl Iterator<Item = Self> {
         let rim = |angle: f64| Point::new(robot.radius * math::cos(angle), robot.radius * math::sin(angle));
         let bumpers = [(1, HALF), (2, -HALF)].map(|(bit, angle)| (bit, rim(angle), false));

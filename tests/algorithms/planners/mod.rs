@@ -7,5 +7,6 @@ mod golden;
 mod near_optimal;
 mod papers;
 mod peers;
+mod printed_snake;
 mod properties;
 mod support;

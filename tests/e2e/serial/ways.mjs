@@ -56,6 +56,9 @@ const hang = () => {
   while (performance.now() < end);
 };
 
+/** One of the page's workers hangs for three seconds; says when that began. */
+export const hangInWorker = (desk, name) => inWorker(desk, name, hang);
+
 export const WAYS = {
   "the tab is closed": (desk) => seenFromOutside(desk, (tab) => tab.close()),
   "the user goes back": (desk) => seenFromOutside(desk, (tab) => tab.goBack()),
@@ -80,6 +83,6 @@ export const WAYS = {
       return at / 1000;
     }),
   "the driver's worker ends": (desk) => inWorker(desk, "worker.js", () => self.close()),
-  "the driver's worker hangs": (desk) => inWorker(desk, "worker.js", hang),
+  "the driver's worker hangs": (desk) => hangInWorker(desk, "worker.js"),
   "the line's worker ends": (desk) => inWorker(desk, "line-worker.js", () => self.close()),
 };

@@ -183,7 +183,7 @@ const STRUCTURE: &[Case] = &[
     (
         "\"name\": \"Nook\"",
         "\"title\": \"Nook\"",
-        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `planner`, `behaviour`, `params`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `odometry`; fix that line or export the file again",
+        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `planner`, `behaviour`, `params`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `odometry`; fix that line or export the file again",
     ),
     (
         "\"radius\": 0.02",
@@ -516,12 +516,12 @@ fn the_schema_takes_what_is_written() {
     for room in ROOMS {
         assert_eq!(schema_complains(&Scenario::of(&(room.build)()).to_json()), None, "{}", room.id);
     }
-    // Every key of the schema is written for the sample, but for those that say where the room came from.
+    // Every key of the schema is written for the sample, but for those that say where room and robot came from.
     let written: Value = serde_json::from_str(&written).unwrap();
     let schema = the_schema();
     let keys = schema["properties"].as_object().unwrap().keys();
     let missing: Vec<_> = keys.filter(|key| written.get(key.as_str()).is_none()).collect();
-    assert_eq!(missing, ["note", "origin", "params", "planner"]);
+    assert_eq!(missing, ["note", "origin", "params", "planner", "twin"]);
     let kinds: Vec<_> = schema["$defs"]["object"]["properties"].as_object().unwrap().keys().collect();
     let objects = written["objects"].as_array().unwrap();
     let mut found: Vec<_> = objects.iter().flat_map(|object| object.as_object().unwrap().keys()).collect();

@@ -2,10 +2,12 @@
 
 mod calibrating;
 mod diagnosis;
+mod motors;
 mod noise;
 mod odometry;
 mod recording;
 mod rides;
 mod safety;
+mod twin;
 mod view;
 mod wire;

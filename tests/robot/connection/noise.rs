@@ -94,7 +94,7 @@ fn a_bad_line_is_never_lost_and_hardly_ever_believed() {
                 wire.arm();
             }
             let controller = info.build(&Setup { robot: model("roomba600").unwrap(), params: &params, seed: 7 });
-            wire.link.ride(wire.now, "Bounce", controller.unwrap(), start).unwrap();
+            wire.link.ride(wire.now, "Bounce", controller.unwrap(), start, false).unwrap();
         }
         wire.pass(0.01);
         let view = wire.view();

@@ -28,7 +28,7 @@ fn a_line_is_driven_alike_by_the_simulator_and_over_the_line() {
     let mut wire = Wire::new(&setup, "model");
     wire.connect();
     wire.arm();
-    wire.link.ride(wire.now, "Line", follower(), start).unwrap();
+    wire.link.ride(wire.now, "Line", follower(), start, false).unwrap();
     let took = wire.pass_until(300.0, |wire| wire.view().ride.unwrap().done);
     wire.pass(0.5);
     let (there, here) = (run.pose(), wire.pose());
@@ -53,7 +53,7 @@ fn every_behaviour_rides_as_far_as_in_the_simulator() {
         let mut wire = Wire::new(&setup, "model");
         wire.connect();
         wire.arm();
-        wire.link.ride(wire.now, info.title, controller(), setup.floor.start).unwrap();
+        wire.link.ride(wire.now, info.title, controller(), setup.floor.start, false).unwrap();
         wire.pass(120.0);
         let view = wire.view();
         assert!(view.drop.is_none(), "{}: {:?}", info.id, view.drop);
@@ -79,7 +79,7 @@ fn a_planned_path_cleans_the_flat_over_the_line() {
     wire.connect();
     wire.arm();
     let follower = prepared.follower(&prepared.robot, &planned.line, OdometryModel::Arc).carefully();
-    wire.link.ride(wire.now, "Boustrophedon", Box::new(follower), prepared.floor.start).unwrap();
+    wire.link.ride(wire.now, "Boustrophedon", Box::new(follower), prepared.floor.start, true).unwrap();
     let mut tracker = robovac_core::coverage::CoverageTracker::new(&prepared.floor);
     tracker.sweep_to(&prepared.floor, wire.pose().position());
     wire.pass_until(7200.0, |wire| {

@@ -20,7 +20,7 @@ fn bounce() -> Box<dyn controller::Controller> {
 
 fn riding() -> Wire {
     let mut wire = Wire::armed();
-    wire.link.ride(wire.now, "Bounce", bounce(), Pose::new(3.0, 2.5, 0.0)).unwrap();
+    wire.link.ride(wire.now, "Bounce", bounce(), Pose::new(3.0, 2.5, 0.0), false).unwrap();
     wire.pass(1.0);
     assert!(wire.is_rolling(), "{:?}", wire.view());
     wire
@@ -45,7 +45,7 @@ fn connecting_sends_no_motion_and_the_robot_stays_passive() {
 fn nothing_drives_before_control_was_taken() {
     let mut wire = Wire::connected();
     assert!(wire.link.request(wire.now, Request::Drive { forward: 1.0, left: 0.0 }).is_err());
-    assert!(wire.link.ride(wire.now, "Bounce", bounce(), Pose::new(0.0, 0.0, 0.0)).is_err());
+    assert!(wire.link.ride(wire.now, "Bounce", bounce(), Pose::new(0.0, 0.0, 0.0), false).is_err());
     assert!(wire.link.request(wire.now, Request::Calibrate { what: Calibration::Spin }).is_err());
     assert!(wire.link.request(wire.now, Request::Motors { bits: 7 }).is_err());
     wire.pass(1.0);

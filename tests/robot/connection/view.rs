@@ -8,7 +8,9 @@ use robovac_core::{
     robot::{Infrared, SensorReadings},
 };
 use robovac_link::{
-    connection::{Connection, PressedButton, Request, SETS_OFF, TransportState, TransportView},
+    connection::{
+        Calibration, Connection, PressedButton, Request, SETS_OFF, TransportKind, TransportState, TransportView,
+    },
     dashboard::{RoombaView, SensorsView},
 };
 use robovac_sim::{
@@ -145,7 +147,7 @@ fn the_trace_says_where_a_program_sets_off() {
     let params = Params::defaults(info.params);
     let bounce = info.build(&Setup { robot: &roomba(), params: &params, seed: 1 }).unwrap();
     wire.pass(0.1);
-    wire.link.ride(wire.now, "Bounce", bounce, start).unwrap();
+    wire.link.ride(wire.now, "Bounce", bounce, start, false).unwrap();
     wire.pass(0.3);
     let (at, points) = set_off(wire.link.take_trace()).unwrap();
     assert_eq!(points[at][..3], [start.x, start.y, start.heading]);
@@ -184,4 +186,54 @@ fn the_live_map_is_told_in_words() {
     let blank = LiveMapWords { driver: "", mode: "", coverage: None, ..map };
     assert!(blank.to_string().contains("mode unknown. The robot has swept 3.0 square metres"), "{blank}");
     assert_eq!(LiveMapWords { estimate: None, ..map }.to_string(), "Live map of Flat: no robot yet");
+}
+
+#[test]
+fn who_watches_sends_nothing_but_a_stop_and_says_so() {
+    let mut wire = Wire::armed();
+    wire.hold_ahead(0.4);
+    // Another client's robot from here on: it drives ahead, and its stream goes on.
+    let (kind, state) = (TransportKind::Socket, TransportState::Open);
+    let transport = TransportView { kind, state, is_watching: true, ..Default::default() };
+    wire.link = Connection::new();
+    wire.link.set_transport(transport.clone());
+    wire.commands.clear();
+    wire.connect();
+    wire.pass(1.0);
+    let view = wire.view();
+    assert_eq!((view.mode, view.doing.title.as_str(), view.is_moving), ("Safe", "Another client drives", false));
+    assert!(view.moves_alone && view.doing.note.contains("Stop") && view.clock.is_empty(), "{view:?}");
+    let can = &view.can;
+    assert_eq!([can.arm, can.disarm, can.drive, can.steer, can.ride, can.press], [false; 6]);
+    for request in [
+        Request::Arm { full: false },
+        Request::Disarm,
+        Request::Drive { forward: 1.0, left: 0.0 },
+        Request::Press { button: PressedButton::Clean },
+        Request::Raw { bytes: vec![128] },
+        Request::Motors { bits: 1 },
+        Request::Song { number: 0, notes: vec![[60, 10]] },
+        Request::Calibrate { what: Calibration::Metre },
+        Request::Identify,
+    ] {
+        let refused = wire.link.request(wire.now, request).unwrap_err().to_string();
+        assert!(refused.starts_with("Another client of the bridge drives"), "{refused}");
+    }
+    wire.link.leave(wire.now, "The page was hidden.");
+    wire.pass(1.0);
+    assert_eq!((wire.commands.len(), wire.stops, wire.is_rolling()), (0, 0, true));
+    wire.ask(Request::Stop);
+    wire.pass(0.1);
+    assert_eq!((wire.commands.len(), wire.stops), (0, 1));
+    assert!(wire.view().notice.unwrap().text.contains("The bridge was told to stop"));
+    // The bridge does.
+    wire.robot.receive(&[145, 0, 0, 0, 0], 115_200);
+    wire.pass(1.0);
+    assert_eq!(wire.view().doing.title, "Another client is in control");
+    // Now it is its turn.
+    wire.link.set_transport(TransportView { is_watching: false, ..transport });
+    wire.connect();
+    assert!(wire.view().can.arm);
+    wire.arm();
+    assert_eq!(wire.stops, 1);
 }

@@ -9,7 +9,7 @@ use robovac_core::{
 use robovac_link::{
     connection::{Connection, ConnectionView, Request},
     driver::LineRequest,
-    emulator::{Emulator, personality},
+    emulator::{Emulator, Personality, personality},
 };
 use robovac_sim::{Conditions, RunSetup, World};
 use roomba_oi::{Command, CommandDecoder, Mode};
@@ -57,11 +57,17 @@ pub struct Wire {
     decoder: CommandDecoder,
     /// Commands that reached the robot, with their time.
     pub commands: Vec<(f64, Vec<u8>)>,
+    /// How often the bridge was told to stop the robot.
+    pub stops: u32,
 }
 
 impl Wire {
     pub fn new(setup: &RunSetup, personality_id: &str) -> Self {
-        let robot = Emulator::new(setup, personality(personality_id).unwrap());
+        Self::with(setup, personality(personality_id).unwrap())
+    }
+
+    pub fn with(setup: &RunSetup, who: &Personality) -> Self {
+        let robot = Emulator::new(setup, who);
         let mut wire = Self {
             link: Connection::new(),
             robot,
@@ -73,6 +79,7 @@ impl Wire {
             fault: None,
             decoder: CommandDecoder::default(),
             commands: Vec::new(),
+            stops: 0,
         };
         // Robots have stood around for a while.
         wire.robot.advance(10.0);
@@ -173,6 +180,7 @@ impl Wire {
             match request {
                 LineRequest::Baud(baud) => self.baud = baud,
                 LineRequest::Brc(is_low) => self.robot.set_brc(is_low),
+                LineRequest::Stop => self.stops += 1,
             }
         }
         let bytes = self.link.take_tx();

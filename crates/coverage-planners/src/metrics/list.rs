@@ -153,6 +153,14 @@ pub const METRICS: &[MetricInfo] = &[
         |n| Some(n.walk.turns as f64),
     ),
     lower(
+        "direction_changes",
+        "Direction changes",
+        ("", 0),
+        "Steps of the walk that lead in another direction than the one before. A reversal counts as one, as in Emu & \
+         Obaida's thesis.",
+        |n| Some(n.walk.direction_changes as f64),
+    ),
+    lower(
         "turning",
         "Turning",
         ("°", 0),

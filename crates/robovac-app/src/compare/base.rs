@@ -2,7 +2,7 @@
 
 use super::{RaceSetup, RoomChoice};
 use crate::explore::{Session, SessionSnapshot};
-use robovac_core::{floor_plan::FloorPlan, geometry::Pose};
+use robovac_core::{floor_plan::FloorPlan, geometry::Pose, robot::Twin};
 use robovac_sim::experiment::planning::RoomSetup;
 use std::sync::Arc;
 
@@ -15,6 +15,7 @@ pub(super) struct ComparisonBase {
     pub prepared: Option<RoomSetup>,
     start: Option<Pose>,
     pub robot: &'static str,
+    pub twin: Option<Twin>,
     pub cell_size: f64,
     pub seed: u64,
     pub setup: RaceSetup,
@@ -39,6 +40,7 @@ impl ComparisonBase {
             prepared: session.prepared().cloned(),
             start: session.start(),
             robot: settings.robot,
+            twin: settings.twin,
             cell_size: settings.cell_size,
             seed: settings.seed,
             setup: RaceSetup {
@@ -73,6 +75,7 @@ impl ComparisonBase {
             RoomChoice::Shipped(id) => id.to_owned(),
             RoomChoice::Own => format!("{OWN}{}", self.snapshot.room_version),
         };
-        format!("{room} {start:?} {} {}", self.robot, self.cell_size)
+        let twin = self.twin.map(|twin| format!(" {twin}")).unwrap_or_default();
+        format!("{room} {start:?} {} {}{twin}", self.robot, self.cell_size)
     }
 }

@@ -1,7 +1,7 @@
 //! View model of a comparison: entrants, rooms, finished and open trials.
 
 use super::{
-    ComparisonTable, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Trial, TrialProgress,
+    ComparisonTable, PrintedRow, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Trial, TrialProgress,
     base::{ComparisonBase, OWN},
     race::{MOST_LANES, Racer},
     trials::{TrialKey, Trials},
@@ -200,6 +200,7 @@ impl Comparison {
             scenario: (trial.room == RoomChoice::Own).then(|| Scenario::of(&base.plan).to_json()),
             start: base.start_in(trial.room),
             robot: base.robot.to_owned(),
+            twin: base.twin,
             cell_size: base.cell_size,
             entrant: self.entrants[trial.entrant].to_string(),
             seed: trial.seed,
@@ -307,9 +308,16 @@ impl Comparison {
                 let trials = self.trials.results().filter(|(t, _)| t.entrant == entrant && t.room == room);
                 trials.map(|(_, result)| result.clone()).collect()
             };
-            Row::new(self.entrants[entrant].clone(), entrant, &rooms.iter().map(results).collect::<Vec<_>>())
+            let row = Row::new(self.entrants[entrant].clone(), entrant, &rooms.iter().map(results).collect::<Vec<_>>());
+            Row { printed: self.printed(entrant, &rooms), ..row }
         });
         ComparisonTable::new(rows.collect())
+    }
+
+    /// What a paper prints for a planner, if these rooms are its only one.
+    fn printed(&self, entrant: usize, rooms: &[RoomChoice]) -> Option<&'static PrintedRow> {
+        let (base, &[room]) = (self.base.as_ref()?, rooms) else { return None };
+        PrintedRow::find(self.entrants[entrant].id(), room, base.cell_size)
     }
 
     /// Lower bounds for a room, once a trial has computed them.

@@ -11,6 +11,7 @@ mod rooms;
 mod study;
 mod study_view;
 mod table;
+mod table_2;
 mod trials;
 mod view;
 
@@ -21,5 +22,6 @@ pub use rooms::{RoomChoice, RoomSet};
 pub use study::{MINUTES, MOST_MINUTES, SEEDS, Study};
 pub use study_view::{StudyOffer, StudyPlace, StudyView};
 pub use table::{ComparisonTable, MedianAndRange, Row};
+pub use table_2::{PrintedRow, TABLE_2, TABLE_2_CELL, TABLE_2_ROOM};
 pub use trials::{Trial, TrialProgress};
 pub use view::{ComparisonView, TableView};

@@ -1,5 +1,6 @@
 //! Summary of a comparison: a table of planners by metrics.
 
+use super::PrintedRow;
 use coverage_planners::metrics::{Better, METRICS, MetricInfo, PlanNumbers};
 use robovac_sim::experiment::Entrant;
 use serde::Serialize;
@@ -32,6 +33,10 @@ pub struct Row {
     pub missing: usize,
     /// The message of the first failed trial.
     pub failure: Option<String>,
+    /// Whether all walks visit all cells; others cost less for doing less, so they are the best in nothing but coverage.
+    pub is_complete: bool,
+    /// What a paper prints for this planner in this room.
+    pub printed: Option<&'static PrintedRow>,
 }
 
 /// The table of planners by metrics.
@@ -67,7 +72,16 @@ impl Row {
             trials: rooms.iter().map(Vec::len).sum(),
             missing: rooms.iter().filter(|trials| trials.is_empty()).count(),
             failure,
+            is_complete: rooms.iter().flatten().all(|n| n.walk.visited_cells == n.walk.reachable_cells),
+            printed: None,
         }
+    }
+}
+
+impl Row {
+    /// Whether it can have the best value.
+    fn counts_in(&self, metric: &MetricInfo) -> bool {
+        self.is_complete || metric.better == Better::Higher
     }
 }
 
@@ -95,7 +109,7 @@ impl ComparisonTable {
     /// Whether a planner has the best value, at the displayed precision.
     pub fn is_best(&self, row: &Row, column: usize) -> bool {
         let (metric, value) = (&METRICS[column], row.values[column]);
-        value.is_some_and(|v| self.best[column] == Some(metric.rounded(v.median)))
+        value.is_some_and(|v| row.counts_in(metric) && self.best[column] == Some(metric.rounded(v.median)))
     }
 }
 
@@ -104,7 +118,8 @@ fn best_of(rows: &[Row], column: usize, metric: &MetricInfo) -> Option<f64> {
     if metric.id == PLANNING {
         return None;
     }
-    let values: Vec<f64> = rows.iter().filter_map(|r| Some(metric.rounded(r.values[column]?.median))).collect();
+    let rows = rows.iter().filter(|row| row.counts_in(metric));
+    let values: Vec<f64> = rows.filter_map(|r| Some(metric.rounded(r.values[column]?.median))).collect();
     let spread = MedianAndRange::of(values.clone()).filter(|_| values.len() > 1)?;
     Some(if metric.better == Better::Lower { spread.min } else { spread.max })
 }

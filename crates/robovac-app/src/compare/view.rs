@@ -137,6 +137,8 @@ struct RowView {
     values: Vec<Option<MedianAndRange>>,
     /// Which values are the best of their columns.
     best: Vec<bool>,
+    /// What a paper prints in the place of each value.
+    printed: Vec<Option<f64>>,
 }
 
 impl TableView {
@@ -149,6 +151,7 @@ impl TableView {
             failure: row.failure.clone().unwrap_or_default(),
             values: row.values.clone(),
             best: (0..METRICS.len()).map(|column| table.is_best(row, column)).collect(),
+            printed: METRICS.iter().map(|metric| row.printed?.value(metric.id)).collect(),
         });
         Self { metrics: METRICS, bounds, rows: rows.collect() }
     }

@@ -1,6 +1,6 @@
 //! A planner's decisions, looked up by the robot's position on the walk.
 
-use coverage_planners::TraceStep;
+use coverage_planners::{THE_END, TraceStep};
 use robovac_core::{geometry::Point, grid::Cell};
 use robovac_sim::{
     Run,
@@ -49,6 +49,11 @@ impl PlanSearch {
         let index = self.arrivals.partition_point(|&arrival| arrival <= at).saturating_sub(1);
         let known = self.steps.partition_point(|step| step.step <= index);
         self.steps.get(known.checked_sub(1)?)
+    }
+
+    /// Why the walk ends before all is clean; `None` if it doesn't.
+    pub fn ending(&self) -> Option<&TraceStep> {
+        self.steps.last().filter(|step| step.rule == THE_END)
     }
 
     /// All decisions, in the order of the walk.

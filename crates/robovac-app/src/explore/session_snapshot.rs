@@ -48,6 +48,8 @@ impl SessionSnapshot {
     /// The same for a connected robot driven by `algorithm`; with default parameters if it is another algorithm.
     pub fn for_connection(mut self, algorithm: &str) -> Result<Self, SettingsError> {
         let choices = &mut self.choices;
+        // A connected robot is itself, with its own calibration.
+        choices.twin = None;
         if choices.robot.as_deref() != Some(CONNECTED) {
             // Cell sizes of another robot don't fit this one.
             (choices.robot, choices.cell_size) = (Some(CONNECTED.to_owned()), None);

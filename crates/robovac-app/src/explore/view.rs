@@ -24,6 +24,8 @@ pub struct SessionView {
     pub room: RoomView,
     /// Id of the robot.
     pub robot: &'static str,
+    /// Figures of a twin, as in links; empty for the model.
+    pub twin: String,
     /// Id of the planner or behaviour.
     pub algorithm: &'static str,
     /// `planner` or `behaviour`.

@@ -186,7 +186,8 @@ impl Exported<'_> {
     /// The robot of the scenario, or the Roomba if it names none.
     fn robot(&self) -> Result<RobotModel, ExportError> {
         let id = self.scenario.robot.as_deref().unwrap_or(ROOMBA);
-        choose_robot(id, self.plan, self.scenario.cell_size).map(|(robot, _)| robot).ok_or(ExportError::NoRobot)
+        let (robot, _) = choose_robot(id, self.plan, self.scenario.cell_size).ok_or(ExportError::NoRobot)?;
+        Ok(self.scenario.twin.map_or_else(|| robot.clone(), |twin| twin.of(&robot)))
     }
 
     fn one(&self, ending: &str, kind: &'static str, text: String) -> Vec<ExportFile> {

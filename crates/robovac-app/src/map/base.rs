@@ -82,7 +82,7 @@ impl MapBase {
 /// Key of a session's room, start, robot, conditions and seed; stable between sessions.
 fn place_of(session: &Session) -> String {
     let kept = session.link_pairs().filter(|(key, _)| {
-        ["room", "robot", "cell", "seed", "slip", "quantised", "start"].contains(&key.as_str())
+        ["room", "robot", "twin", "cell", "seed", "slip", "quantised", "start"].contains(&key.as_str())
             || key.starts_with("noise.")
     });
     let kept: Vec<String> = kept.map(|(key, value)| format!("{key}={value}")).collect();

@@ -7,8 +7,6 @@ use std::{
     collections::VecDeque,
     io::{self, ErrorKind, Read, Write},
     net::{Shutdown, SocketAddr, TcpListener, TcpStream},
-    thread,
-    time::{Duration, Instant},
 };
 use tungstenite::{
     Bytes, Error, HandshakeError, Message, WebSocket, accept_hdr_with_config,
@@ -18,10 +16,13 @@ use tungstenite::{
 
 /// Connections at once, refused ones and such that haven't asked for anything yet included.
 const MOST: usize = 16;
-/// Time limit for the request of a connection, and for the end of one that is closed.
-const PATIENCE: Duration = Duration::from_secs(3);
-/// Messages of a connection that are read before the others have their turn.
-const MOST_AT_ONCE: usize = 4;
+/// Time limit for the request of a connection, and for the end of one that is closed, ms.
+const PATIENCE_MS: u64 = 1000;
+/// Connections that are accepted in one round.
+const MOST_NEW: usize = 4;
+/// Messages of a connection that are read before the others have their turn. More than a page sends in a round, so that a stop
+/// doesn't wait for the next one.
+const MOST_AT_ONCE: usize = 64;
 /// Bytes of a connection that are read in one round.
 const MOST_A_ROUND: usize = 4096;
 /// Longest message. The longest command has 513 bytes.
@@ -77,12 +78,15 @@ pub struct Clients {
     gate: Gate,
     connections: Vec<Connection>,
     last_id: ClientId,
+    /// Time of the last round.
+    now_ms: u64,
 }
 
 struct Connection {
     id: ClientId,
     from: SocketAddr,
-    since: Instant,
+    /// When it connected, or was closed.
+    since_ms: u64,
     gate: Gate,
     stage: Stage,
     /// Whether its arrival was reported.
@@ -114,15 +118,16 @@ fn is_busy(error: &Error) -> bool {
 impl Clients {
     pub fn new(listener: TcpListener, gate: Gate) -> Result<Self, Failure> {
         listener.set_nonblocking(true).map_err(|e| Failure::io("the listening socket", &e))?;
-        Ok(Self { listener, gate, connections: Vec::new(), last_id: 0 })
+        Ok(Self { listener, gate, connections: Vec::new(), last_id: 0, now_ms: 0 })
     }
 
-    /// What has arrived; messages of the clients only if `reads`. Never waits.
-    pub fn listen(&mut self, reads: bool) -> Vec<Heard> {
+    /// What has arrived by now. Never waits.
+    pub fn listen(&mut self, now_ms: u64) -> Vec<Heard> {
+        self.now_ms = now_ms;
         self.accept();
         let mut heard = Vec::new();
         for connection in &mut self.connections {
-            connection.go_on(reads, &mut heard);
+            connection.go_on(now_ms, &mut heard);
         }
         self.connections.retain(|connection| !matches!(connection.stage, Stage::Gone));
         heard
@@ -144,23 +149,26 @@ impl Clients {
 
     /// Disconnects a client; the reason reaches it.
     pub fn close(&mut self, client: ClientId, why: &str) {
-        self.connections.iter_mut().filter(|one| one.id == client).for_each(|one| one.close(CLOSED, why));
+        let now_ms = self.now_ms;
+        self.connections.iter_mut().filter(|one| one.id == client).for_each(|one| one.close(now_ms, CLOSED, why));
     }
 
-    /// Waits until the last messages were sent and answered, but not for ever.
-    pub fn finish(&mut self, patience: Duration) {
-        let began = Instant::now();
-        while self.connections.iter().any(|one| matches!(one.stage, Stage::Closing(_))) && began.elapsed() < patience {
-            self.listen(true);
-            thread::sleep(Duration::from_millis(2));
-        }
+    /// Whether a last message still has to be sent or answered.
+    pub fn is_closing(&self) -> bool {
+        self.connections.iter().any(|one| matches!(one.stage, Stage::Closing(_)))
     }
 
     fn accept(&mut self) {
-        for _ in 0..MOST_AT_ONCE {
+        for _ in 0..MOST_NEW {
             let Ok((stream, from)) = self.listener.accept() else { return };
-            // Dropped, which closes it: whoever comes in such numbers needs no reason.
-            if self.connections.len() >= MOST || stream.set_nonblocking(true).is_err() {
+            if self.connections.len() >= MOST {
+                // Whoever connects and asks for nothing must not keep out whoever does: the first of them makes room.
+                let Some(silent) = self.connections.iter().position(|one| matches!(one.stage, Stage::Asking(_))) else {
+                    continue;
+                };
+                self.connections.remove(silent);
+            }
+            if stream.set_nonblocking(true).is_err() {
                 continue;
             }
             // Every few bytes count; if it can't be set, they come a little later.
@@ -169,8 +177,8 @@ impl Clients {
             let gate = self.gate.for_next();
             let stream = Metered { stream, left: MOST_A_ROUND };
             let stage = Stage::after(accept_hdr_with_config(stream, gate.clone(), Some(config())));
-            let since = Instant::now();
-            self.connections.push(Connection { id: self.last_id, from, since, gate, stage, is_known: false });
+            let (id, since_ms) = (self.last_id, self.now_ms);
+            self.connections.push(Connection { id, from, since_ms, gate, stage, is_known: false });
         }
     }
 }
@@ -186,13 +194,14 @@ impl Stage {
 }
 
 impl Connection {
-    fn go_on(&mut self, reads: bool, heard: &mut Vec<Heard>) {
+    fn go_on(&mut self, now_ms: u64, heard: &mut Vec<Heard>) {
+        let is_late = now_ms.saturating_sub(self.since_ms) >= PATIENCE_MS;
         match &mut self.stage {
             Stage::Asking(rest) => {
                 if let Some(rest) = rest.take() {
                     self.stage = Stage::after(rest.handshake());
                 }
-                if matches!(self.stage, Stage::Asking(_)) && self.since.elapsed() > PATIENCE {
+                if matches!(self.stage, Stage::Asking(_)) && is_late {
                     self.stage = Stage::Gone;
                 }
             }
@@ -202,19 +211,19 @@ impl Connection {
                     None => heard.push(Heard::Joined(self.id, self.from)),
                     Some(why) => {
                         heard.push(Heard::Refused(self.from, why));
-                        self.close(REFUSED, why);
+                        self.close(now_ms, REFUSED, why);
                     }
                 }
             }
             Stage::Open(socket) => {
-                if reads && !read(self.id, socket, heard) {
+                if !read(self.id, socket, heard) {
                     heard.push(Heard::Left(self.id));
                     self.stage = Stage::Gone;
                 }
             }
             Stage::Closing(socket) => {
                 let is_over = socket.flush().is_err_and(|e| !is_busy(&e)) || !drain(socket, &mut VecDeque::new());
-                if is_over || self.since.elapsed() > PATIENCE {
+                if is_over || is_late {
                     self.stage = Stage::Gone;
                 }
             }
@@ -235,11 +244,11 @@ impl Connection {
         }
     }
 
-    fn close(&mut self, code: u16, why: &str) {
+    fn close(&mut self, now_ms: u64, code: u16, why: &str) {
         let Stage::Open(mut socket) = std::mem::replace(&mut self.stage, Stage::Gone) else { return };
         let frame = CloseFrame { code: CloseCode::from(code), reason: why.into() };
         if socket.close(Some(frame)).map_or_else(|error| is_busy(&error), |()| true) {
-            self.since = Instant::now();
+            self.since_ms = now_ms;
             self.stage = Stage::Closing(socket);
         }
     }
@@ -267,4 +276,56 @@ fn drain(socket: &mut WebSocket<Metered>, messages: &mut VecDeque<Message>) -> b
         }
     }
     true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::thread;
+
+    /// Accepts clients until there is one event, at one time.
+    fn first_heard(clients: &mut Clients, now_ms: u64) -> Heard {
+        loop {
+            if let Some(heard) = clients.listen(now_ms).into_iter().next() {
+                return heard;
+            }
+        }
+    }
+
+    fn listening() -> (Clients, SocketAddr) {
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let address = listener.local_addr().unwrap();
+        (Clients::new(listener, Gate::new(None, Vec::new())).unwrap(), address)
+    }
+
+    fn fill(clients: &mut Clients, address: SocketAddr, now_ms: u64) -> Vec<TcpStream> {
+        let silent: Vec<_> = (0..MOST).map(|_| TcpStream::connect(address).unwrap()).collect();
+        while clients.connections.len() < MOST {
+            clients.listen(now_ms);
+        }
+        silent
+    }
+
+    #[test]
+    fn connections_that_ask_for_nothing_lose_their_places_after_a_second() {
+        let (mut clients, address) = listening();
+        let silent = fill(&mut clients, address, 0);
+        clients.listen(PATIENCE_MS - 1);
+        assert_eq!(clients.connections.len(), MOST);
+        clients.listen(PATIENCE_MS);
+        assert_eq!(clients.connections.len(), 0);
+        assert!(silent.iter().all(|mut one| matches!(one.read(&mut [0]), Ok(0))), "they were closed");
+    }
+
+    #[test]
+    fn connections_that_ask_for_nothing_keep_nobody_out() {
+        let (mut clients, address) = listening();
+        let _silent = fill(&mut clients, address, 0);
+        let client = thread::spawn(move || {
+            let stream = TcpStream::connect(address).unwrap();
+            tungstenite::client("ws://bridge/", stream).is_ok()
+        });
+        assert!(matches!(first_heard(&mut clients, 0), Heard::Joined(..)));
+        assert!(client.join().unwrap());
+    }
 }

@@ -4,4 +4,5 @@ mod bridge;
 mod cli;
 mod examples;
 mod monitor;
+mod twin;
 mod virtual_roomba;

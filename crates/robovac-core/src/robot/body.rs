@@ -1,6 +1,8 @@
 //! Shape of a robot's body, with the positions of sensors and brushes. SI units in the robot's frame: x ahead, y to
 //! the left, angles counter-clockwise from straight ahead; the origin is the middle between the driven wheels.
 
+use super::LightLaw;
+
 /// Outline of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Body {
@@ -53,6 +55,8 @@ pub struct LightBumper {
     pub angles: [f64; 6],
     /// Range from the body's edge, m.
     pub range: f64,
+    /// How its signal falls with distance.
+    pub law: LightLaw,
 }
 
 /// A laser scanner.
@@ -70,6 +74,15 @@ pub struct Laser {
     pub range: [f64; 2],
     /// Scans per second.
     pub rate_hz: f64,
+}
+
+/// A wheel that isn't driven and follows where the robot goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Castor {
+    /// Where it touches the floor.
+    pub at: [f64; 2],
+    /// Its radius, m.
+    pub radius: f64,
 }
 
 /// A brush that sweeps dirt from beside the body under it.

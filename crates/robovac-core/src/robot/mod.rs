@@ -9,13 +9,15 @@ mod models;
 mod odometry;
 mod port;
 mod sensor_readings;
+mod twin;
 
-pub use body::{Battery, Body, Bumper, Laser, LightBumper, SensorSuite, SideBrush, WheelLayout};
+pub use body::{Battery, Body, Bumper, Castor, Laser, LightBumper, SensorSuite, SideBrush, WheelLayout};
 pub use distance_angle::{DistanceAngle, DistanceAngleMeter, READINGS_PER_DISTANCE_ANGLE};
 pub use drive::Drive;
-pub use light_law::{MOST_LIGHT, apparent_distance, distance_of_light, light_at};
+pub use light_law::{LightLaw, MOST_LIGHT};
 pub use model::{PowerDraw, RobotModel};
 pub use models::{MODELS, cell_robot, model};
 pub use odometry::{Odometry, OdometryModel, RollingScale, advance, advance_sideways};
 pub use port::RobotPort;
 pub use sensor_readings::{BatteryReading, Infrared, Overcurrent, SensorReadings};
+pub use twin::{TWIN_MODEL, Twin, TwinFault};

@@ -1,6 +1,6 @@
 //! A robot model: geometry, limits, sensors and power.
 
-use super::body::{Battery, Body, SensorSuite, SideBrush, WheelLayout};
+use super::body::{Battery, Body, Castor, SensorSuite, SideBrush, WheelLayout};
 
 /// Geometry, limits, sensors and power of a robot. SI units; the middle between the wheels is the body's origin.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +19,8 @@ pub struct RobotModel {
     pub wheels: WheelLayout,
     /// Its sensors.
     pub sensors: SensorSuite,
+    /// Its castors, as far as a source tells of them. They are only drawn.
+    pub castors: &'static [Castor],
     /// Brushes beside the tool.
     pub side_brushes: &'static [SideBrush],
     /// Its battery.

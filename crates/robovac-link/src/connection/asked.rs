@@ -3,16 +3,20 @@
 use super::{Calibrated, Calibrating, Connection, RecordedEvent, Request, RequestRefused, refuse};
 use robovac_core::registry::Params;
 use robovac_sim::controller::{self, Joystick as Stick, Setup};
-use roomba_oi::{Command, Lamps, Mode, Motors, ScheduleLamps, Weekdays};
+use roomba_oi::{Command, CommandRefusal, Lamps, Mode, Motors, ScheduleLamps, Weekdays};
 
 /// Most bytes of a raw command.
 const MOST_RAW: usize = 256;
+
+fn invalid(refusal: CommandRefusal) -> RequestRefused {
+    RequestRefused(format!("Invalid command: {refusal}."))
+}
 
 impl Connection {
     /// Executes a request, or returns why it is refused.
     pub fn request(&mut self, now: f64, request: Request) -> Result<(), RequestRefused> {
         self.now = now;
-        if !matches!(request, Request::Drive { .. }) {
+        if !matches!(request, Request::Drive { .. } | Request::DrivePwm { .. }) {
             let json = serde_json::to_string(&request).unwrap_or_default();
             self.recorder.note(now, RecordedEvent::Asked(json));
         }
@@ -26,7 +30,7 @@ impl Connection {
         let sorry = |allowed: bool, why: &str| if allowed { Ok(()) } else { refuse(why) };
         if self.transport.is_watching && request.is_for_robot() {
             return refuse(
-                "Another client of the bridge drives this robot. You can watch; you can drive when it has left.",
+                "Another client of the bridge drives this robot. You can watch and stop it, and drive when that client has left.",
             );
         }
         let in_control = || sorry(can.drive, "Take control of the robot first.");
@@ -34,13 +38,11 @@ impl Connection {
             Request::Connect => {
                 sorry(can.connect, "There is no connection to a robot. Choose one first.")?;
                 self.end_ride("The connection was reopened.");
-                self.motors_on = false;
                 self.driver.open_again(now);
                 self.place(self.odometry.pose());
             }
             Request::Disconnect => {
                 self.end_ride("Disconnected.");
-                self.motors_on = false;
                 self.driver.leave(now);
                 // The next one may be another robot.
                 (self.known, self.calibrating, self.is_old) = (Calibrated::default(), None, false);
@@ -54,12 +56,15 @@ impl Connection {
             Request::Disarm => {
                 sorry(can.disarm, "The robot isn't under control.")?;
                 self.end_ride("Control was released.");
-                self.motors_on = false;
                 self.driver.put_in(now, Mode::Passive);
+            }
+            Request::Stop if self.transport.is_watching => {
+                self.driver.stop_other();
+                let text = "The bridge was told to stop the robot. Whoever drives it has to take control again.";
+                self.say("notice", text.to_owned());
             }
             Request::Stop => {
                 self.end_ride("Stopped by the user.");
-                self.motors_on = false;
                 self.driver.freeze(now);
             }
             Request::Drive { forward, left } => {
@@ -70,7 +75,6 @@ impl Connection {
             Request::Press { button } => {
                 sorry(can.press, "No robot is connected.")?;
                 self.end_ride("A button was pressed.");
-                self.motors_on = false;
                 self.driver.press(now, button.command());
             }
             Request::Raw { bytes } => {
@@ -83,15 +87,31 @@ impl Connection {
                 }
                 self.end_ride("Raw bytes were sent.");
                 self.page.heard(now);
-                self.motors_on |= self.driver.send_raw(now, &bytes).map_err(|e| RequestRefused(e.to_string()))?;
+                self.driver.send_raw(now, &bytes).map_err(|e| RequestRefused(e.to_string()))?;
             }
             Request::Song { .. }
             | Request::Leds { .. }
             | Request::Digits { .. }
             | Request::ScheduleLeds { .. }
-            | Request::Motors { .. } => {
+            | Request::Motors { .. }
+            | Request::PwmMotors { .. } => {
                 in_control()?;
                 self.actuate(now, &request)?;
+            }
+            Request::DrivePwm { right, left } => {
+                in_control()?;
+                self.nothing_asked()?;
+                self.end_ride("Another action started.");
+                self.page.heard(now);
+                self.driver.drive_by_power(now, right, left).map_err(invalid)?;
+            }
+            Request::Clock { day, hour, minute } => {
+                sorry(can.press, "No robot is connected.")?;
+                self.send(now, Command::DayTime { day, time: [hour, minute] })?;
+            }
+            Request::Schedule { days, times } => {
+                sorry(can.press, "No robot is connected.")?;
+                self.send(now, Command::Schedule { days: Weekdays::from_byte(days), times })?;
             }
             Request::Calibrate { .. }
             | Request::Answer { .. }
@@ -101,7 +121,6 @@ impl Connection {
             Request::Identify => {
                 sorry(can.press, "No robot is connected.")?;
                 self.end_ride("The robot was restarted.");
-                self.motors_on = false;
                 self.driver.restart(now);
                 self.place(self.odometry.pose());
             }
@@ -179,9 +198,11 @@ impl Connection {
                 self.send(now, Command::SchedulingLeds { weekdays, lamps })?;
             }
             Request::Motors { bits } => {
-                let motors = Motors::from_byte(bits);
-                self.send(now, Command::Motors(motors))?;
-                self.motors_on = motors.side_brush || motors.vacuum || motors.main_brush;
+                self.send(now, Command::Motors(Motors::from_byte(bits)))?;
+                self.page.heard(now);
+            }
+            Request::PwmMotors { main_brush, side_brush, vacuum } => {
+                self.send(now, Command::PwmMotors { main_brush, side_brush, vacuum })?;
                 self.page.heard(now);
             }
             _ => {}
@@ -189,8 +210,8 @@ impl Connection {
         Ok(())
     }
 
-    fn send(&mut self, now: f64, command: Command<'_>) -> Result<(), RequestRefused> {
-        self.driver.send(now, command).map_err(|e| RequestRefused(format!("Invalid command: {e}.")))
+    pub(super) fn send(&mut self, now: f64, command: Command<'_>) -> Result<(), RequestRefused> {
+        self.driver.send(now, command).map_err(invalid)
     }
 
     /// Drives by hand.

@@ -1,6 +1,7 @@
 //! State of a connection in words.
 
 use super::{ConnectionView, TransportKind, TransportState};
+use roomba_oi::Motors;
 use serde::Serialize;
 
 /// Time in control after which the battery is mentioned, s; about 0.1 Ah by then (ours).
@@ -9,6 +10,8 @@ const LONG_AWAKE_S: f64 = 120.0;
 const SOON_ASLEEP_S: f64 = 240.0;
 
 const LISTENING: &str = "Listening for a robot…";
+
+const WATCHED: &str = "you are watching; Stop stops the robot";
 
 const FELL_SILENT: &str = "The robot no longer sends data.";
 const LOOK_AFTER_IT: &str =
@@ -43,6 +46,19 @@ impl Caption {
     }
 }
 
+/// Names of the motors that run, beside those of the wheels; empty for none.
+fn running(motors: Motors) -> String {
+    let brushes = match (motors.main_brush, motors.side_brush) {
+        (true, true) => "brushes",
+        (true, false) => "main brush",
+        (false, true) => "side brush",
+        (false, false) => "",
+    };
+    let names = [brushes, if motors.vacuum { "vacuum" } else { "" }];
+    let names: Vec<_> = names.into_iter().filter(|name| !name.is_empty()).collect();
+    if names.is_empty() { String::new() } else { format!("{} on", names.join(" and ")) }
+}
+
 impl ConnectionView {
     /// Fills in the captions, which depend on the other fields.
     pub(super) fn captioned(mut self) -> Self {
@@ -52,6 +68,9 @@ impl ConnectionView {
         self.diagnosis.is_shown = self.is_open && !is_there;
         (self.diagnosis.picture, self.diagnosis.caption) = self.found();
         self.doing = self.doing_now();
+        let on = running(Motors::from_byte(self.motors));
+        let gap = if self.doing.note.is_empty() || on.is_empty() { "" } else { "; " };
+        self.doing.note = format!("{}{gap}{on}", self.doing.note);
         self.line = self.line_caption();
         self.clock = self.clock_words();
         self
@@ -189,6 +208,13 @@ impl ConnectionView {
         if self.calibration.step == "moving" {
             return Caption::new("Calibrating", &*self.calibration.text);
         }
+        if self.transport.is_watching {
+            return match (self.moves_alone, self.mode) {
+                (true, _) => Caption::new("Another client drives", WATCHED),
+                (false, "Safe" | "Full") => Caption::new("Another client is in control", WATCHED),
+                _ => Caption::new("Watching", "you can drive when the other client has left"),
+            };
+        }
         let turns = self.wheels != [0.0; 2];
         // Manual control lasts a little longer than the touch; a robot at rest isn't driven.
         if let Some(ride) = going.filter(|ride| turns || !ride.manual) {
@@ -199,8 +225,8 @@ impl ConnectionView {
             };
             return Caption::new(title(ride.manual, &ride.title, "You drive"), activity);
         }
-        if turns {
-            return Caption::new("Driven by raw bytes", "Stop ends it");
+        if turns || (self.is_moving && going.is_none()) {
+            return Caption::new("Driven without checks", "Stop ends it");
         }
         if self.moves_alone {
             return Caption::new("Moves by itself", "Stop ends it");

@@ -9,6 +9,8 @@ pub(super) struct DriveSession {
     pub controller: Box<dyn Controller>,
     /// Whether a person drives.
     pub is_manual: bool,
+    /// Whether brushes and vacuum run for it.
+    pub cleans: bool,
     /// Time since it began, s.
     pub time_s: f64,
     pub is_done: bool,

@@ -26,8 +26,8 @@ pub use replay::Replay;
 pub use request::{Calibration, PressedButton, Request};
 pub use transport::{BrcWire, TransportErrors, TransportKind, TransportState, TransportView};
 pub use view::{
-    CalibrationView, ConnectionActions, ConnectionView, DiagnosisView, DriveSessionView, DropView, Notice, Statistics,
-    Traffic, TrafficKind,
+    CalibrationView, ConnectionActions, ConnectionView, DiagnosisView, DriveSessionView, DropView, LightsView, Notice,
+    Statistics, Traffic, TrafficKind,
 };
 
 use self::{
@@ -47,7 +47,7 @@ use robovac_core::{
     robot::{self, Odometry, OdometryModel, RobotModel, RobotPort},
 };
 use robovac_sim::controller::Controller;
-use roomba_oi::{Mode, Packet, Readings};
+use roomba_oi::{Command, Mode, Motors, Packet, Readings};
 use thiserror::Error;
 
 /// Time without a stick command after which the stick counts as released, s.
@@ -63,6 +63,13 @@ const MOST_TRACE: usize = 4 * 64 * 60;
 
 /// Flag of a trace point at which a program begins with an assumed pose; the trail before it is separate.
 pub const SETS_OFF: u16 = 256;
+/// Flag of a trace point at which the main brush was sweeping.
+pub const SWEEPS: u16 = 512;
+/// Brushes and vacuum of a robot that cleans.
+const CLEANING: Motors =
+    Motors { side_brush: true, vacuum: true, main_brush: true, side_brush_clockwise: false, main_brush_outward: false };
+/// Least current of a main brush that turns, mA (ours: values of robots aren't published).
+const TURNING_MA: u16 = 50;
 
 /// Reason for refusing a request, as a sentence for users.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -97,8 +104,6 @@ pub struct Connection {
     transport: TransportView,
     /// Whether the correction of packet 20 was reported.
     is_old: bool,
-    /// Whether brushes or vacuum were switched on.
-    motors_on: bool,
     /// The robot's mode, and since when.
     mode: Option<(Mode, f64)>,
     notice: Option<Notice>,
@@ -139,7 +144,6 @@ impl Connection {
             wheel_watch: WheelWatch::default(),
             transport: TransportView::default(),
             is_old: false,
-            motors_on: false,
             mode: None,
             notice: None,
             notices: 0,
@@ -157,7 +161,6 @@ impl Connection {
         self.now = now;
         self.page.start(now);
         self.end_ride("The connection was reopened.");
-        self.motors_on = false;
         self.recorder.note(now, RecordedEvent::Line("open".into()));
         self.driver.open(now);
         self.place(self.odometry.pose());
@@ -170,7 +173,6 @@ impl Connection {
         let is_loose = self.is_acting() || (self.driver.is_stalled() && self.driver.target() > Mode::Passive);
         let warning = if is_loose { self.loose() } else { "" };
         self.end_ride(why);
-        self.motors_on = false;
         self.driver.closed(now, why);
         if for_good {
             self.driver.leave(now);
@@ -205,7 +207,6 @@ impl Connection {
         self.now = now;
         let had_control = self.driver.target() > Mode::Passive;
         self.end_ride(why);
-        self.motors_on = false;
         if self.driver.phase() != ConnectionPhase::Closed {
             // Twice, as nothing can be repeated later: closing the page closes the line.
             self.driver.stop(now);
@@ -221,7 +222,6 @@ impl Connection {
         self.now = now;
         if self.is_acting() {
             self.end_ride("The page was busy.");
-            self.motors_on = false;
             self.driver.halt(now);
         }
     }
@@ -249,7 +249,6 @@ impl Connection {
         if self.rides() && !self.driver.is_armed() {
             let dropped = self.driver.dropped().map(ToString::to_string);
             self.end_ride(dropped.as_deref().unwrap_or("The robot is no longer under control."));
-            self.motors_on = false;
         }
         self.listen();
     }
@@ -269,6 +268,7 @@ impl Connection {
         let words = match request {
             LineRequest::Baud(baud) => format!("baud {baud}"),
             LineRequest::Brc(is_low) => format!("brc {}", if is_low { "low" } else { "high" }),
+            LineRequest::Stop => "stop".to_owned(),
         };
         self.recorder.note(self.now, RecordedEvent::Line(words));
         Some(request)
@@ -278,7 +278,6 @@ impl Connection {
     fn stalled(&mut self) {
         let what = self.loose();
         self.end_ride("No data from the robot, so a stop command was sent.");
-        self.motors_on = false;
         self.driver.halt(self.now);
         self.say(
             "error",
@@ -291,7 +290,7 @@ impl Connection {
         if self.driver.target() == Mode::Full {
             "It may still be moving: in Full mode nothing stops it. Hold it and press its CLEAN button."
         } else {
-            "It may still be moving: lift it up, which stops its wheels in Safe mode."
+            "It may still be moving: lift it up, which stops its wheels and brushes in Safe mode."
         }
     }
 
@@ -311,33 +310,51 @@ impl Connection {
 
     /// Whether the robot is driven by this program, or is about to be.
     fn is_moving(&self) -> bool {
-        self.driver.wheels().sent() != (0, 0) || self.rides()
+        self.driver.wheels().sent() != (0, 0) || self.driver.wheels().is_other() || self.rides()
+    }
+
+    /// Whether its main brush sweeps: as commanded, or by the robot's own report while it cleans by itself.
+    fn sweeps(&self) -> bool {
+        let motors = self.driver.actuators().motors;
+        let reported = self.driver.readings().map_or(0, |readings| readings.main_brush_ma.unsigned_abs());
+        if motors.main_brush { !motors.main_brush_outward } else { reported >= TURNING_MA }
     }
 
     /// Whether anything moves or is switched on.
     pub fn is_acting(&self) -> bool {
-        self.motors_on || self.driver.wheels().is_moving() || self.rides()
+        self.driver.actuators().is_running() || self.driver.wheels().is_moving() || self.rides()
     }
 
     // ---- what drives
 
-    /// Starts `controller` under the name `title`; the robot's pose is set to `start`.
+    /// Starts `controller` under the name `title`; the robot's pose is set to `start`. If it `cleans`, brushes and vacuum
+    /// run until it ends, for whatever reason.
     pub fn ride(
         &mut self,
         now: f64,
         title: &str,
         controller: Box<dyn Controller>,
         start: Pose,
+        cleans: bool,
     ) -> Result<(), RequestRefused> {
         self.now = now;
         if !self.can().drive {
             return refuse("Take control of the robot first.");
         }
         self.nothing_asked()?;
-        let json = serde_json::json!({ "do": "ride", "title": title, "start": [start.x, start.y, start.heading] });
+        let mut json = serde_json::json!({ "do": "ride", "title": title, "start": [start.x, start.y, start.heading] });
+        if cleans {
+            json["cleans"] = true.into();
+        }
         self.recorder.note(now, RecordedEvent::Asked(json.to_string()));
         self.set_off(now, title, controller, start, false);
         self.mark(start);
+        if cleans {
+            self.send(now, Command::Motors(CLEANING))?;
+            if let Some(ride) = &mut self.ride {
+                ride.cleans = true;
+            }
+        }
         Ok(())
     }
 
@@ -370,6 +387,7 @@ impl Connection {
             title: title.to_owned(),
             controller,
             is_manual,
+            cleans: false,
             time_s: 0.0,
             is_done: false,
             ended: String::new(),
@@ -418,7 +436,11 @@ impl Connection {
         let Some(ride) = self.ride.as_mut().filter(|ride| !ride.is_done) else { return };
         ride.is_done = true;
         why.clone_into(&mut ride.ended);
+        let cleans = ride.cleans;
         self.driver.stop(self.now);
+        if cleans {
+            self.driver.stop_brushes(self.now);
+        }
         if let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_moving()) {
             calibrating.fail(&format!("Calibration aborted; nothing has changed. {why}"));
         }
@@ -453,7 +475,7 @@ impl Connection {
 
     /// The robot's estimated trail since the last call, four numbers for each reading: x and y in m, heading in rad,
     /// and its contacts as the sum of 1 bumper left, 2 bumper right, 4 cliff left, 8 cliff front left, 16 cliff front
-    /// right, 32 cliff right, 64 wheel drop, 128 virtual wall; or [`SETS_OFF`].
+    /// right, 32 cliff right, 64 wheel drop, 128 virtual wall, and [`SWEEPS`]; or [`SETS_OFF`].
     pub fn take_trace(&mut self) -> Vec<f64> {
         std::mem::take(&mut self.trace)
     }

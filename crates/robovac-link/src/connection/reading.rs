@@ -1,6 +1,6 @@
 //! Handling of a new sensor reading.
 
-use super::{Calibrating, Connection, LEFT_ALONE_S, MOST_TRACE, ODD_COUNTS, STICK_S};
+use super::{Calibrating, Connection, LEFT_ALONE_S, MOST_TRACE, ODD_COUNTS, STICK_S, SWEEPS};
 use crate::recording::{LineEvent, RecordedReading};
 use robovac_core::robot::{Drive, RobotPort, SensorReadings};
 use robovac_sim::controller::{Joystick as Stick, drive_on};
@@ -27,7 +27,8 @@ impl Connection {
             watched.push((now, LineEvent::Reading(Box::new(reading))));
         }
         if self.trace.len() < MOST_TRACE {
-            self.trace.extend([pose.x, pose.y, pose.heading, f64::from(felt(&sensed))]);
+            let sweeps = if self.sweeps() { SWEEPS } else { 0 };
+            self.trace.extend([pose.x, pose.y, pose.heading, f64::from(felt(&sensed) | sweeps)]);
         }
         let mode = self.driver.mode().unwrap_or_default();
         if self.mode.is_none_or(|(known, _)| known != mode) {
@@ -60,7 +61,11 @@ impl Connection {
             was_done || controller.is_done() || (is_left_alone && drive.is_stop())
         });
         if ride.is_done {
+            let cleans = ride.cleans;
             self.driver.stop(now);
+            if cleans {
+                self.driver.stop_brushes(now);
+            }
             self.ride_ended();
         }
     }
@@ -112,7 +117,7 @@ impl<P: RobotPort> RobotPort for SlowedPort<P> {
 }
 
 /// The robot's contacts as bits.
-fn felt(sensed: &SensorReadings) -> u8 {
+fn felt(sensed: &SensorReadings) -> u16 {
     let [left, front_left, front_right, right] = sensed.cliff;
     let all = [
         sensed.bump_left,
@@ -124,5 +129,5 @@ fn felt(sensed: &SensorReadings) -> u8 {
         sensed.wheel_dropped(),
         sensed.virtual_wall,
     ];
-    all.iter().enumerate().map(|(bit, &is_set)| u8::from(is_set) << bit).sum()
+    all.iter().enumerate().map(|(bit, &is_set)| u16::from(is_set) << bit).sum()
 }

@@ -72,6 +72,38 @@ pub enum Request {
         /// Bits: side brush, vacuum, main brush, side brush clockwise, main brush outward.
         bits: u8,
     },
+    /// Sets duty cycles of brushes and vacuum, in 1/128.
+    PwmMotors {
+        /// -127 to 127; inward positive.
+        main_brush: i8,
+        /// -127 to 127; counter-clockwise positive.
+        side_brush: i8,
+        /// 0 to 127.
+        vacuum: u8,
+    },
+    /// Drives with duty cycles of the wheels, in 1/255, whatever is in the way; to be repeated within 200 ms.
+    DrivePwm {
+        /// -255 to 255.
+        right: i16,
+        /// -255 to 255.
+        left: i16,
+    },
+    /// Sets the robot's clock.
+    Clock {
+        /// 0 Sunday to 6 Saturday.
+        day: u8,
+        /// 0 to 23.
+        hour: u8,
+        /// 0 to 59.
+        minute: u8,
+    },
+    /// Sets the weekly schedule, by which the robot cleans by itself.
+    Schedule {
+        /// Bits, the lowest for Sunday; none for no schedule.
+        days: u8,
+        /// Hour and minute, from Sunday to Saturday.
+        times: [[u8; 2]; 7],
+    },
     /// Starts a calibration.
     Calibrate {
         /// The calibration.
@@ -127,6 +159,8 @@ pub enum PressedButton {
     Clean,
     /// Cleans a spot.
     Spot,
+    /// Cleans until its battery is empty.
+    Max,
     /// Seeks the dock.
     Dock,
     /// Powers off.
@@ -139,6 +173,7 @@ impl PressedButton {
         match self {
             Self::Clean => Command::Clean,
             Self::Spot => Command::Spot,
+            Self::Max => Command::Max,
             Self::Dock => Command::SeekDock,
             Self::Power => Command::Power,
         }

@@ -1,8 +1,8 @@
 //! Builds the view model of a connection.
 
 use super::{
-    Calibrating, Connection, ConnectionActions, ConnectionView, DiagnosisView, DriveSessionView, DropView, SLEEP_S,
-    Statistics,
+    Calibrating, Connection, ConnectionActions, ConnectionView, DiagnosisView, DriveSessionView, DropView, LightsView,
+    SLEEP_S, Statistics,
 };
 use crate::{
     dashboard::RoombaView,
@@ -48,6 +48,9 @@ impl Connection {
             pose: [pose.x, pose.y, pose.heading],
             odometry: self.odometry_model.id(),
             distance_m: self.distance_m,
+            motors: driver.actuators().motors.byte(),
+            duty: driver.actuators().duty,
+            lights: self.lights(),
             wheels: [metres(left), metres(right)],
             is_moving,
             is_slowed: self.rides() && self.page.is_slow(),
@@ -55,7 +58,7 @@ impl Connection {
             transport: self.transport.clone(),
             statistics: self.statistics(now),
             sleeps_in_s: since(|m| m == Mode::Passive).filter(|_| !on_charger).map(|s| (SLEEP_S - s).max(0.0)),
-            awake_s: since(|m| m > Mode::Passive),
+            awake_s: since(|m| m > Mode::Passive).filter(|_| !self.transport.is_watching),
             drop: driver.dropped().map(|drop| DropView {
                 from: if drop.from == Mode::Full { "Full" } else { "Safe" },
                 text: drop.to_string(),
@@ -69,6 +72,17 @@ impl Connection {
             ..ConnectionView::default()
         };
         view.captioned()
+    }
+
+    fn lights(&self) -> LightsView {
+        let actuators = self.driver.actuators();
+        LightsView {
+            lamps: actuators.lamps.byte(),
+            clean_light: actuators.clean_light,
+            digits: actuators.digits.map(char::from).iter().collect(),
+            weekdays: actuators.weekdays.byte(),
+            schedule: actuators.schedule.byte(),
+        }
     }
 
     fn diagnosis(&self) -> DiagnosisView {

@@ -2,11 +2,13 @@
 
 use super::{Traffic, TrafficKind};
 use crate::driver::Happening;
-use roomba_oi::{Command, CommandDecoder, Packet, ParseError, StreamFrame};
+use roomba_oi::{Command, CommandDecoder, Packet, ParseError, StreamFrame, Time};
 use std::fmt::Write;
 
 /// Most lines kept until they are fetched.
 const MOST: usize = 1000;
+/// Days in the order of their numbers.
+const DAYS: [&str; 7] = ["Sunday", "Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday"];
 /// Most values named in a line.
 const MOST_VALUES: usize = 6;
 
@@ -102,6 +104,10 @@ pub(super) fn hex(bytes: &[u8]) -> String {
     text
 }
 
+fn time_of_day([hour, minute]: Time) -> String {
+    format!("{hour}:{minute:02}")
+}
+
 fn described(command: Result<Command<'_>, ParseError>) -> String {
     let command = match command {
         Ok(command) => command,
@@ -130,6 +136,17 @@ fn described(command: Result<Command<'_>, ParseError>) -> String {
         Command::Baud { code } => format!("code {code}"),
         Command::DigitsAscii { text } => format!("\"{}\"", text.map(char::from).iter().collect::<String>()),
         Command::Buttons(buttons) => format!("{:08b}", buttons.byte()),
+        Command::SchedulingLeds { weekdays, lamps } => {
+            format!("weekdays {:07b}, lamps {:05b}", weekdays.byte(), lamps.byte())
+        }
+        Command::Schedule { days, times } => {
+            let set = DAYS.iter().zip(times).enumerate().filter(|(day, _)| days.byte() >> day & 1 == 1);
+            let set: Vec<_> = set.map(|(_, (name, time))| format!("{name} {}", time_of_day(time))).collect();
+            if set.is_empty() { "off".to_owned() } else { set.join(", ") }
+        }
+        Command::DayTime { day, time } => {
+            format!("{} {}", DAYS.get(usize::from(day)).unwrap_or(&"day ?"), time_of_day(time))
+        }
         _ => String::new(),
     };
     if data.is_empty() { name.to_string() } else { format!("{name}: {data}") }

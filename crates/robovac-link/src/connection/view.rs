@@ -30,6 +30,12 @@ pub struct ConnectionView {
     pub odometry: &'static str,
     /// Path driven, m.
     pub distance_m: f64,
+    /// Brushes and vacuum that run by command, as the bits of a request for motors.
+    pub motors: u8,
+    /// Their duty cycles in 1/128: main brush, side brush, vacuum.
+    pub duty: [i8; 3],
+    /// Lights that are on by command.
+    pub lights: LightsView,
     /// Requested wheel speeds that were sent last, left and right, m/s.
     pub wheels: [f64; 2],
     /// Whether the robot is driven by this program, or is about to be.
@@ -66,6 +72,22 @@ pub struct ConnectionView {
     pub notice: Option<Notice>,
     /// Which requests are allowed now.
     pub can: ConnectionActions,
+}
+
+/// Lights that are on by command; all dark while the robot has them for itself.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct LightsView {
+    /// Bits: debris, spot, dock, check.
+    pub lamps: u8,
+    /// Colour of the Clean button, 0 green to 255 red, and its brightness, 0 to 255.
+    pub clean_light: [u8; 2],
+    /// The four digits.
+    pub digits: String,
+    /// Bits, the lowest for Sunday.
+    pub weekdays: u8,
+    /// Bits: colon, PM, AM, clock, schedule.
+    pub schedule: u8,
 }
 
 /// Diagnosis of the device on the line.

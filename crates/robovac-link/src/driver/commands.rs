@@ -1,8 +1,10 @@
 //! Commands sent to the robot.
 
-use super::{ConnectionPhase, Driver, Finding, Happening, STOP, Step, distance_angle_poll::subscriptions, happened};
+use super::{
+    Actuators, ConnectionPhase, Driver, Finding, Happening, STOP, Step, distance_angle_poll::subscriptions, happened,
+};
 use robovac_core::robot::Drive;
-use roomba_oi::{Command, CommandRefusal, MAX_WRITTEN, Mode, Motors};
+use roomba_oi::{Command, CommandDecoder, CommandRefusal, MAX_WRITTEN, Mode, Motors};
 
 /// Longest possible list of packets, bytes.
 const LONGEST_LIST: usize = 255;
@@ -14,6 +16,21 @@ impl Driver {
             self.wheels.drive(now, wanted);
             self.turn_wheels(now);
         }
+    }
+
+    /// Sets duty cycles of the wheels in 1/255, right and left, for 200 ms; no effect unless armed. The robot's controller
+    /// of speeds is out of it, and its reports don't confirm them.
+    pub fn drive_by_power(&mut self, now: f64, right: i16, left: i16) -> Result<(), CommandRefusal> {
+        if !self.is_armed() || self.is_stalled {
+            return Ok(());
+        }
+        if (right, left) == (0, 0) {
+            self.stop(now);
+            return Ok(());
+        }
+        self.send(now, Command::DrivePwm { right, left })?;
+        self.wheels.by_power(now);
+        Ok(())
     }
 
     /// Stops the wheels at once, in every mode.
@@ -32,6 +49,11 @@ impl Driver {
     /// Stops wheels, brushes and vacuum.
     pub fn halt(&mut self, now: f64) {
         self.stop(now);
+        self.stop_brushes(now);
+    }
+
+    /// Stops brushes and vacuum.
+    pub fn stop_brushes(&mut self, now: f64) {
         if self.phase != ConnectionPhase::Closed {
             let _ = self.send(now, Command::Motors(Motors::default()));
         }
@@ -113,12 +135,23 @@ impl Driver {
         let _ = self.parser.expect(&[]);
     }
 
+    /// Brushes, vacuum and lights as commanded.
+    pub fn actuators(&self) -> &Actuators {
+        &self.actuators
+    }
+
     pub(super) fn push(&mut self, now: f64, bytes: &[u8]) {
         if self.is_replay {
             return;
         }
         self.bytes[1] += bytes.len() as u64;
         self.tx.extend_from_slice(bytes);
+        let mut decoder = CommandDecoder::default();
+        for &byte in bytes {
+            if let Some(Ok(command)) = decoder.push(byte).map(|received| received.command) {
+                self.actuators.take(command);
+            }
+        }
         self.happened(now, Happening::Sent(bytes.to_vec()));
     }
 

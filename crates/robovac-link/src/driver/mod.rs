@@ -12,6 +12,7 @@
 //! - A robot that is silent for 250 ms, leaves its mode, or reports speeds other than commanded is sent stop commands
 //!   until it confirms; three times where it can't confirm, at 19200 baud.
 
+mod actuators;
 mod commands;
 mod connect;
 mod diagnosis;
@@ -27,6 +28,7 @@ mod raw;
 mod refusal;
 mod wheels;
 
+pub use actuators::Actuators;
 pub use diagnosis::{Diagnosis, Finding, Step};
 pub use filter::{Filter, FrameVerdict};
 pub use link_stats::LinkStats;
@@ -72,6 +74,8 @@ pub enum LineRequest {
     Baud(u32),
     /// Pull the BRC wire low (`true`: RTS asserted) or release it.
     Brc(bool),
+    /// Have the bridge stop the robot that another client drives.
+    Stop,
 }
 
 /// Phase of a connection.
@@ -137,6 +141,7 @@ pub struct Driver {
     target_reached: bool,
     dropped: Option<ModeLoss>,
     wheels: WheelCommand,
+    actuators: Actuators,
     /// Whether encoder packets 43 and 44 are swapped on this robot.
     swapped: bool,
     question: Option<Question>,
@@ -198,7 +203,8 @@ impl Driver {
         self.is_rate_fixed = is_fixed;
     }
 
-    /// Sets whether it only listens: nothing is sent, and the stream that another program requested is taken for its own.
+    /// Sets whether it only listens: nothing is sent but a [stop](LineRequest::Stop), and the stream that another program
+    /// requested is taken for its own.
     pub fn watch(&mut self, is_watching: bool) {
         self.is_watching = is_watching;
     }
@@ -217,7 +223,7 @@ impl Driver {
     pub fn closed(&mut self, now: f64, why: &str) {
         self.tx.clear();
         self.line.clear();
-        self.wheels = WheelCommand::default();
+        (self.wheels, self.actuators) = (WheelCommand::default(), Actuators::default());
         self.question = None;
         self.phase =
             if self.phase == ConnectionPhase::Closed { ConnectionPhase::Closed } else { ConnectionPhase::Lost };
@@ -235,9 +241,14 @@ impl Driver {
     /// Request to the line, to be executed before the next bytes are sent.
     pub fn take_line(&mut self) -> Option<LineRequest> {
         if self.is_watching {
-            self.line.clear();
+            self.line.retain(|request| *request == LineRequest::Stop);
         }
         self.line.pop_front()
+    }
+
+    /// Stops a robot that another client of the bridge drives.
+    pub fn stop_other(&mut self) {
+        self.line.push_back(LineRequest::Stop);
     }
 
     /// Takes received bytes, up to the end of the next accepted frame, and returns their number. There can be a reading
@@ -386,6 +397,7 @@ impl Driver {
             self.revived_at = now;
             if self.was_in_control {
                 self.push(now, &STOP);
+                self.stop_brushes(now);
                 self.tell_mode(now);
             }
             self.subscribe(now);

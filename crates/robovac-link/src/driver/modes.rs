@@ -1,6 +1,6 @@
 //! Commanded and actual mode.
 
-use super::{ConnectionPhase, Driver, Happening, MODE_S, ModeLoss, SETTLE_S, STOP};
+use super::{Actuators, ConnectionPhase, Driver, Happening, MODE_S, ModeLoss, SETTLE_S, STOP};
 use roomba_oi::{Command, Mode};
 
 impl Driver {
@@ -47,6 +47,9 @@ impl Driver {
         let since = now - self.target_since;
         if since < SETTLE_S {
             return;
+        }
+        if mode <= Mode::Passive {
+            self.actuators = Actuators::default();
         }
         if self.target <= Mode::Passive && mode > Mode::Passive {
             // The command to give control up was lost and the robot can even be driving; it is repeated until it

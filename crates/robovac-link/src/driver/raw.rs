@@ -20,15 +20,12 @@ pub enum RawRefusal {
 
 impl Driver {
     /// Sends raw bytes. A motion command in them holds until the next stop; for a query the stream is paused until the
-    /// answer has arrived. Returns whether brushes or vacuum can be running afterwards.
-    pub fn send_raw(&mut self, now: f64, bytes: &[u8]) -> Result<bool, RawRefusal> {
+    /// answer has arrived.
+    pub fn send_raw(&mut self, now: f64, bytes: &[u8]) -> Result<(), RawRefusal> {
         let mut decoder = CommandDecoder::default();
-        let mut has_motors = false;
         for &byte in bytes {
-            match decoder.push(byte).map(|received| received.command) {
-                Some(Ok(Command::Baud { .. })) => return Err(RawRefusal::Baud),
-                Some(Ok(Command::Motors(_) | Command::PwmMotors { .. })) => has_motors = true,
-                _ => {}
+            if let Some(Ok(Command::Baud { .. })) = decoder.push(byte).map(|received| received.command) {
+                return Err(RawRefusal::Baud);
             }
         }
         if let Some((opcode, _)) = decoder.waiting() {
@@ -41,7 +38,7 @@ impl Driver {
         } else {
             self.push_raw(now, bytes);
         }
-        Ok(has_motors)
+        Ok(())
     }
 
     pub(super) fn push_raw(&mut self, now: f64, bytes: &[u8]) {
@@ -77,6 +74,7 @@ impl Driver {
         let mut decoder = CommandDecoder::default();
         for &byte in bytes {
             let Some(Ok(command)) = decoder.push(byte).map(|received| received.command) else { continue };
+            self.actuators.take(command);
             let mode = match command {
                 Command::DriveDirect { right, left } => {
                     self.filter.asked(right, left);

@@ -31,7 +31,7 @@ pub struct WheelCommand {
     stops_due: u32,
     /// Speeds were sent as raw bytes, and hold until the next stop.
     is_by_hand: bool,
-    /// They were sent as radius or power: the robot moves and isn't corrected.
+    /// They were sent as radius or duty cycles: the robot moves and isn't corrected.
     is_other: bool,
 }
 
@@ -83,9 +83,20 @@ impl WheelCommand {
         (self.is_by_hand, self.is_other, self.stops_due) = (true, true, 0);
     }
 
+    /// Duty cycles were sent, which hold for [`DEAD_MAN_S`].
+    pub fn by_power(&mut self, now: f64) {
+        (self.wanted, self.sent) = ((0, 0), (0, 0));
+        (self.is_by_hand, self.is_other, self.stops_due, self.renewed_at) = (false, true, 0, now);
+    }
+
     /// Whether the robot is commanded to move.
     pub fn is_moving(&self) -> bool {
         self.wanted != (0, 0) || self.is_other
+    }
+
+    /// Whether it moves by radius or duty cycles.
+    pub fn is_other(&self) -> bool {
+        self.is_other
     }
 
     /// The last sent speeds of the right and left wheel, mm/s.

@@ -17,7 +17,7 @@ use robovac_core::{
     coverage::{DOCK_BACK, ReachableFloor},
     geometry::{Point, Pose},
     math,
-    robot::{RobotModel, RobotPort},
+    robot::{RobotModel, RobotPort, TWIN_MODEL, model},
 };
 use robovac_sim::{Input, Life, RunSetup, STEP_S, SimRobot, World};
 use roomba_oi::{Buttons, ChargingState, Hazard, Mode, motion::WheelSpeeds};
@@ -27,11 +27,6 @@ use std::sync::Arc;
 const PRESS: Nanos = SECOND / 6;
 /// Share of the charge below which a battery is low (ours).
 const LOW: f64 = 0.1;
-/// Acceleration of its wheels, m/s²: the only published figure, the default of `wheel_accel` in the robot description of
-/// the ROS driver `AutonomyLab/create_robot` (`create_description/urdf/create_base.urdf.xacro`); iRobot publishes none. It
-/// isn't known to be measured. Behaviours, in the simulator and on a real robot, count on the less that is in the robot
-/// model: whoever brakes for an edge must not count on too much.
-const WHEEL_ACCELERATION: f64 = 1.8;
 /// Gap between a robot on its dock and the dock's back, m: its contacts touch.
 const DOCK_GAP: f64 = 0.003;
 
@@ -44,6 +39,9 @@ pub(super) struct Machine {
     /// Time of the next step.
     next_step: Nanos,
     model: RobotModel,
+    /// Speed over the floor divided by the commanded one: firmware regulates speeds by the counts of its encoders and
+    /// takes the wheels for those of the specification.
+    speed_factor: f64,
     seed: u64,
     pub robot: SimRobot,
     pub life: Life,
@@ -80,7 +78,13 @@ impl Machine {
     pub fn new(setup: &RunSetup, who: &Personality) -> Self {
         let (world, start) = placed(setup, who);
         let life = Life::new(&world, &setup.floor, setup.seed);
-        let body = RobotModel { acceleration: WHEEL_ACCELERATION, ..setup.robot.clone() };
+        let specified = model(TWIN_MODEL).map_or(setup.robot.counts_per_metre, |model| model.counts_per_metre);
+        let speed_factor = specified / setup.robot.counts_per_metre;
+        let body = RobotModel {
+            acceleration: who.acceleration,
+            max_wheel_speed: speed_factor * setup.robot.max_wheel_speed,
+            ..setup.robot.clone()
+        };
         let robot = SimRobot::new(&body, start, setup.conditions, setup.seed);
         Self {
             who: who.clone(),
@@ -88,6 +92,7 @@ impl Machine {
             now: 0,
             next_step: STEP,
             model: setup.robot.clone(),
+            speed_factor,
             seed: setup.seed,
             robot,
             life,
@@ -179,13 +184,14 @@ impl Machine {
     fn drive(&mut self) {
         let (is_awake, asked) = (self.is_awake(), self.asked_speeds());
         match &mut self.builtin_program {
-            _ if is_awake && self.mode >= Mode::Safe => self.robot.drive(to_drive(asked)),
+            _ if is_awake && self.mode >= Mode::Safe => self.robot.drive(to_drive(asked).times(self.speed_factor)),
             Some(builtin_program) if is_awake => builtin_program.drive_on(&mut self.robot, STEP_S),
             // Nothing drives it. A command to stand still, above, is a speed like any other.
             _ => self.robot.brake(),
         }
         let brushes = self.running();
-        self.robot.set_sweeping(brushes != Brushes::default());
+        // Vacuum and side brush alone leave dirt where it is.
+        self.robot.set_sweeping(brushes.main > 0.0);
     }
 
     /// The brushes and the vacuum.

@@ -5,6 +5,12 @@
 
 use roomba_oi::motion::ANGLE_ERROR;
 
+/// Acceleration of the wheels, m/s²: the only published figure, the default of `wheel_accel` in the robot description of
+/// the ROS driver `AutonomyLab/create_robot` (`create_description/urdf/create_base.urdf.xacro`); iRobot publishes none. It
+/// isn't known to be measured. Behaviours, in the simulator and on a real robot, count on the less that is in the robot
+/// model: whoever brakes for an edge must not count on too much.
+const ACCELERATION: f64 = 1.8;
+
 /// A way in which a robot, or the line to it, differs from the specification.
 #[derive(Debug, Clone, PartialEq)]
 #[expect(clippy::struct_excessive_bools)]
@@ -53,6 +59,8 @@ pub struct Personality {
     pub lost_to_robot: f64,
     /// Time on the dock after which it becomes silent and can't be woken by BRC, s.
     pub silent_on_dock_s: Option<f64>,
+    /// Acceleration of its wheels, m/s².
+    pub acceleration: f64,
 }
 
 /// Text written by a booting robot.
@@ -100,6 +108,7 @@ const BY_THE_BOOK: Personality = Personality {
     flipped_to_host: 0.0,
     lost_to_robot: 0.0,
     silent_on_dock_s: None,
+    acceleration: ACCELERATION,
 };
 
 /// All personalities; the first is a robot that follows the specification.

@@ -36,6 +36,8 @@ pub struct VirtualView {
     weekdays: u8,
     schedule: u8,
     motors: u8,
+    /// Share of the room's dirt that is left; `None` in a room without any.
+    dirt_left: Option<f64>,
     /// Tunes started since the last view: notes of MIDI number and 1/64 s.
     tunes: Vec<Vec<[u8; 2]>>,
 }
@@ -57,6 +59,7 @@ impl Emulator {
             weekdays: weekdays.byte(),
             schedule: schedule.byte(),
             motors: motors.byte(),
+            dirt_left: Some(self.life().dirt_left()).filter(|_| !self.life().spots().is_empty()),
             tunes,
         }
     }

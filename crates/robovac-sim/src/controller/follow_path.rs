@@ -33,6 +33,9 @@ const STILL: u32 = 3;
 const STEER: (f64, f64) = (6.0, 0.5);
 /// Turn rate per radian of heading error, 1/s.
 const TURN_GAIN: f64 = 6.0;
+/// Least heading error that is corrected on the way by packets of distance and angle, rad: their whole degrees don't show
+/// smaller turns, so that it would turn again and again.
+const UNSEEN: f64 = 0.035;
 
 /// Speed back to the line per metre off it, 1/s, for a robot that moves in all directions.
 const SIDESTEP: f64 = 3.0;
@@ -40,7 +43,7 @@ const SIDESTEP: f64 = 3.0;
 /// Follows a line of corners: turns on the spot towards the next corner, drives straight to it, and so on. An
 /// omnidirectional robot keeps its heading instead.
 ///
-/// It steers by its own estimate of the pose, from encoder counts. A wall where the line should be free means that the
+/// It steers by its own estimate of the pose, from odometry. A wall where the line should be free means that the
 /// estimate is off: the robot backs off, shifts the piece of line away from the side that it bumped, and tries again; a
 /// frontal bump or the fourth one ends the piece, but if much of it is left, it waits up to three times, as the
 /// obstacle can be a person or pet. An edge or the beam of a virtual wall ends the piece at once. So it always comes to
@@ -49,6 +52,8 @@ const SIDESTEP: f64 = 3.0;
 pub struct FollowPath {
     robot: RobotModel,
     odometry: Odometry,
+    /// With distance and angle, which are reported four times a second: the pose since the last report, by counts.
+    since_report: Option<Odometry>,
     line: Arc<[Point]>,
     /// Index in `line` of the corner that the robot drives to.
     next: usize,
@@ -104,6 +109,7 @@ impl FollowPath {
             cruise: robot.cruise_speed,
             is_careful: false,
             odometry: Odometry::new(robot, odometry, start),
+            since_report: odometry.is_by_packets().then(|| Odometry::new(robot, OdometryModel::Arc, start)),
             line,
             next: 0,
             phase: FollowPhase::Done,
@@ -136,9 +142,24 @@ impl FollowPath {
         self.shift = 0.0;
         self.phase = FollowPhase::Done;
         if self.next < self.line.len() {
-            let length = (self.line[self.next] - self.odometry.pose().position()).norm();
+            let length = (self.line[self.next] - self.pose().position()).norm();
             self.patience = 15.0 + 3.0 * self.robot.straight_time(length);
             self.phase = FollowPhase::Stop;
+        }
+    }
+
+    /// Its estimate of the pose.
+    fn pose(&self) -> Pose {
+        self.since_report.as_ref().unwrap_or(&self.odometry).pose()
+    }
+
+    fn watch_pose(&mut self, sensed: &SensorReadings) {
+        self.odometry.update(sensed);
+        if let Some(since_report) = &mut self.since_report {
+            if sensed.moved.is_some() {
+                *since_report = Odometry::new(&self.robot, OdometryModel::Arc, self.odometry.pose());
+            }
+            since_report.update(sensed);
         }
     }
 
@@ -158,11 +179,11 @@ impl FollowPath {
 
     fn face_next_corner(&mut self) {
         if self.moves_sideways() {
-            self.began = self.odometry.pose().position();
+            self.began = self.pose().position();
             self.phase = FollowPhase::Drive;
             return;
         }
-        let pose = self.odometry.pose();
+        let pose = self.pose();
         let (from, to) = self.piece();
         // Close to a corner its bearing is inaccurate; the direction of the line is used.
         let aim = to - pose.position();
@@ -179,7 +200,7 @@ impl FollowPath {
     }
 
     fn turn(&mut self, heading: f64) -> Drive {
-        let error = difference(self.odometry.pose().heading, heading);
+        let error = difference(self.pose().heading, heading);
         let travel = 0.5 * self.robot.wheel_base * error;
         if travel.abs() < CLOSE_ENOUGH {
             self.phase = FollowPhase::Settle;
@@ -190,7 +211,7 @@ impl FollowPath {
     }
 
     fn drive(&mut self) -> Drive {
-        let pose = self.odometry.pose();
+        let pose = self.pose();
         let (from, to) = self.piece();
         let along = (to - from).normalize();
         let left_over = (to - pose.position()).dot(&along);
@@ -209,13 +230,15 @@ impl FollowPath {
         let speed = self.braking_speed(left_over).min(self.cruise);
         // Limited by the speed, so that the robot doesn't oscillate where it stops.
         let sharpest = speed / self.robot.wheel_base;
-        let turn_rate = (TURN_GAIN * difference(pose.heading, heading)).clamp(-sharpest, sharpest);
+        let error = difference(pose.heading, heading);
+        let is_unseen = self.since_report.is_some() && error.abs() < UNSEEN;
+        let turn_rate = if is_unseen { 0.0 } else { (TURN_GAIN * error).clamp(-sharpest, sharpest) };
         Drive::from_twist(speed, turn_rate, self.robot.wheel_base)
     }
 
     /// Moves at a velocity in the plane, m/s, without turning.
     fn glide(&self, velocity: Vector) -> Drive {
-        let pose = self.odometry.pose();
+        let pose = self.pose();
         let ahead = pose.direction();
         let turn_rate = TURN_GAIN * difference(pose.heading, self.heading);
         let drive = Drive::from_twist(velocity.dot(&ahead), turn_rate.clamp(-0.5, 0.5), self.robot.wheel_base);
@@ -235,10 +258,10 @@ impl FollowPath {
             let side = if self.bumps.is_multiple_of(2) { -1.0 } else { 1.0 };
             self.shift = side * NUDGE * f64::from(self.bumps.div_ceil(2));
             let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
-            self.phase = FollowPhase::BackOff(self.odometry.pose().position(), BACK_OFF, then);
+            self.phase = FollowPhase::BackOff(self.pose().position(), BACK_OFF, then);
             return;
         }
-        let at = self.odometry.pose().position();
+        let at = self.pose().position();
         let frontal = sensed.bump_left && sensed.bump_right;
         let is_early = (self.line[self.next] - at).norm() > WAIT.1;
         let then = match frontal || self.bumps >= MOST_BUMPS {
@@ -252,7 +275,7 @@ impl FollowPath {
 
     /// Reacts to an edge or a virtual wall ahead: back over the way that it has come.
     fn turned_back(&mut self) {
-        let at = self.odometry.pose().position();
+        let at = self.pose().position();
         let way = BACK_FROM_EDGE.min((at - self.began).norm());
         self.phase = FollowPhase::BackOff(at, way, AfterBump::GiveUp);
     }
@@ -261,11 +284,11 @@ impl FollowPath {
     fn shied(&mut self) {
         self.bumps += 1;
         let then = if self.bumps >= MOST_BUMPS { AfterBump::GiveUp } else { AfterBump::TryAgain };
-        self.phase = FollowPhase::BackOff(self.odometry.pose().position(), SHY, then);
+        self.phase = FollowPhase::BackOff(self.pose().position(), SHY, then);
     }
 
     fn back_off(&mut self, from: Point, way: f64, then: AfterBump) -> Drive {
-        let left_over = way - (self.odometry.pose().position() - from).norm();
+        let left_over = way - (self.pose().position() - from).norm();
         if left_over < CLOSE_ENOUGH {
             match then {
                 AfterBump::TryAgain => self.phase = FollowPhase::Stop,
@@ -290,7 +313,7 @@ impl FollowPath {
 
 impl Controller for FollowPath {
     fn step(&mut self, sensed: &SensorReadings, dt_s: f64) -> Drive {
-        self.odometry.update(sensed);
+        self.watch_pose(sensed);
         if sensed.wheel_dropped() {
             // A lifted robot has both wheels dropped; with one over an edge it can't get away.
             let is_held = sensed.wheel_drop_left && sensed.wheel_drop_right;
@@ -323,7 +346,7 @@ impl Controller for FollowPath {
             }
             FollowPhase::Settle => {
                 if self.is_resting() {
-                    self.began = self.odometry.pose().position();
+                    self.began = self.pose().position();
                     self.phase = FollowPhase::Drive;
                 }
                 Drive::STOP
@@ -344,7 +367,7 @@ impl Controller for FollowPath {
     }
 
     fn estimate(&self) -> Option<Pose> {
-        Some(self.odometry.pose())
+        Some(self.pose())
     }
 
     fn activity(&self) -> &'static str {

@@ -75,8 +75,11 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         ParamSpec {
             id: "by",
             label: "Measure moves",
-            help: "Measure turns and distances by time, as in the paper, or by the wheel encoders.",
-            kind: ParamKind::Choice { options: &[("time", "by time"), ("encoder", "by encoders")] },
+            help: "Measure turns and distances by time, by the wheel encoders, or by the paper's times, which ignore \
+                   that motors need time to get to speed.",
+            kind: ParamKind::Choice {
+                options: &[("time", "by time"), ("encoder", "by encoders"), ("printed", "printed times")],
+            },
         },
         ParamSpec {
             id: "again",
@@ -91,16 +94,34 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
 
 pub(super) const BUILD: BuildBehaviour = |setup| {
     let by = if setup.params.choice("by") == "encoder" { By::Counts } else { By::Time };
-    Reactive::boxed(
-        setup,
-        SPath::new(setup, setup.params.number("lane") / 100.0, by, setup.params.number("again") as u32),
-    )
+    let share = setup.params.number("lane") / 100.0;
+    let path = SPath::new(setup, share, by, setup.params.number("again") as u32);
+    let is_printed = setup.params.choice("by") == "printed";
+    let printed = is_printed.then(|| PrintedTimes::of(&Timing::of(setup.robot), share));
+    Reactive::boxed(setup, SPath { printed, ..path })
 };
+
+/// The printed times of the motions after a bump, s.
+#[derive(Debug, Clone, Copy)]
+struct PrintedTimes {
+    back: f64,
+    turn: f64,
+    go: f64,
+}
+
+impl PrintedTimes {
+    /// With lanes `share` of L apart.
+    fn of(timing: &Timing, share: f64) -> Self {
+        Self { back: timing.back_s(), turn: timing.turn_s(), go: share * timing.go_s() }
+    }
+}
 
 /// The behaviour.
 #[derive(Debug, Clone)]
 pub(super) struct SPath {
     by: By,
+    /// If the moves after a bump last as printed.
+    printed: Option<PrintedTimes>,
     turn_speed: f64,
     /// Distances back, and from lane to lane, m.
     back: f64,
@@ -121,6 +142,7 @@ impl SPath {
         let lane = Timing::of(setup.robot).lane;
         Self {
             by,
+            printed: None,
             turn_speed: setup.robot.cruise_speed,
             back: lane / 3.0,
             go: share * lane,
@@ -162,7 +184,12 @@ impl Behaviour for SPath {
         } else {
             Move::Turn(self.side * math::FRAC_PI_2)
         };
-        pilot.answer(obstruction, self.back, &[turn, Move::Ahead(self.go), turn]);
+        let moves = [turn, Move::Ahead(self.go), turn];
+        let Some(times) = self.printed else { return pilot.answer(obstruction, self.back, &moves) };
+        let (ahead, aside) = (Drive::wheels(pilot.speed, pilot.speed), self.side * self.turn_speed);
+        let turn = Move::Timed(Drive::wheels(-aside, aside), times.turn);
+        let timed = [Move::Timed(ahead.times(-1.0), times.back), turn, Move::Timed(ahead, times.go), turn];
+        pilot.answer_timed(obstruction, &timed, self.back, &moves);
     }
 
     fn activity(&self) -> &'static str {

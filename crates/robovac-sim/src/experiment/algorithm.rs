@@ -60,6 +60,11 @@ impl Algorithm {
         }
     }
 
+    /// Whether it is for cleaning: all planners are, and some behaviours.
+    pub fn cleans(self) -> bool {
+        self.behaviour().is_none_or(|info| info.claims.cleans)
+    }
+
     /// Name of its kind in links and files.
     pub fn kind(self) -> &'static str {
         match self {

@@ -9,6 +9,7 @@ pub mod planning;
 mod settings;
 mod shows;
 mod trial;
+mod twin_file;
 
 pub use algorithm::Algorithm;
 pub use arena::{Arena, PlanOutcome, TrialError};
@@ -18,3 +19,4 @@ pub use planning::{MOST_SEARCH_CELLS, PlanAnswer, PlanRequest, Planned, RoomSetu
 pub use settings::{CELL_SIZES, SPEEDS, Settings, SettingsError};
 pub use shows::Shows;
 pub use trial::{TrialRequest, plan_of};
+pub use twin_file::{TwinFigure, TwinFile, TwinFileError};

@@ -7,7 +7,7 @@ use crate::{Conditions, Noise, NoiseLevel, SensorKind, SlipLevel};
 use robovac_core::{
     geometry::Pose,
     registry::{ParamError, Params},
-    robot::{OdometryModel, RobotModel, cell_robot, model},
+    robot::{OdometryModel, RobotModel, TWIN_MODEL, Twin, TwinFault, cell_robot, model},
 };
 use std::collections::BTreeMap;
 
@@ -36,6 +36,8 @@ pub struct Settings {
     left: BTreeMap<&'static str, Params>,
     /// Id of the robot.
     pub robot: &'static str,
+    /// Figures of one particular robot in place of the model's.
+    pub twin: Option<Twin>,
     /// Side of the planning cells, m.
     pub cell_size: f64,
     /// Seed of everything random.
@@ -80,6 +82,9 @@ pub enum SettingsError {
     /// A planner's parameter.
     #[error(transparent)]
     Param(#[from] ParamError),
+    /// A twin's figure.
+    #[error(transparent)]
+    Twin(#[from] TwinFault),
 }
 
 impl Settings {
@@ -96,7 +101,8 @@ impl Settings {
             algorithm,
             params: Params::defaults(algorithm.params()),
             left: BTreeMap::new(),
-            robot: "roomba600",
+            robot: TWIN_MODEL,
+            twin: None,
             cell_size: 0.12,
             seed: 1,
             conditions: Conditions::default(),
@@ -156,7 +162,25 @@ impl Settings {
         let chosen =
             model(id).ok_or_else(|| SettingsError::Unknown { kind: "robot", id: id.into(), known: known() })?;
         self.robot = chosen.id;
+        self.twin = None;
         self.cell_size = chosen.default_cell;
+        Ok(())
+    }
+
+    /// Chooses a twin, which was checked. The size of cells stays if the robot was of the same model.
+    pub fn select_twin(&mut self, twin: Twin) {
+        if self.robot != TWIN_MODEL {
+            let _ = self.select_robot(TWIN_MODEL);
+        }
+        self.twin = Some(twin);
+    }
+
+    /// Chooses the twin of a link or a scenario.
+    pub fn set_twin(&mut self, twin: Twin) -> Result<(), SettingsError> {
+        if let Some(model) = model(TWIN_MODEL) {
+            twin.check(model)?;
+        }
+        self.select_twin(twin);
         Ok(())
     }
 
@@ -230,14 +254,14 @@ impl Settings {
 
     /// Whether `other` gives the same plan in the same room.
     pub fn plans_like(&self, other: &Self) -> bool {
-        (self.algorithm.id(), &self.params, self.robot, self.cell_size, self.seed)
-            == (other.algorithm.id(), &other.params, other.robot, other.cell_size, other.seed)
+        (self.algorithm.id(), &self.params, self.robot, self.twin, self.cell_size, self.seed)
+            == (other.algorithm.id(), &other.params, other.robot, other.twin, other.cell_size, other.seed)
     }
 
     /// The robot, which for the idealised one depends on the size of a cell.
     pub fn robot_model(&self) -> RobotModel {
         match model(self.robot) {
-            Some(robot) if robot.id != "cell" => robot.clone(),
+            Some(robot) if robot.id != "cell" => self.twin.map_or_else(|| robot.clone(), |twin| twin.of(robot)),
             _ => cell_robot(self.cell_size),
         }
     }
@@ -253,6 +277,9 @@ impl Settings {
             push(&format!("p.{id}"), value.to_string());
         }
         push("robot", self.robot.to_owned());
+        if let Some(twin) = self.twin {
+            push("twin", twin.to_string());
+        }
         push("cell", self.cell_size.to_string());
         if self.seed != default.seed {
             push("seed", self.seed.to_string());
@@ -291,6 +318,11 @@ impl Settings {
         match key {
             "planner" | "behaviour" => self.select_fresh_algorithm(value)?,
             "robot" => self.select_robot(value)?,
+            "twin" => self.set_twin(Twin::parse(value).ok_or_else(|| SettingsError::Invalid {
+                kind: "the twin",
+                value: value.to_owned(),
+                expected: "figures, e.g. base:242.1,speed:1.02",
+            })?)?,
             "cell" => self.set_cell_size(number("the cell size", "a length from 0.02 to 2 (metres)")?)?,
             "seed" => self.set_seed(value.parse().ok(), value)?,
             "slip" => self.set_slip(value)?,

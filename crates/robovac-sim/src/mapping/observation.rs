@@ -1,6 +1,6 @@
 //! The sensor model: from a reading to observations in the robot's frame.
 //!
-//! - A *beam* of the light bumper measures a distance, by the law of [`robovac_core::robot::light_at`]. The share of
+//! - A *beam* of the light bumper measures a distance, by the law of [`LightBumper::light_at`]. The share of
 //!   reflected light isn't known: it depends on reflectances of 0.6 to 1 and the cosine of incidence. So the distance
 //!   from the sensor's source is uncertain by a share, which the filter makes smaller once it knows the wall's
 //!   direction.
@@ -12,7 +12,7 @@
 use robovac_core::{
     geometry::{Point, Vector},
     math,
-    robot::{LightBumper, RobotModel, SensorReadings, distance_of_light, light_at},
+    robot::{LightBumper, RobotModel, SensorReadings},
 };
 
 /// Beams of a light bumper.
@@ -169,8 +169,7 @@ impl SensorModel {
     /// The distance of an obstacle that returns so much light at an angle whose cosine is known up to `uncertain`;
     /// `None` without a light bumper.
     pub fn echo(&self, light: f64, cosine: f64, uncertain: f64) -> Option<Echo> {
-        let range = self.light.as_ref()?.bumper.range;
-        let distance = distance_of_light(light, REFLECTANCE.0 * cosine, range);
+        let distance = self.light.as_ref()?.bumper.distance_of_light(light, REFLECTANCE.0 * cosine);
         // Light falls with the square of the distance.
         let share = 0.5 * (REFLECTANCE.1 * REFLECTANCE.1 + uncertain * uncertain).sqrt() + 0.02;
         // Idle values have a standard deviation of 9.
@@ -214,7 +213,7 @@ fn touching(light: &LightBumper, radius: f64, direction: f64) -> [f64; BEAMS] {
         if distance >= light.range {
             return 0.0;
         }
-        light_at(distance, REFLECTANCE.0 * cosine, light.range).sqrt()
+        light.light_at(distance, REFLECTANCE.0 * cosine).sqrt()
     })
 }
 
@@ -237,7 +236,7 @@ mod tests {
             let cosine = math::cos(angle - direction);
             let distance = (robot.radius + gap) / cosine - robot.radius;
             let is_seen = cosine > 0.0 && distance < light.range;
-            let back = if is_seen { light_at(distance, reflectance * cosine, light.range) } else { 0.0 };
+            let back = if is_seen { light.light_at(distance, reflectance * cosine) } else { 0.0 };
             (back + IDLE) as u16
         });
         SensorReadings { light_signal, ..SensorReadings::default() }

@@ -1,6 +1,6 @@
 //! Light bumper and wall sensor: infrared light reflected by obstacles.
 //!
-//! The signal as a function of distance is [`robovac_core::robot::light_at`].
+//! The signal as a function of distance is [`robovac_core::robot::LightBumper::light_at`].
 //!
 //! It is proportional to the cosine of the angle of incidence (Lambert) and to the surface's reflectance: 1 for walls,
 //! 0.7 for furniture, 0.6 for movers, in shoes and fur (ours). One ray stands for the beam of about 10 degrees. Without
@@ -15,7 +15,7 @@ use robovac_core::{
     coverage::{RayHit, Surface},
     geometry::Point,
     math,
-    robot::{LightBumper, MOST_LIGHT, SensorReadings, light_at},
+    robot::{LightBumper, MOST_LIGHT, SensorReadings},
 };
 
 /// Value without an obstacle and without noise.
@@ -30,15 +30,14 @@ pub(super) struct LightBeams {
     directions: [[f64; 2]; 6],
     /// Distance from the body's origin at which beams start, m.
     start: f64,
-    /// Range, m.
-    range: f64,
+    bumper: LightBumper,
 }
 
 impl LightBeams {
     /// The beams of `light` on a round body.
     pub fn new(body_radius: f64, light: LightBumper) -> Self {
         let directions = light.angles.map(|angle| [math::cos(angle), math::sin(angle)]);
-        Self { directions, start: body_radius, range: light.range }
+        Self { directions, start: body_radius, bumper: light }
     }
 
     /// Reads all of them.
@@ -70,7 +69,7 @@ impl LightBeams {
 
     /// Whether nothing is within the range of any beam; a quick test.
     fn is_all_out_of_reach(&self, around: Around<'_>, origin: Point) -> bool {
-        let reach = self.start + self.range;
+        let reach = self.start + self.bumper.range;
         let is_near =
             |&(centre, radius): &(Point, f64)| (centre - origin).norm_squared() < (reach + radius) * (reach + radius);
         around.walls.are_far_from(origin, reach) && !around.life.movers().iter().any(is_near)
@@ -79,21 +78,22 @@ impl LightBeams {
     /// The light returned to a beam.
     fn light(&self, around: Around<'_>, frame: &BodyFrame, direction: [f64; 2]) -> f64 {
         let direction = frame.direction(direction);
-        let middle = frame.position + direction * (self.start + 0.5 * self.range);
-        if around.life.movers().is_empty() && around.walls.are_far_from(middle, 0.5 * self.range) {
+        let range = self.bumper.range;
+        let middle = frame.position + direction * (self.start + 0.5 * range);
+        if around.life.movers().is_empty() && around.walls.are_far_from(middle, 0.5 * range) {
             return 0.0;
         }
         let from = frame.position + direction * self.start;
-        look(around, from, direction, self.range).map_or(0.0, |hit| strength(hit, self.range))
+        look(around, from, direction, range).map_or(0.0, |hit| self.strength(hit))
     }
-}
 
-/// Signal of a hit.
-fn strength(hit: RayHit, range: f64) -> f64 {
-    let reflectance = match hit.surface {
-        Surface::Wall => 1.0,
-        Surface::Object => 0.7,
-        Surface::Mover => 0.6,
-    };
-    light_at(hit.distance, reflectance * hit.cosine, range)
+    /// Signal of a hit.
+    fn strength(&self, hit: RayHit) -> f64 {
+        let reflectance = match hit.surface {
+            Surface::Wall => 1.0,
+            Surface::Object => 0.7,
+            Surface::Mover => 0.6,
+        };
+        self.bumper.light_at(hit.distance, reflectance * hit.cosine)
+    }
 }

@@ -416,6 +416,7 @@ impl Session {
         let choices = ScenarioChoices::of_settings(settings);
         let mut scenario = self.own_room();
         scenario.robot = choices.robot;
+        scenario.twin = settings.twin;
         scenario.planner = choices.planner;
         scenario.behaviour = choices.behaviour;
         scenario.params = params.collect();

@@ -134,9 +134,13 @@ impl Session {
             (Some(_), _) if self.is_driving() => String::new(),
             (Some(film), _) => film.text(planned.proof),
             (None, Some(step)) => format!("{}.", step.note),
-            (None, None) if self.search.is_some() && self.state() == SessionState::Finished => {
-                "All cells are clean: the search is finished.".to_owned()
-            }
+            (None, None) if self.state() == SessionState::Finished => match &self.search {
+                Some(search) => search.ending().map_or_else(
+                    || "All cells are clean: the search is finished.".to_owned(),
+                    |ending| format!("{}.", ending.note),
+                ),
+                None => String::new(),
+            },
             (None, None) => String::new(),
         }
     }

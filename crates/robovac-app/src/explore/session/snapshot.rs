@@ -75,6 +75,7 @@ impl Session {
                 left_out_m2: self.prepared.as_ref().map_or(0.0, |p| p.floor.left_out_area()),
             },
             robot: self.settings.robot,
+            twin: self.settings.twin.map(|twin| twin.to_string()).unwrap_or_default(),
             algorithm: self.settings.algorithm.id(),
             kind: self.settings.algorithm.kind(),
             activity: run.map_or("", activity),

@@ -13,6 +13,7 @@ use super::{
 use crate::{
     geometry::Pose,
     grid::{Grid, Occupancy, picture},
+    robot::Twin,
 };
 use serde::{Deserialize, Serialize, de::IgnoredAny};
 use std::collections::BTreeMap;
@@ -60,6 +61,9 @@ pub struct Scenario {
     /// Id of the robot.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub robot: Option<String>,
+    /// Figures of one particular robot in place of the model's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub twin: Option<Twin>,
     /// Id of the planner, unless there is a behaviour.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planner: Option<String>,
@@ -100,6 +104,7 @@ struct ScenarioHeader {
     noise: Option<IgnoredAny>,
     quantised: Option<IgnoredAny>,
     odometry: Option<IgnoredAny>,
+    twin: Option<IgnoredAny>,
 }
 
 /// A pose with its heading in degrees, for hand-edited files.
@@ -136,7 +141,7 @@ impl ScenarioHeader {
     /// An invalid value of the header, by its path.
     fn flaw(&self) -> Option<(&'static str, Flaw)> {
         let version = self.version.as_ref()?;
-        let Self { objects, behaviour, slip, noise, quantised, odometry, .. } = self;
+        let Self { objects, behaviour, slip, noise, quantised, odometry, twin, .. } = self;
         match version.as_u64() {
             Some(1) => [
                 ("objects", objects),
@@ -145,6 +150,7 @@ impl ScenarioHeader {
                 ("noise", noise),
                 ("quantised", quantised),
                 ("odometry", odometry),
+                ("twin", twin),
             ]
             .into_iter()
             .find(|(_, value)| value.is_some())
@@ -173,6 +179,7 @@ impl Scenario {
             objects: plan.objects.iter().map(Into::into).collect(),
             start: plan.start.map(Into::into),
             robot: None,
+            twin: None,
             planner: None,
             behaviour: None,
             params: BTreeMap::new(),

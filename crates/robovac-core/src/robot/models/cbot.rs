@@ -2,7 +2,7 @@
 
 use crate::robot::{
     RobotModel,
-    body::{Battery, Body, Bumper, Laser, SensorSuite, WheelLayout},
+    body::{Battery, Body, Bumper, Castor, Laser, SensorSuite, WheelLayout},
     model::PowerDraw,
 };
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -31,7 +31,8 @@ pub(super) const URG_04LX: Laser = Laser {
 /// listing of section 3.5; the text's radius of 0.1 m is that of the drawn cylinder), two castors, and a Hokuyo laser
 /// scanner 0.15 m ahead of the middle. The scanner looks along the long side, so that is ahead.
 ///
-/// Ours: the axle is in the middle, between the castors; encoders as the Roomba's; a bumper on its front half and four
+/// Ours: the axle is in the middle, between the castors, whose places and radius the thesis doesn't give; encoders as the
+/// Roomba's; a bumper on its front half and four
 /// cliff sensors (the thesis counts four sensors but names the scanner only, and its rooms have no stairs; without
 /// these its robot couldn't drive safely in a flat). It cleans a strip as wide as itself, 0.2 m, which is the thesis'
 /// grid cell. It drives as fast as the Roomba and has its battery and power, because the thesis doesn't mention them.
@@ -51,6 +52,7 @@ pub(super) const CBOT: RobotModel = RobotModel {
         wheel_drops: false,
         laser: Some(URG_04LX),
     },
+    castors: &[Castor { at: [0.17, 0.0], radius: 0.025 }, Castor { at: [-0.17, 0.0], radius: 0.025 }],
     side_brushes: &[],
     battery: Battery { capacity_mah: 2696.0, voltage: 14.4, charge_ma: 0.0, has_gauge: true },
     tool_width: 0.2,

@@ -38,6 +38,7 @@ pub const fn cell_robot(cell: f64) -> RobotModel {
             wheel_drops: true,
             laser: None,
         },
+        castors: &[],
         side_brushes: &[],
         battery: Battery { capacity_mah: 4500.0, voltage: 6.0, charge_ma: 818.0, has_gauge: true },
         tool_width: cell,

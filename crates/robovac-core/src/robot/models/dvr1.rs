@@ -47,6 +47,7 @@ pub(super) const DVR_1: RobotModel = RobotModel {
         wheel_drops: false,
         laser: None,
     },
+    castors: &[],
     side_brushes: &[SideBrush { at: [0.08, 0.09], radius: 0.06 }, SideBrush { at: [0.08, -0.09], radius: 0.06 }],
     battery: Battery { capacity_mah: 4500.0, voltage: 6.0, charge_ma: 0.0, has_gauge: false },
     tool_width: 0.145,

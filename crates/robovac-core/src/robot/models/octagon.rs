@@ -43,6 +43,7 @@ pub(super) const OCTAGON: RobotModel = RobotModel {
         wheel_drops: true,
         laser: None,
     },
+    castors: &[],
     side_brushes: &[],
     battery: Battery { capacity_mah: 2696.0, voltage: 14.4, charge_ma: 0.0, has_gauge: true },
     tool_width: 2.0 * HALF,

@@ -1,7 +1,7 @@
 //! iRobot Roomba 600 and Create 2.
 
 use crate::robot::{
-    RobotModel,
+    LightLaw, RobotModel,
     body::{Battery, Body, Bumper, LightBumper, SensorSuite, SideBrush, WheelLayout},
     model::PowerDraw,
 };
@@ -28,11 +28,16 @@ pub(super) const ROOMBA_600: RobotModel = RobotModel {
     sensors: SensorSuite {
         bumper: Some(Bumper { half_arc: 1.553, both_within: 0.35 }),
         cliffs: [Some([0.063, 0.148]), Some([0.154, 0.042]), Some([0.154, -0.042]), Some([0.063, -0.148])],
-        light_bumper: Some(LightBumper { angles: [1.169, 0.559, 0.21, -0.21, -0.559, -1.169], range: 0.2 }),
+        light_bumper: Some(LightBumper {
+            angles: [1.169, 0.559, 0.21, -0.21, -0.559, -1.169],
+            range: 0.2,
+            law: LightLaw::CREATE_3,
+        }),
         infrared: true,
         wheel_drops: true,
         laser: None,
     },
+    castors: &[],
     side_brushes: &[SideBrush { at: [0.092, -0.116], radius: 0.095 }],
     battery: Battery { capacity_mah: 2696.0, voltage: 14.4, charge_ma: 1232.0, has_gauge: true },
     tool_width: 0.17,

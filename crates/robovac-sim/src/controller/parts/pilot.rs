@@ -58,6 +58,20 @@ pub(in crate::controller) enum Move {
     Turn(f64),
     /// Back from a turn that would have brought a wheel over an edge.
     Undo(f64),
+    /// These wheel speeds for so long, s, without waiting for rest before or after: motors that are switched, whatever
+    /// comes of it.
+    Timed(Drive, f64),
+}
+
+impl Move {
+    /// Whether it leads ahead.
+    fn is_ahead(self) -> bool {
+        match self {
+            Self::Ahead(_) => true,
+            Self::Timed(drive, _) => drive.left > 0.0 && drive.right > 0.0,
+            _ => false,
+        }
+    }
 }
 
 /// Phase of a motion.
@@ -135,7 +149,7 @@ impl Pilot {
         let rolled = self.travel.update(sensed);
         self.voids.update(sensed, &self.robot.sensors.cliffs);
         // Whether to keep the trail regardless of the wheels: turns are undone near edges.
-        let is_backing = self.is_retreating || self.moves.front().is_some_and(|step| !matches!(step, Move::Ahead(_)));
+        let is_backing = self.is_retreating || self.moves.front().is_some_and(|step| !step.is_ahead());
         self.trail.roll(rolled, sensed.bumped(), is_backing);
         self.is_retreating = false;
         self.beam_unseen = if sensed.virtual_wall { 0.0 } else { self.beam_unseen + dt_s };
@@ -157,7 +171,9 @@ impl Pilot {
         let is_rolling = self.phase == MotionPhase::Settle && !self.travel.is_resting();
         let goes_ahead = match (self.moves.front(), self.answering) {
             (None, _) => self.phase == MotionPhase::Settle,
-            (Some(Move::Ahead(_)), _) => true,
+            (Some(step), _) if step.is_ahead() => true,
+            // The wheels may still roll ahead.
+            (Some(Move::Timed(..)), _) => sensed.sees_cliff(),
             (Some(_), None) => is_rolling,
             // Braking before a wall, it can slide along it to an edge.
             (Some(_), Some(ObstructionKind::Bump | ObstructionKind::Beam)) => is_rolling && sensed.sees_cliff(),
@@ -179,6 +195,21 @@ impl Pilot {
         self.phase = MotionPhase::Settle;
         self.undone = 0;
         self.answering = None;
+    }
+
+    /// Reacts to a bump with timed motions; to all else like [`Pilot::answer`] with `back` and `moves`.
+    pub(in crate::controller) fn answer_timed(
+        &mut self,
+        obstruction: Obstruction,
+        timed: &[Move],
+        back: f64,
+        moves: &[Move],
+    ) {
+        if obstruction.kind != ObstructionKind::Bump {
+            return self.answer(obstruction, back, moves);
+        }
+        self.go(timed);
+        self.answering = Some(obstruction.kind);
     }
 
     /// Reacts to a hit: back by at least `back` metres, then `moves`.
@@ -276,6 +307,17 @@ impl Pilot {
                 self.last.0 = self.travel.ahead();
                 return None;
             };
+            if let Move::Timed(drive, seconds) = step {
+                let clock = if let MotionPhase::Under { clock, .. } = self.phase { clock } else { 0.0 };
+                if clock + 0.5 * dt_s < seconds {
+                    let (ahead, turned) = (self.travel.ahead(), self.travel.turned());
+                    self.phase = MotionPhase::Under { ahead, turned, clock: clock + dt_s };
+                    return Some(drive);
+                }
+                self.moves.pop_front();
+                self.phase = MotionPhase::Settle;
+                continue;
+            }
             if self.phase == MotionPhase::Settle {
                 if !self.travel.is_resting() {
                     return Some(Drive::STOP);
@@ -285,6 +327,7 @@ impl Pilot {
             let MotionPhase::Under { ahead, turned, clock } = self.phase else { return Some(Drive::STOP) };
             self.phase = MotionPhase::Under { ahead, turned, clock: clock + dt_s };
             let drive = match step {
+                Move::Timed(drive, _) => Some(drive),
                 Move::Back(distance) => self.back(distance - (ahead - self.travel.ahead()), distance, (clock, dt_s)),
                 Move::BackOutOfBeam => self.back_out(sensed),
                 Move::Ahead(distance) => {
@@ -388,9 +431,11 @@ impl Pilot {
         match self.moves.front() {
             None => "",
             Some(Move::Back(_) | Move::BackOutOfBeam) => "backing up",
-            Some(Move::Ahead(_)) => "driving a short distance",
+            Some(step) if step.is_ahead() => "driving a short distance",
+            Some(Move::Timed(drive, _)) if drive.left < 0.0 && drive.right < 0.0 => "backing up",
             Some(Move::Turn(angle) | Move::Undo(angle)) if *angle > 0.0 => "turning left",
-            Some(Move::Turn(_) | Move::Undo(_)) => "turning right",
+            Some(Move::Timed(drive, _)) if drive.right > 0.0 => "turning left",
+            Some(_) => "turning right",
         }
     }
 }

@@ -4,7 +4,7 @@ use super::DistanceField;
 use robovac_core::{
     geometry::{Point, Pose, Vector},
     math,
-    robot::{RobotModel, SensorReadings, apparent_distance, distance_of_light},
+    robot::{LightBumper, RobotModel, SensorReadings},
 };
 
 /// Signals below this mean that nothing is near; above the values read in the dark.
@@ -29,6 +29,7 @@ pub(super) struct Reading {
     /// perpendicular to the beam would return that signal; `None` without an echo.
     beams: Vec<(Vector, Option<f64>)>,
     start: f64,
+    light: Option<LightBumper>,
     range: f64,
     body: f64,
     bumped: [bool; 2],
@@ -45,7 +46,7 @@ impl Reading {
                 let (sin, cos) = math::sin_cos(angle);
                 (
                     Vector::new(cos, sin),
-                    (signal >= SEEN).then(|| distance_of_light(f64::from(signal), REFLECTANCE, light.range)),
+                    (signal >= SEEN).then(|| light.distance_of_light(f64::from(signal), REFLECTANCE)),
                 )
             };
             light.angles.into_iter().zip(&sensed.light_signal).map(beam).collect()
@@ -54,6 +55,7 @@ impl Reading {
         Self {
             beams,
             start: robot.radius,
+            light,
             range: light.map_or(0.0, |light| light.range),
             body: robot.radius,
             bumped: [sensed.bump_left, sensed.bump_right],
@@ -99,7 +101,7 @@ impl Reading {
                 let away = field.away(from + direction * distance);
                 let length = away.norm();
                 let cosine = if length > 1e-9 { -away.dot(&direction) / length } else { 1.0 };
-                apparent_distance(distance, cosine.max(GRAZING))
+                self.light.map_or(distance, |light| light.apparent_distance(distance, cosine.max(GRAZING)))
             });
             fit += match (echo, expected) {
                 (Some(echo), Some(expected)) => {
