@@ -6,6 +6,7 @@ mod cspace;
 mod life;
 mod mapping;
 mod planners;
+mod scan_mapping;
 mod senses;
 mod simulation;
 mod sweep;

@@ -14,11 +14,11 @@ use robovac_core::{
 };
 use robovac_sim::{
     Run, STEP_S, controller,
-    mapping::{MapQuality, MapTruth, Mapper, MapperSetup, Tracking},
+    mapping::{MapQuality, MapTruth, Mapper, MapperSetup, RESOLUTION, SeenBoundary, Tracking},
     montecarlo::quantile,
 };
 use serde::Serialize;
-use std::{fmt::Write, time::Instant};
+use std::{fmt::Write, sync::Arc, time::Instant};
 
 /// Readings that are taken at once, so that measuring the time takes none: a second.
 const BATCH: usize = 67;
@@ -80,6 +80,8 @@ struct Quality {
     right: f64,
     known: f64,
     boundary: f64,
+    /// Share of the boundary that the laser has seen; `null` without a laser.
+    seen: Option<f64>,
     boundary_error_m: Option<f64>,
 }
 
@@ -144,9 +146,17 @@ impl Followed {
 fn follow(mut run: Run, mut mappers: Vec<Followed>, minutes: f64, seed: u64) -> Vec<MapOutcome> {
     let most_steps = (60.0 * minutes / STEP_S) as u64;
     let mut readings = Vec::with_capacity(BATCH);
+    let laser = mappers.first().and_then(|followed| followed.mapper.setup().robot.sensors.laser);
+    let (mut seen, mut last) = (SeenBoundary::default(), None);
     while !run.is_finished() && run.steps() < most_steps {
         run.step();
         readings.push(run.sensors().clone());
+        // A new scan is another list.
+        let scan = run.sensors().laser.as_ref();
+        if let Some(laser) = laser.filter(|_| scan.map(Arc::as_ptr) != last.as_ref().map(Arc::as_ptr)) {
+            last = scan.cloned();
+            seen.look(&run.floor().walls, &laser, run.pose(), RESOLUTION);
+        }
         if readings.len() == BATCH {
             for mapper in &mut mappers {
                 mapper.take(&readings, run.pose());
@@ -157,12 +167,13 @@ fn follow(mut run: Run, mut mappers: Vec<Followed>, minutes: f64, seed: u64) -> 
     for mapper in &mut mappers {
         mapper.take(&readings, run.pose());
     }
-    let truth = MapTruth::of(run.floor(), robovac_sim::mapping::RESOLUTION);
-    mappers.into_iter().map(|followed| followed.outcome(&truth, run.time_s(), seed)).collect()
+    let truth = MapTruth::of(run.floor(), RESOLUTION);
+    let seen = laser.map(|_| &seen);
+    mappers.into_iter().map(|followed| followed.outcome(&truth, seen, run.time_s(), seed)).collect()
 }
 
 impl Followed {
-    fn outcome(self, truth: &MapTruth, time_s: f64, seed: u64) -> MapOutcome {
+    fn outcome(self, truth: &MapTruth, seen: Option<&SeenBoundary>, time_s: f64, seed: u64) -> MapOutcome {
         let MapQuality { right, known, boundary, boundary_error_m, .. } = truth.quality(self.mapper.map());
         let of = |value: &dyn Fn(&(f64, f64)) -> f64| {
             let values: Vec<f64> = self.errors.iter().map(value).collect();
@@ -174,7 +185,13 @@ impl Followed {
             tracking: self.mapper.setup().tracking.id(),
             error_m: of(&|error| error.0),
             error_deg: of(&|error| error.1),
-            quality: Quality { right, known, boundary, boundary_error_m },
+            quality: Quality {
+                right,
+                known,
+                boundary,
+                seen: seen.map(|seen| seen.mapped(truth, self.mapper.map())),
+                boundary_error_m,
+            },
             times_real_time: time_s / self.seconds.max(1e-9),
         }
     }
@@ -192,7 +209,8 @@ fn to_text(ways: &[Tracking], outcomes: &[MapOutcome]) -> String {
     for way in ways {
         let of_way: Vec<&MapOutcome> = outcomes.iter().filter(|outcome| outcome.tracking == way.id()).collect();
         let _ = writeln!(text, "{}", way.id());
-        let heads = ["end", "median", "90 %", "end", "median", "90 %", "right", "floor", "boundary", "off", "speed"];
+        let heads =
+            ["end", "median", "90 %", "end", "median", "90 %", "right", "floor", "boundary", "seen", "off", "speed"];
         let _ = write!(text, "{:>10}", "seed");
         for head in heads {
             let _ = write!(text, " {head:>9}");
@@ -208,26 +226,28 @@ fn to_text(ways: &[Tracking], outcomes: &[MapOutcome]) -> String {
         text.push('\n');
     }
     text + "end, median, 90 %: pose error at the end and over the run; right: share of known cells correct within one cell;\n\
-            floor, boundary: mapped shares of the reachable ones; off: mean distance of occupied cells from a true edge;\n\
+            floor, boundary: mapped shares of the reachable ones; seen: mapped share of the boundary that a laser has seen; off: mean distance of occupied cells from a true edge;\n\
             speed: multiple of real time\n"
 }
 
 impl MapOutcome {
-    fn numbers(&self) -> [f64; 11] {
+    fn numbers(&self) -> [f64; 12] {
         let [a, b, c] = self.error_m;
         let [d, e, f] = self.error_deg;
-        let Quality { right, known, boundary, boundary_error_m } = self.quality;
-        [a, b, c, d, e, f, right, known, boundary, boundary_error_m.unwrap_or_default(), self.times_real_time]
+        let Quality { right, known, boundary, seen, boundary_error_m } = self.quality;
+        let seen = seen.unwrap_or(f64::NAN);
+        [a, b, c, d, e, f, right, known, boundary, seen, boundary_error_m.unwrap_or_default(), self.times_real_time]
     }
 }
 
-fn row(text: &mut String, name: &str, numbers: &[f64; 11]) {
+fn row(text: &mut String, name: &str, numbers: &[f64; 12]) {
     let _ = write!(text, "{name:>10}");
     for (i, number) in numbers.iter().enumerate() {
         let cell = match i {
-            0..3 | 9 => format!("{number:.3} m"),
+            _ if number.is_nan() => "-".to_owned(),
+            0..3 | 10 => format!("{number:.3} m"),
             3..6 => format!("{number:.2}°"),
-            6..9 => format!("{:.1} %", 100.0 * number),
+            6..10 => format!("{:.1} %", 100.0 * number),
             _ => format!("{number:.0}"),
         };
         let _ = write!(text, " {cell:>9}");

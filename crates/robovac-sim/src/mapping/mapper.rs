@@ -2,20 +2,23 @@
 
 use super::{
     CellMark, Marks, OccupancyMap, PoseCovariance,
+    locate::{Locator, LocatorSetup},
     memo::ReadingMemory,
     multiscan::Multiscan,
     observation::SensorModel,
     paint::paint,
     pose_ekf::PoseEkf,
     reckoning::{Reckoning, Rolling, WheelErrors},
+    scan::{ScanMapper, paint_place},
 };
 use nalgebra::{Matrix3, Vector3};
 use robovac_core::{
-    geometry::Pose,
+    geometry::{Pose, difference},
     math,
     rng::{normal, seeded},
-    robot::{OdometryModel, RobotModel, SensorReadings},
+    robot::{Body, OdometryModel, RobotModel, SensorReadings},
 };
+use std::sync::Arc;
 
 /// Stream of its random numbers.
 const STREAM: u64 = 60;
@@ -37,6 +40,24 @@ const UNDOCKED: f64 = 0.5;
 /// the wheels is increased before, as it gets the same evidence twice (ours).
 const LOOKS: [f64; 3] = [10.0, 25.0, 60.0];
 const AGAIN: f64 = 3.0;
+/// Motion below which a scan shows nothing new, m and rad.
+const STILL: (f64, f64) = (0.004, 0.004);
+/// Least number of points of a scan that can contradict a pose, and the share that agrees below which they do.
+const TELLING: usize = 15;
+const MISFIT: f64 = 0.45;
+/// Share of agreeing points below which a scan contradicts the map, and number of such scans in a row after which the robot
+/// must be elsewhere; and scans for which only one place must be possible before it is there.
+const CONTRADICTS: f64 = 0.2;
+const MISFITS: u32 = 25;
+const SURE: u32 = 50;
+/// Motion by which a scan tells whether the body is held, m, the information that it needs along the way, 1/m², and the share of the wheels' motion below which it is.
+const TELLS: f64 = 0.008;
+const TELLING_ALONG: f64 = 2e4;
+const HELD: f64 = 0.4;
+/// Window for a pose that fits better, m and rad, by how much it must, and its uncertainty.
+const WINDOW: [f64; 2] = [0.3, 0.35];
+const BETTER: f64 = 0.2;
+const FOUND: [f64; 2] = [0.02, 0.02];
 
 /// Side of the map's cells, m (ours: half of the thesis').
 pub const RESOLUTION: f64 = 0.05;
@@ -82,6 +103,7 @@ pub struct MapperSetup {
 }
 
 /// Makes a map from a robot's readings, and tracks the robot on it.
+#[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone)]
 pub struct Mapper {
     setup: MapperSetup,
@@ -90,6 +112,15 @@ pub struct Mapper {
     /// Motion and observations since the last correction.
     way: Reckoning,
     scan: Multiscan,
+    /// Key frames of a robot with a laser scanner, and whether it has been in contact since the last scan.
+    laser: Option<ScanMapper>,
+    is_held: bool,
+    /// Scans in a row that contradict the map, and the search for a place on it that they fit.
+    misfits: u32,
+    finder: Option<Box<Locator>>,
+    sure: u32,
+    /// Whether the body stood still between the last two scans although the wheels turned.
+    is_blocked: bool,
     ekf: PoseEkf,
     map: OccupancyMap,
     marks: Marks,
@@ -113,6 +144,12 @@ impl Mapper {
             rolling: Rolling::new(&setup.robot, setup.odometry),
             way: Reckoning::new(&setup.robot, setup.odometry, WheelErrors::default()),
             scan: Multiscan::default(),
+            laser: setup.robot.sensors.laser.map(ScanMapper::new),
+            is_held: false,
+            misfits: 0,
+            finder: None,
+            sure: 0,
+            is_blocked: false,
             ekf: PoseEkf::new(setup.start),
             map: OccupancyMap::new(RESOLUTION),
             marks: Marks::new(RESOLUTION),
@@ -121,7 +158,9 @@ impl Mapper {
             is_lost: false,
             travelled: 0.0,
             docked: None,
-            memory: (setup.tracking == Tracking::Corrected).then(ReadingMemory::default),
+            // Scans need no second look.
+            memory: (setup.tracking == Tracking::Corrected && setup.robot.sensors.laser.is_none())
+                .then(ReadingMemory::default),
             looks: 0,
             setup,
         }
@@ -130,6 +169,7 @@ impl Mapper {
     /// The same with an existing map, on which it must relocalise: it is lost until [`Mapper::relocate`]. From then on
     /// its pose is corrected by new observations, which are stored at a finer resolution than the cells of a map.
     pub fn knowing(mut self, map: OccupancyMap, marks: Marks) -> Self {
+        self.laser = self.laser.map(|laser| laser.knowing(&map, &marks));
         (self.map, self.marks) = (map, marks);
         (self.memory, self.is_lost) = (None, true);
         self
@@ -149,7 +189,11 @@ impl Mapper {
     /// Sets the pose to `pose`, with the uncertainty `spread`. The map is kept.
     pub fn relocate(&mut self, pose: Pose, spread: &PoseCovariance) {
         self.memory = None;
+        self.finder = None;
         self.ekf.relocate(pose, spread);
+        if let Some(laser) = &mut self.laser {
+            laser.relocate(pose);
+        }
         self.begin_stretch();
         self.is_lost = false;
     }
@@ -172,7 +216,7 @@ impl Mapper {
 
     /// Its estimated pose.
     pub fn pose(&self) -> Pose {
-        self.ekf.after(&self.way)
+        if self.is_blocked { self.ekf.pose() } else { self.ekf.after(&self.way) }
     }
 
     /// Covariance of the pose.
@@ -219,11 +263,18 @@ impl Mapper {
     /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         let memory = self.memory.as_ref().map_or(0, ReadingMemory::bytes);
-        self.ekf.bytes() + self.map.bytes() + self.marks.bytes() + memory
+        let laser = self.laser.as_ref().map_or(0, ScanMapper::bytes);
+        self.ekf.bytes() + self.map.bytes() + self.marks.bytes() + memory + laser
     }
 
     fn take(&mut self, sensed: &SensorReadings) {
-        let rolled = self.rolling.take(sensed);
+        let corrects = self.setup.tracking == Tracking::Corrected;
+        let mut rolled = self.rolling.take(sensed);
+        let ahead = 0.5 * (rolled[0] + rolled[1]);
+        if corrects && sensed.laser.is_some() && ahead > 0.0 && !sensed.stasis {
+            // The castor stands: the wheels spin.
+            rolled = [rolled[0] - ahead, rolled[1] - ahead, rolled[2]];
+        }
         if sensed.wheel_drop_left && sensed.wheel_drop_right {
             self.is_lifted = true;
             self.memory = None;
@@ -232,12 +283,18 @@ impl Mapper {
         if self.is_lifted {
             self.put_down();
         }
-        let corrects = self.setup.tracking == Tracking::Corrected;
         let contact = self.sensors.contact(sensed, rolled[0] + rolled[1] > 0.0);
         let is_new_contact = contact.is_some() && self.untouched >= BOUNCE;
         self.untouched = if contact.is_some() { 0 } else { self.untouched.saturating_add(1) };
         let contact = contact.map(|contact| self.sensors.aside(contact, rolled[1] - rolled[0]));
-        let is_stride = self.way.roll(rolled, contact.filter(|_| corrects).map(|contact| contact.direction));
+        // With a laser, contacts of bodies that aren't round aren't needed, and their direction isn't known.
+        let slides = corrects && (sensed.laser.is_none() || self.setup.robot.body == Body::Round);
+        let is_stride = self.way.roll(rolled, contact.filter(|_| slides).map(|contact| contact.direction));
+        if sensed.laser.is_some() && self.laser.is_some() {
+            self.is_held |= contact.is_some();
+            self.take_scan(sensed, is_stride);
+            return;
+        }
         if sensed.battery.on_dock && corrects {
             self.dock();
         }
@@ -263,6 +320,110 @@ impl Mapper {
         if is_new_contact || self.way.way > STRETCH.0 || self.way.turned > STRETCH.1 {
             self.correct();
         }
+    }
+
+    /// Takes the scan of a reading, if it is a new one.
+    fn take_scan(&mut self, sensed: &SensorReadings, is_stride: bool) {
+        let Some(laser) = &mut self.laser else { return };
+        if sensed.battery.on_dock && self.travelled + self.way.way < UNDOCKED {
+            self.docked = Some(0.0);
+        }
+        let fresh = laser.fresh(sensed);
+        let corrects = self.setup.tracking == Tracking::Corrected;
+        if self.is_lost {
+            self.find_place(sensed, fresh.is_some());
+            return;
+        }
+        if let Some(scan) = fresh {
+            if !corrects {
+                laser.paint(&mut self.map, self.ekf.after(&self.way), &scan);
+            } else if laser.is_empty() || self.way.way > STILL.0 || self.way.turned > STILL.1 {
+                self.match_scan(&scan);
+            }
+        }
+        if is_stride {
+            let (pose, is_dirty) = (self.pose(), sensed.dirt > DIRTY);
+            paint_place(&mut self.map, &mut self.marks, pose, &self.setup.robot, is_dirty);
+            if let Some(laser) = &mut self.laser {
+                laser.pass(pose, is_dirty);
+            }
+        }
+    }
+
+    /// Lost, it searches the place on its map that the scans fit.
+    fn find_place(&mut self, sensed: &SensorReadings, is_fresh: bool) {
+        if self.finder.is_none() && is_fresh {
+            let MapperSetup { robot, odometry, seed, .. } = self.setup.clone();
+            self.finder = Locator::new(&self.map, LocatorSetup { robot, odometry, seed }).map(Box::new);
+            self.sure = 0;
+        }
+        let Some(finder) = &mut self.finder else { return };
+        finder.update(sensed);
+        if is_fresh {
+            self.sure = if finder.is_sure() { self.sure + 1 } else { 0 };
+        }
+        if self.sure >= SURE
+            && let Some((pose, spread)) = finder.pose().zip(finder.pose_covariance())
+        {
+            self.relocate(pose, &spread);
+        }
+    }
+
+    /// Ends the stretch: corrects the pose by a scan, and adds it to the map.
+    fn match_scan(&mut self, scan: &Arc<[f32]>) {
+        let Some(laser) = &mut self.laser else { return };
+        let [ahead, turning] = self.way.motion();
+        let is_held = std::mem::take(&mut self.is_held);
+        if self.is_blocked {
+            self.way = self.way.held();
+        }
+        self.way.settle();
+        self.way.doubt(is_held);
+        let before = self.ekf.pose();
+        self.ekf.advance(&self.way);
+        let is_first = laser.is_empty();
+        let points = laser.points(scan);
+        let surfaces = laser.surfaces(self.ekf.pose());
+        let walls = laser.walls(scan);
+        let mut fit = self.ekf.match_scan(&points, &walls, &surfaces);
+        if fit.points >= TELLING
+            && fit.share() < MISFIT
+            && let Some((pose, better)) = laser.search(self.ekf.pose(), &points, WINDOW)
+            && better.share() > fit.share() + BETTER
+        {
+            let [position, heading] = FOUND;
+            let square = position * position;
+            self.ekf.relocate(pose, &PoseCovariance { position: [square, 0.0, square], heading });
+            fit = better;
+        }
+        self.ekf.learn_axes(&walls);
+        let contradicts = fit.points >= TELLING && fit.share() < CONTRADICTS;
+        self.misfits = if contradicts { self.misfits + 1 } else { 0 };
+        if self.misfits >= MISFITS {
+            // It was carried elsewhere.
+            self.misfits = 0;
+            self.is_lost = true;
+        }
+        let after = self.ekf.pose();
+        let turned = 0.5 * self.setup.robot.wheel_base * difference(before.heading, after.heading);
+        let moved = (after.position() - before.position()).norm() + turned.abs();
+        let rolled = ahead.abs() + turning.abs();
+        // In a corridor, a scan doesn't tell how far along it the body has moved.
+        let along = Vector3::new(after.direction().x, after.direction().y, 0.0);
+        let tells = turning.abs() > ahead.abs() || (along.transpose() * fit.information * along)[0] > TELLING_ALONG;
+        if rolled > TELLS || !tells {
+            self.is_blocked = tells && moved < HELD * rolled;
+        }
+        if let Some(pose) = laser.add(self.ekf.pose(), scan, &points, &fit) {
+            self.ekf.shift(pose);
+        }
+        if laser.is_outdated() {
+            (self.map, self.marks) = laser.repaint(RESOLUTION, &self.setup.robot);
+        }
+        if is_first || !fit.is_doubtful() {
+            laser.paint(&mut self.map, self.ekf.pose(), scan);
+        }
+        self.begin_stretch();
     }
 
     /// Ends the stretch: corrects the pose by its observations.

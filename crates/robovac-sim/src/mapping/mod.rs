@@ -49,6 +49,8 @@ mod pose_covariance;
 mod pose_ekf;
 mod quality;
 mod reckoning;
+mod scan;
+mod seen_boundary;
 mod thesis_grid;
 
 pub use layer::TiledLayer;
@@ -58,4 +60,5 @@ pub use observer::MapObserver;
 pub use occupancy_map::OccupancyMap;
 pub use pose_covariance::PoseCovariance;
 pub use quality::{MapQuality, MapTruth};
+pub use seen_boundary::SeenBoundary;
 pub use thesis_grid::{CellStatus, ThesisGrid};

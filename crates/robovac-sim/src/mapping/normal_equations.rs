@@ -39,6 +39,14 @@ impl NormalEquations {
         self.gradient += row * (off * weight);
     }
 
+    /// Adds residuals of the pose, as the sums of their squares and half the derivative of those.
+    pub fn add_pose(&mut self, information: &Matrix3<f64>, gradient: &Vector3<f64>) {
+        let mut block = self.information.fixed_view_mut::<3, 3>(0, 0);
+        block += information;
+        let mut head = self.gradient.fixed_rows_mut::<3>(0);
+        head += gradient;
+    }
+
     /// Adds a group. The common error is integrated out (Sherman & Morrison's formula); the rest counts by its new
     /// information.
     pub fn add_group(&mut self, group: &Group) {

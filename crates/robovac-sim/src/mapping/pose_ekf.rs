@@ -7,6 +7,7 @@ use super::{
     multiscan::{BoundaryPoint, Features, WallLine},
     normal_equations::{Group, NormalEquations},
     reckoning::{Reckoning, WheelErrors},
+    scan::{ScanFit, ScanPoint, SurfaceMap},
 };
 use nalgebra::{Matrix3, Matrix6, Vector2, Vector3, Vector6};
 use robovac_core::{
@@ -151,6 +152,23 @@ impl PoseEkf {
             ekf.match_points(&features.points, equations);
             features.walls.iter().for_each(|wall| ekf.match_wall(wall, equations));
         });
+    }
+
+    /// Corrects the state by a laser scan, matched to surfaces, and by the directions of its walls; returns how it fits then.
+    pub fn match_scan(&mut self, scan: &[ScanPoint], walls: &[WallLine], surfaces: &SurfaceMap) -> ScanFit {
+        self.solve(|ekf, equations| {
+            let fit = surfaces.compare(ekf.pose(), scan);
+            equations.add_pose(&fit.information, &fit.gradient);
+            for wall in walls {
+                ekf.match_wall(wall, equations);
+            }
+        });
+        surfaces.compare(self.pose(), scan)
+    }
+
+    /// Moves the pose to where the map has been adjusted to; its uncertainty remains.
+    pub fn shift(&mut self, pose: Pose) {
+        (self.state[0], self.state[1], self.state[HEADING]) = (pose.x, pose.y, pose.heading);
     }
 
     /// Corrects the state by a known pose, with standard deviations in m and rad.

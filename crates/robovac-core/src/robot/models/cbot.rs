@@ -14,16 +14,25 @@ const CLUSTER: f64 = 6.0;
 /// One step of the laser scanner, rad.
 const STEP: f64 = TAU / 1024.0;
 
+/// Its scanner, Hokuyo's URG-04LX: 0.02 to 5.6 m, steps of 360/1024 degrees from number 44 to 725 with 384 straight
+/// ahead, 600 scans a minute (Hokuyo, Communication Protocol Specification SCIP 2.0, command PP).
+pub(super) const URG_04LX: Laser = Laser {
+    at: [0.15, 0.0],
+    first: -340.0 * STEP,
+    step: CLUSTER * STEP,
+    beams: 114,
+    range: [0.02, 5.6],
+    rate_hz: 10.0,
+};
+
 /// `CBot`.
 ///
 /// Of 000: a box of 0.4 x 0.2 m (section 3.4), two driven wheels whose separation is 0.17 m and diameter 0.14 m (the
 /// listing of section 3.5; the text's radius of 0.1 m is that of the drawn cylinder), two castors, and a Hokuyo laser
 /// scanner 0.15 m ahead of the middle. The scanner looks along the long side, so that is ahead.
 ///
-/// The scanner is Hokuyo's URG-04LX: 0.02 to 5.6 m, steps of 360/1024 degrees from number 44 to 725 with 384 straight
-/// ahead, 600 scans a minute (Hokuyo, Communication Protocol Specification SCIP 2.0, command PP).
-///
-/// Ours: the axle is in the middle, between the castors, whose places and radius the thesis doesn't give; encoders as the Roomba's; a bumper on its front half and four
+/// Ours: the axle is in the middle, between the castors, whose places and radius the thesis doesn't give; encoders as the
+/// Roomba's; a bumper on its front half and four
 /// cliff sensors (the thesis counts four sensors but names the scanner only, and its rooms have no stairs; without
 /// these its robot couldn't drive safely in a flat). It cleans a strip as wide as itself, 0.2 m, which is the thesis'
 /// grid cell. It drives as fast as the Roomba and has its battery and power, because the thesis doesn't mention them.
@@ -41,14 +50,7 @@ pub(super) const CBOT: RobotModel = RobotModel {
         light_bumper: None,
         infrared: false,
         wheel_drops: false,
-        laser: Some(Laser {
-            at: [0.15, 0.0],
-            first: -340.0 * STEP,
-            step: CLUSTER * STEP,
-            beams: 114,
-            range: [0.02, 5.6],
-            rate_hz: 10.0,
-        }),
+        laser: Some(URG_04LX),
     },
     castors: &[Castor { at: [0.17, 0.0], radius: 0.025 }, Castor { at: [-0.17, 0.0], radius: 0.025 }],
     side_brushes: &[],

@@ -5,6 +5,7 @@ mod cell;
 mod dvr1;
 mod octagon;
 mod roomba600;
+mod roomba600_lidar;
 
 pub use cell::cell_robot;
 
@@ -14,6 +15,7 @@ use super::RobotModel;
 pub const MODELS: &[&RobotModel] = &[
     // In the order of the menus.
     &roomba600::ROOMBA_600,
+    &roomba600_lidar::ROOMBA_600_LIDAR,
     &dvr1::DVR_1,
     &cbot::CBOT,
     &octagon::OCTAGON,

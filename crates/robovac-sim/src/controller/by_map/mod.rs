@@ -26,8 +26,8 @@ use super::{
     Controller, Intent, Setup,
     dock::Dock,
     parts::{
-        Barred, Behaviour, GO_HOME, LEAVE_HOME, Move, Obstruction, ObstructionKind, ObstructionSide, Pilot, Reactive,
-        RelocaliseSearch, Route, Searched,
+        Barred, Behaviour, GO_HOME, LEAVE_HOME, Lookout, Move, Obstruction, ObstructionKind, ObstructionSide, Pilot,
+        Reactive, RelocaliseSearch, Route, Searched,
     },
 };
 use crate::mapping::{Mapper, TiledLayer};
@@ -49,6 +49,8 @@ const BACK: f64 = 0.03;
 const BACK_FROM_EDGE: f64 = 0.15;
 /// Direction of a bumper contact on one side, rad.
 const SIDE: f64 = 0.6;
+/// Room ahead in which a robot with a laser slows down, m.
+const NEAR: f64 = 0.15;
 /// Share of the speed with something in sight.
 const CAREFUL: f64 = 0.45;
 /// Time limit for docking, s.
@@ -83,6 +85,7 @@ struct ByMap {
     /// Whether it is, or was, lifted.
     is_lifted: bool,
     search: RelocaliseSearch,
+    lookout: Option<Lookout>,
     dock: Dock,
 }
 
@@ -135,6 +138,7 @@ impl ByMap {
             moved: (mapper.pose().position(), 0.0),
             is_lifted: mapper.is_lost(),
             search: RelocaliseSearch::new(setup),
+            lookout: Lookout::new(setup.robot),
             dock: Dock::new(setup),
             mapper,
         }
@@ -245,7 +249,8 @@ impl Behaviour for ByMap {
             }
             CleaningPhase::Clean { route, patience, .. } | CleaningPhase::Return { route, patience, .. } => {
                 *patience -= dt_s;
-                let is_near = sensed.light_bumper[2..4].contains(&true);
+                let room = self.lookout.as_ref().map_or(f64::INFINITY, |lookout| lookout.room_ahead(sensed));
+                let is_near = sensed.light_bumper[2..4].contains(&true) || room < NEAR;
                 let speed = pilot.speed * if is_near { CAREFUL } else { 1.0 };
                 if *patience < 0.0 {
                     self.stop();

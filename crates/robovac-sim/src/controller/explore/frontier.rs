@@ -9,6 +9,9 @@
 //! - *Floor*, which is crossed in lanes. A lane is a line of unknown cells on which the robot fits, entered from known floor.
 //!   The nearest one is next, long ones before short ones. A wall that it meets there for the first time is followed.
 //!
+//! A robot with a laser scanner is Yamauchi's again: it sees walls and floor from afar, drives to the nearest floor that it
+//! hasn't seen, and stops before obstacles.
+//!
 //! All of it is planned on the map of the robot's own [`Mapper`] and driven by the Mapper's pose. As poses can jump and
 //! maps can be wrong, attempts at each place are limited, unexpected obstacles are driven around, edges and virtual
 //! walls are barred, and ways that take too long are given up. The map is complete when no lane is left. A kidnapped
@@ -34,8 +37,8 @@ use crate::{
     controller::{
         BehaviourClaims, BehaviourInfo, BuildBehaviour, Intent, Setup,
         parts::{
-            Barred, Behaviour, Obstruction, ObstructionKind, ObstructionSide, Pilot, Reactive, RelocaliseSearch, Route,
-            Searched,
+            Barred, Behaviour, Lookout, Obstruction, ObstructionKind, ObstructionSide, Pilot, Reactive,
+            RelocaliseSearch, Route, Searched,
         },
         wall_follow::WallFollow,
     },
@@ -57,6 +60,9 @@ const BACK: f64 = 0.03;
 const SIDE: f64 = 0.6;
 /// Signal of the two middle light sensors that counts as an obstacle ahead: a wall at 8 cm.
 const AHEAD: u16 = 600;
+/// Room ahead of a robot with a laser that counts as an obstacle, and that in which it slows down, m.
+const ROOM: f64 = 0.05;
+const NEAR: f64 = 0.25;
 /// Share of the speed with something in sight.
 const CAREFUL: f64 = 0.45;
 /// Distance for which it searches for a lost wall, m.
@@ -165,6 +171,8 @@ pub(super) struct Frontier {
     /// Whether it is, or was, lifted.
     is_lifted: bool,
     search: RelocaliseSearch,
+    /// Its scanner; `None` for a robot that sees no farther than its light bumper.
+    lookout: Option<Lookout>,
 }
 
 #[derive(Clone)]
@@ -221,11 +229,17 @@ impl Frontier {
             moved: (Point::origin(), 0.0),
             is_lifted: false,
             search: RelocaliseSearch::new(setup),
+            lookout: Lookout::new(setup.robot),
             mapper,
         }
     }
 
+    /// Follows a wall. A robot with a laser sees walls from afar, and goes on to the next frontier.
     pub(super) fn follow(&mut self, pilot: &mut Pilot) {
+        if self.lookout.is_some() {
+            self.choose();
+            return;
+        }
         self.wall.begin(pilot);
         self.phase = ExplorePhase::Follow { began: pilot.ahead(), felt: pilot.ahead(), has_met: false };
     }
@@ -258,7 +272,7 @@ impl Frontier {
             }
             self.ends.push(end);
         }
-        if self.trace.has_any(pose) {
+        if self.lookout.is_some() || self.trace.has_any(pose) {
             self.barred.met(pose, pilot.robot.radius, aside);
             self.choose();
         } else {
@@ -331,6 +345,12 @@ impl Behaviour for Frontier {
         if matches!(self.phase, ExplorePhase::Search) {
             return self.search.roam(pilot, sensed, dt_s);
         }
+        if self.lookout.is_some() && self.mapper.is_lost() && !self.is_done() {
+            // Only its scans have told that it was carried elsewhere.
+            let has_looked = self.search.begin(pilot, &self.mapper);
+            self.phase = if has_looked { ExplorePhase::Search } else { ExplorePhase::Lost { has_looked } };
+            return Drive::STOP;
+        }
         if self.is_stuck(dt_s) && !self.is_done() {
             self.moved.1 = 0.0;
             self.doubts += 1;
@@ -347,11 +367,12 @@ impl Behaviour for Frontier {
                 *patience -= dt_s;
                 let to = *to;
                 let [_, lights @ .., _] = sensed.light_signal;
-                if lights[1].max(lights[2]) > AHEAD && route.is_driving() {
+                let room = self.lookout.as_ref().map_or(f64::INFINITY, |lookout| lookout.room_ahead(sensed));
+                if (lights[1].max(lights[2]) > AHEAD || room < ROOM) && route.is_driving() {
                     self.meet(pilot, 0.0);
                     return Drive::STOP;
                 }
-                let is_near = sensed.light_bumper[1..5].contains(&true);
+                let is_near = sensed.light_bumper[1..5].contains(&true) || room < NEAR;
                 let speed = pilot.speed * if is_near { CAREFUL } else { 1.0 };
                 let drive = if *patience > 0.0 { route.steer(self.mapper.pose(), &pilot.robot, speed) } else { None };
                 if drive.is_none() {
@@ -383,7 +404,7 @@ impl Behaviour for Frontier {
             ExplorePhase::Follow { .. } => self.wall.on_obstruction(pilot, obstruction),
             // After turning away from a contact it can start.
             ExplorePhase::Drive { route, .. } if !route.is_driving() => {}
-            ExplorePhase::Drive { to: DriveGoal::Floor, .. } if !self.trace.has_any(pose) => {
+            ExplorePhase::Drive { to: DriveGoal::Floor, .. } if self.lookout.is_none() && !self.trace.has_any(pose) => {
                 self.follow(pilot);
                 self.wall.on_obstruction(pilot, obstruction);
             }

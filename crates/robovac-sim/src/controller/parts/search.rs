@@ -59,6 +59,11 @@ impl RelocaliseSearch {
     /// Takes the next reading, after `mapper` has; relocalises `mapper` as soon as the place is certain.
     pub(in crate::controller) fn watch(&mut self, mapper: &mut Mapper, sensed: &SensorReadings, dt_s: f64) -> Searched {
         self.patience -= dt_s;
+        if !mapper.is_lost() {
+            // Its laser has told.
+            self.locator = None;
+            return Searched::Found;
+        }
         let Some(locator) = &mut self.locator else { return Searched::InVain };
         locator.update(sensed);
         self.sure_s = if locator.is_sure() { self.sure_s + dt_s } else { 0.0 };

@@ -1,7 +1,11 @@
 //! The particle filter on a known map.
 
-use super::{DistanceField, likelihood::Reading};
-use crate::mapping::{OccupancyMap, PoseCovariance};
+use super::{
+    DistanceField,
+    likelihood::Reading,
+    scan_reading::{ScanReading, ScanSearch},
+};
+use crate::mapping::{OccupancyMap, PoseCovariance, scan::Match};
 use rand::RngExt;
 use robovac_core::{
     geometry::{Point, Pose, difference, normalize},
@@ -29,12 +33,27 @@ const PER_PLACE: usize = 40;
 const PLACE: (f64, f64) = (0.2, 0.35);
 /// Errors of motion: rad per square root of a metre, rad per rad, m per square root of a metre.
 const MOTION: (f64, f64, f64) = (0.02, 0.03, 0.01);
+/// Particles for each pose that fits a scan, with their deviation from it, m and rad, and updates between searches while
+/// it isn't sure, and while it is.
+const PER_MATCH: usize = 60;
+const SCATTER: (f64, f64) = (0.05, 0.03);
+const SEARCH_AGAIN: [u32; 2] = [15, 60];
+/// Share of particles, of a robot with a laser, for which something holds the body while the wheels turn: other sensors
+/// couldn't tell.
+const HELD: f64 = 0.15;
+/// Errors of its motion in addition, m and rad, among which scans choose.
+const STIR: (f64, f64) = (0.008, 0.01);
 /// Share of a reading's weight that counts, as readings of one wall are correlated.
 const TEMPER: f64 = 0.35;
 /// Weights of the latest fit in the short and the long average.
 const MEMORY: (f64, f64) = (0.1, 0.01);
 /// Decrease of the mean log fit at which it must be elsewhere.
 const LOST: f64 = 1.5;
+/// The same for scans, which count for more and vary with what is in sight.
+const LOST_BY_SCAN: f64 = 12.0;
+/// Least log fit that these averages take into account, and that of scans.
+const WORST: f64 = -12.0;
+const WORST_BY_SCAN: f64 = -40.0;
 /// It is sure if this share of the weight lies within this many metres of its estimate.
 const SURE: (f64, f64) = (0.85, 0.25);
 /// And for this many updates.
@@ -56,6 +75,10 @@ pub struct LocatorSetup {
 pub struct Locator {
     setup: LocatorSetup,
     field: Arc<DistanceField>,
+    /// Search by the scans of a laser.
+    scans: Option<Arc<ScanSearch>>,
+    /// The latest scan.
+    scan: Option<Arc<[f32]>>,
     /// Places where the robot can stand, and those of them near obstacles.
     places: Arc<[Point]>,
     near: Arc<[Point]>,
@@ -107,6 +130,8 @@ impl Locator {
         Some(Self {
             odometry: Odometry::new(&setup.robot, setup.odometry, origin),
             field: Arc::new(field),
+            scans: setup.robot.sensors.laser.and_then(|laser| ScanSearch::new(map, &setup.robot, laser)).map(Arc::new),
+            scan: None,
             places,
             near,
             rng: seeded(setup.seed, STREAM),
@@ -133,6 +158,14 @@ impl Locator {
         if std::mem::take(&mut self.lifted) {
             self.forget();
         }
+        let scan = sensed.laser.as_ref().filter(|_| self.scans.is_some());
+        if let Some(scan) = scan {
+            // Between two scans the robot moves on.
+            if self.scan.as_ref().is_some_and(|last| Arc::ptr_eq(last, scan)) {
+                return;
+            }
+            self.scan = Some(Arc::clone(scan));
+        }
         let now = self.odometry.pose();
         let gone = (now.position() - self.looked.position()).norm();
         let turned = difference(self.looked.heading, now.heading).abs();
@@ -142,12 +175,18 @@ impl Locator {
             return;
         }
         self.looks = self.looks.wrapping_add(1);
-        let reading = Reading::new(&self.setup.robot, sensed);
         self.advance(now, gone, turned);
-        self.draw(&reading);
-        if !self.particles.is_empty() {
-            self.weigh(&reading);
+        if let Some((scans, scan)) = self.scans.clone().zip(scan)
+            && let Some(scan) = scans.reading(scan)
+        {
+            self.draw_by_scan(&scans, &scan);
+            self.weigh(|field, pose| scans.fit(&scan, field, pose));
+            self.polish(&scans, &scan);
+            return;
         }
+        let reading = Reading::new(&self.setup.robot, sensed);
+        self.draw(&reading);
+        self.weigh(|field, pose| reading.fit(field, pose));
     }
 
     /// Forgets everything except the map.
@@ -160,7 +199,7 @@ impl Locator {
         self.looked = self.odometry.pose();
     }
 
-    /// Its estimated pose; `None` before the first contact.
+    /// Its estimated pose; `None` before the first contact, or scan.
     pub fn pose(&self) -> Option<Pose> {
         let Estimate { pose, odometry, .. } = self.estimate?;
         Some(moved(pose, odometry, self.odometry.pose()))
@@ -185,9 +224,16 @@ impl Locator {
     /// Moves all particles by the wheels' motion, each with its own errors.
     fn advance(&mut self, now: Pose, gone: f64, turned: f64) {
         let from = std::mem::replace(&mut self.looked, now);
-        let (heading, along) = (MOTION.0 * gone.sqrt() + MOTION.1 * turned, MOTION.2 * gone.sqrt());
+        let (mut heading, mut along) = (MOTION.0 * gone.sqrt() + MOTION.1 * turned, MOTION.2 * gone.sqrt());
+        if self.scans.is_some() {
+            (heading, along) = (heading + STIR.1, along + STIR.0);
+        }
         for particle in &mut self.particles {
-            let pose = moved(particle.pose, from, now);
+            let mut pose = moved(particle.pose, from, now);
+            if self.scans.is_some() && self.rng.random_bool(HELD) {
+                let share = self.rng.random_range(0.0..1.0);
+                pose = between(particle.pose, pose, share);
+            }
             let [a, b, c] = [normal(&mut self.rng), normal(&mut self.rng), normal(&mut self.rng)];
             particle.pose = Pose::new(pose.x + along * a, pose.y + along * b, normalize(pose.heading + heading * c));
         }
@@ -224,6 +270,49 @@ impl Locator {
             }
         }
         let drawn = resampled(&drawn, share.min(drawn.len()), &mut self.rng);
+        self.join(drawn, is_searching);
+    }
+
+    /// During a search, draws poses around those that fit a scan.
+    fn draw_by_scan(&mut self, scans: &ScanSearch, scan: &ScanReading) {
+        let is_searching = self.draws > 0;
+        // Without wheel drops, only a scan tells that it was carried elsewhere.
+        let is_due = is_searching || self.looks.is_multiple_of(SEARCH_AGAIN[usize::from(self.is_sure())]);
+        let found = if is_due { scans.search(scan, &self.field) } else { Vec::new() };
+        if found.is_empty() {
+            return;
+        }
+        self.draws = 0;
+        let mut drawn = Vec::with_capacity(found.len() * PER_MATCH);
+        for Match { pose, .. } in found {
+            for _ in 0..PER_MATCH {
+                let [a, b, c] = [normal(&mut self.rng), normal(&mut self.rng), normal(&mut self.rng)];
+                let heading = normalize(pose.heading + SCATTER.1 * c);
+                let pose = Pose::new(pose.x + SCATTER.0 * a, pose.y + SCATTER.0 * b, heading);
+                drawn.push(Particle { pose, weight: 0.0 });
+            }
+        }
+        self.join(drawn, is_searching);
+    }
+
+    /// Moves the particles of the best place to where the scan fits best.
+    fn polish(&mut self, scans: &ScanSearch, scan: &ScanReading) {
+        let Some(Estimate { pose, .. }) = self.estimate else { return };
+        let Some(best) = scans.polished(scan, pose) else { return };
+        for particle in &mut self.particles {
+            let is_near = (particle.pose.position() - pose.position()).norm() < SURE.1
+                && difference(particle.pose.heading, pose.heading).abs() < PLACE.1;
+            if is_near {
+                particle.pose = moved(particle.pose, pose, best);
+            }
+        }
+        if let Some(estimate) = &mut self.estimate {
+            estimate.pose = best;
+        }
+    }
+
+    /// Adds drawn particles.
+    fn join(&mut self, drawn: Vec<Particle>, is_searching: bool) {
         // Existing particles have earned as much weight as new ones.
         let old = self.particles.len().max(1) as f64;
         let top = self.particles.iter().map(|p| p.weight).fold(f64::NEG_INFINITY, f64::max);
@@ -236,10 +325,14 @@ impl Locator {
         self.particles.extend(drawn.into_iter().map(|p| Particle { weight, ..p }));
     }
 
-    fn weigh(&mut self, reading: &Reading) {
-        let fits: Vec<f64> = self.particles.iter().map(|p| reading.fit(&self.field, p.pose)).collect();
+    fn weigh(&mut self, fit: impl Fn(&DistanceField, Pose) -> f64) {
+        if self.particles.is_empty() {
+            return;
+        }
+        let fits: Vec<f64> = self.particles.iter().map(|p| fit(&self.field, p.pose)).collect();
         let before = self.weights();
-        let mean: f64 = fits.iter().zip(&before).map(|(fit, weight)| fit.max(-12.0) * weight).sum();
+        let worst = if self.scans.is_some() { WORST_BY_SCAN } else { WORST };
+        let mean: f64 = fits.iter().zip(&before).map(|(fit, weight)| fit.max(worst) * weight).sum();
         for (particle, fit) in self.particles.iter_mut().zip(&fits) {
             particle.weight += TEMPER * fit;
         }
@@ -265,7 +358,8 @@ impl Locator {
         short += MEMORY.0 * (fit - short);
         long += MEMORY.1 * (fit - long);
         self.fits = Some((short, long));
-        if short < long - LOST {
+        let lost = if self.scans.is_some() { LOST_BY_SCAN } else { LOST };
+        if short < long - lost {
             self.forget();
         }
     }
@@ -353,6 +447,12 @@ fn resampled(particles: &[Particle], count: usize, rng: &mut Rng) -> Vec<Particl
         drawn.push(Particle { weight: 0.0, ..particles[index] });
     }
     drawn
+}
+
+/// The pose that is a share of the way from one to another.
+fn between(from: Pose, to: Pose, share: f64) -> Pose {
+    let (dx, dy) = (to.x - from.x, to.y - from.y);
+    Pose::new(from.x + share * dx, from.y + share * dy, from.heading + share * difference(from.heading, to.heading))
 }
 
 /// `pose` after the motion from `from` to `to`, seen in its own frame.

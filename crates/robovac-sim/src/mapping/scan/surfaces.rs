@@ -1,0 +1,244 @@
+//! Surfaces for scan matching: a mean place and normal for every few centimetres.
+//!
+//! Points of several scans are gathered in cells. A cell's surface is the mean over it and its eight neighbours, so that a
+//! wall on the border of two cells is one wall, and noise averages out.
+
+use super::ScanPoint;
+use nalgebra::{Matrix3, Vector3};
+use robovac_core::{
+    geometry::{Point, Pose, Vector},
+    grid::Cell,
+    math,
+};
+
+/// Side of the cells, m.
+const SIDE: f64 = 0.05;
+/// Cosine between normals that belong to one surface.
+const SAME: f64 = 0.7;
+/// Cells around a point that are searched for its surface.
+const REACH: i32 = 3;
+/// A surface is met beside its mean place up to this distance, m.
+const ASIDE: f64 = 0.08;
+/// Standard deviation of surfaces, m (ours).
+const MAP: f64 = 0.006;
+/// Residuals of more than this many standard deviations count little.
+const OUTLIER: f64 = 3.0;
+/// A point nearer to its surface than this many standard deviations, or metres, agrees with it.
+const AGREES: (f64, f64) = (3.0, 0.03);
+/// A pose is in doubt with fewer points on surfaces, or a smaller share of those that agree.
+const LEAST_MET: usize = 25;
+const AGREE: f64 = 0.8;
+/// Largest side of the grid, cells: beyond any range.
+const MOST: i32 = 2000;
+
+/// Sums over the points of a cell.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sum {
+    weight: f32,
+    /// Place relative to the grid's corner, and normal.
+    place: [f32; 2],
+    normal: [f32; 2],
+}
+
+/// A few centimetres of surface.
+#[derive(Debug, Clone, Copy)]
+struct Surface {
+    point: Point,
+    normal: Vector,
+}
+
+/// Surfaces around the robot.
+#[derive(Debug, Clone, Default)]
+pub(in crate::mapping) struct SurfaceMap {
+    /// Lowest cell.
+    low: [i32; 2],
+    width: i32,
+    height: i32,
+    /// Index + 1 of each cell's surface, 0 without one.
+    cells: Vec<u32>,
+    surfaces: Vec<Surface>,
+}
+
+/// Comparison of a scan with surfaces.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in crate::mapping) struct ScanFit {
+    /// Information about x, y and heading, and half the gradient of the weighted squared errors.
+    pub information: Matrix3<f64>,
+    pub gradient: Vector3<f64>,
+    /// Points on surfaces of the scan, those that have a surface of the map near, and those that agree with it.
+    pub points: usize,
+    pub met: usize,
+    pub agreeing: usize,
+}
+
+impl SurfaceMap {
+    /// The surfaces that scans show from their poses.
+    pub fn new<'a>(scans: impl Iterator<Item = (Pose, &'a [ScanPoint])> + Clone) -> Self {
+        let world = |(pose, points): (Pose, &'a [ScanPoint])| {
+            let ahead = pose.direction();
+            let oriented = points.iter().filter_map(|point| Some((point.at, point.normal?, point.deviation)));
+            oriented.map(move |(at, normal, deviation)| {
+                (
+                    Point::new(pose.x + ahead.x * at.x - ahead.y * at.y, pose.y + ahead.y * at.x + ahead.x * at.y),
+                    Vector::new(ahead.x * normal.x - ahead.y * normal.y, ahead.y * normal.x + ahead.x * normal.y),
+                    deviation,
+                )
+            })
+        };
+        let cells = scans.clone().flat_map(world).map(|(at, ..)| Cell::at(at, SIDE));
+        let bounds = cells.fold(None, |bounds: Option<[i32; 4]>, cell| {
+            let [a, b, c, d] = bounds.unwrap_or([cell.x, cell.y, cell.x, cell.y]);
+            Some([a.min(cell.x), b.min(cell.y), c.max(cell.x), d.max(cell.y)])
+        });
+        let Some([left, bottom, right, top]) = bounds else { return Self::default() };
+        let low = [left - REACH, bottom - REACH];
+        let [width, height] = [right - left, top - bottom].map(|size| (size + 1 + 2 * REACH).min(MOST));
+        let corner = Cell::new(low[0], low[1]).centre(SIDE);
+        let mut sums = vec![Sum::default(); (width * height) as usize];
+        let mut filled = Vec::new();
+        for (at, normal, deviation) in scans.flat_map(world) {
+            let cell = Cell::at(at, SIDE);
+            let (x, y) = (cell.x - low[0], cell.y - low[1]);
+            if !(1..width - 1).contains(&x) || !(1..height - 1).contains(&y) {
+                continue;
+            }
+            let index = (y * width + x) as usize;
+            let sum = &mut sums[index];
+            if sum.weight == 0.0 {
+                filled.push(index);
+            }
+            let weight = 1e-4 / (deviation * deviation);
+            let off = at - corner;
+            sum.weight += weight as f32;
+            sum.place = [sum.place[0] + (weight * off.x) as f32, sum.place[1] + (weight * off.y) as f32];
+            sum.normal = [sum.normal[0] + (weight * normal.x) as f32, sum.normal[1] + (weight * normal.y) as f32];
+        }
+        let mut map = Self { low, width, height, cells: vec![0; sums.len()], surfaces: Vec::new() };
+        for &index in &filled {
+            if let Some(surface) = map.blend(&sums, index, corner) {
+                map.surfaces.push(surface);
+                map.cells[index] = map.surfaces.len() as u32;
+            }
+        }
+        map
+    }
+
+    /// Their places.
+    pub fn places(&self) -> Vec<Point> {
+        self.surfaces.iter().map(|surface| surface.point).collect()
+    }
+
+    /// The surface of a cell and its neighbours.
+    fn blend(&self, sums: &[Sum], index: usize, corner: Point) -> Option<Surface> {
+        let own = Vector::new(f64::from(sums[index].normal[0]), f64::from(sums[index].normal[1]));
+        let length = own.norm();
+        if length < 1e-6 {
+            return None;
+        }
+        let (mut weight, mut place, mut normal) = (0.0, Vector::zeros(), Vector::zeros());
+        for dy in -1..=1 {
+            for dx in -1..=1 {
+                let sum = &sums[(index as i32 + dy * self.width + dx) as usize];
+                let theirs = Vector::new(f64::from(sum.normal[0]), f64::from(sum.normal[1]));
+                if theirs.dot(&own) < SAME * length * theirs.norm() || sum.weight == 0.0 {
+                    continue;
+                }
+                weight += f64::from(sum.weight);
+                place += Vector::new(f64::from(sum.place[0]), f64::from(sum.place[1]));
+                normal += theirs;
+            }
+        }
+        let length = normal.norm();
+        (length > 1e-6).then(|| Surface { point: corner + place / weight, normal: normal / length })
+    }
+
+    /// The surface that a point with the normal `facing` lies on, or nearly.
+    fn nearest(&self, at: Point, facing: Vector) -> Option<Surface> {
+        let cell = Cell::at(at, SIDE);
+        let (x, y) = (cell.x - self.low[0], cell.y - self.low[1]);
+        let columns = (x - REACH).max(0)..=(x + REACH).min(self.width - 1);
+        let mut best: Option<(f64, Surface)> = None;
+        for row in (y - REACH).max(0)..=(y + REACH).min(self.height - 1) {
+            for column in columns.clone() {
+                let index = self.cells[(row * self.width + column) as usize];
+                if index == 0 {
+                    continue;
+                }
+                let surface = self.surfaces[index as usize - 1];
+                if surface.normal.dot(&facing) < SAME {
+                    continue;
+                }
+                let off = at - surface.point;
+                let (height, aside) = (surface.normal.dot(&off), surface.normal.perp(&off));
+                if aside.abs() > ASIDE {
+                    continue;
+                }
+                let distance = height * height + 0.5 * aside * aside;
+                if best.is_none_or(|(least, _)| distance < least) {
+                    best = Some((distance, surface));
+                }
+            }
+        }
+        best.map(|(_, surface)| surface)
+    }
+
+    /// Compares a scan from `pose` with the surfaces.
+    pub fn compare(&self, pose: Pose, scan: &[ScanPoint]) -> ScanFit {
+        let (sin, cos) = math::sin_cos(pose.heading);
+        let turn = |v: Vector| Vector::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y);
+        let mut fit = ScanFit::default();
+        for point in scan {
+            let Some(normal) = point.normal else { continue };
+            fit.points += 1;
+            let arm = turn(point.at.coords);
+            let at = pose.position() + arm;
+            let Some(surface) = self.nearest(at, turn(normal)) else { continue };
+            fit.met += 1;
+            let normal = surface.normal;
+            let off = normal.dot(&(at - surface.point));
+            let variance = point.deviation * point.deviation + MAP * MAP;
+            let ratio = off * off / (OUTLIER * OUTLIER * variance);
+            let trust = 1.0 / ((1.0 + ratio) * (1.0 + ratio));
+            fit.agreeing += usize::from(off.abs() < AGREES.1.max(AGREES.0 * point.deviation));
+            let row = Vector3::new(normal.x, normal.y, -normal.perp(&arm));
+            fit.information += row * row.transpose() * (trust / variance);
+            fit.gradient += row * (off * trust / variance);
+        }
+        fit
+    }
+
+    /// The pose near `pose` at which a scan fits best, and the fit there; `tether` is the information that holds it to
+    /// `pose`, which decides where the scan doesn't.
+    pub fn align(&self, pose: Pose, scan: &[ScanPoint], tether: &Matrix3<f64>) -> (Pose, ScanFit) {
+        /// Most steps, and the change at which they end, m and rad.
+        const STEPS: usize = 12;
+        const DONE: f64 = 1e-4;
+        let mut off = Vector3::zeros();
+        let at = |off: &Vector3<f64>| Pose::new(pose.x + off.x, pose.y + off.y, pose.heading + off.z);
+        for _ in 0..STEPS {
+            let fit = self.compare(at(&off), scan);
+            let Some(inverse) = (fit.information + tether).try_inverse() else { break };
+            let step = inverse * (fit.gradient + tether * off);
+            if !step.iter().all(|value| value.is_finite()) {
+                break;
+            }
+            off -= step;
+            if step.norm() < DONE {
+                break;
+            }
+        }
+        (at(&off), self.compare(at(&off), scan))
+    }
+}
+
+impl ScanFit {
+    /// Whether the pose is in doubt: little of the scan is known, or it contradicts what is known.
+    pub fn is_doubtful(&self) -> bool {
+        self.met < self.points.min(LEAST_MET) || (self.agreeing as f64) < AGREE * self.met as f64
+    }
+
+    /// Share of the scan's points that agree with the map, from 0 to 1.
+    pub fn share(&self) -> f64 {
+        if self.points == 0 { 0.0 } else { self.agreeing as f64 / self.points as f64 }
+    }
+}
