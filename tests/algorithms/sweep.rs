@@ -22,7 +22,7 @@ use robovac_sim::{
 use std::ops::ControlFlow;
 
 fn setup(outline: Outline, cell: f64) -> SweepSetup {
-    SweepSetup { outline, scan_width: None, cell, start: None }
+    SweepSetup::new(outline, cell)
 }
 
 fn planned(plan: &FloorPlan, setup: &SweepSetup) -> Sweep {
