@@ -3,7 +3,7 @@
 use super::{drawing::DrawingOptions, failure::Failure, output, source::RoomSource};
 use coverage_planners::{
     stage::LineEndContact,
-    sweep::{Beside, Sweep, SweepError, SweepSetup, in_frame, planned_for, sweep},
+    sweep::{LinkOrder, Sweep, SweepError, SweepSetup, in_frame, planned_for, sweep},
 };
 use floor_drawing::{Traced, is_drawing, is_dxf};
 use robovac_app::{export::PathFormat, floor_plan::sweep_dxf};
@@ -34,8 +34,9 @@ pub struct Arguments {
     /// Cell size of the obstacle map in metres [default: a quarter of the outline's width]
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     cell: Option<f64>,
-    /// At the end of a line: go to the nearest point, or across to the lines beside first, as printed in the paper
-    #[arg(long, value_name = "ORDER", default_value = "nearest", value_parser = ["nearest", "printed"])]
+    /// Order of the links: nearest point at the end of a line; printed, with the paper's steps 3 to 5; uncrossed, without
+    /// crossings where the room allows it
+    #[arg(long, value_name = "ORDER", default_value = "nearest", value_parser = LinkOrder::ALL.map(LinkOrder::id))]
     order: String,
     /// Distance to keep from everything in metres
     #[arg(long, value_name = "M", default_value_t = 0.0, allow_hyphen_values = true)]
@@ -60,6 +61,11 @@ struct SweepReport<'a> {
     subgoals: usize,
     collisions: usize,
     resolved: usize,
+    order: LinkOrder,
+    crossings: usize,
+    /// Crossings and length, m, in the order "nearest", for another one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    nearest: Option<(usize, f64)>,
     linked_share: f64,
     finishing_strokes: usize,
     finishing_length_m: f64,
@@ -118,7 +124,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let setup = SweepSetup {
         scan_width: arguments.scan_width,
         start: plan.start,
-        beside: if arguments.order == "printed" { Beside::First } else { Beside::Never },
+        order: LinkOrder::ALL.into_iter().find(|order| order.id() == arguments.order).unwrap_or_default(),
         turns,
         clearance: arguments.clearance,
         ..SweepSetup::new(outline, arguments.cell.unwrap_or(0.25 * width))
@@ -136,6 +142,9 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         subgoals: found.subgoals.len(),
         collisions: found.collisions,
         resolved: found.resolved,
+        order: setup.order,
+        crossings: found.crossings,
+        nearest: found.nearest.map(|cost| (cost.crossings, cost.length)),
         linked_share: found.linked_share,
         finishing_strokes: found.finish.len(),
         finishing_length_m: found.finish_length,

@@ -84,12 +84,7 @@ impl<'a> Detours<'a> {
 
     /// Corners of a short way, ends included, of single steps and of straight pieces that `is_clear` says are free;
     /// `None` if there is no way.
-    pub fn find_taut(
-        &mut self,
-        from: Cell,
-        to: Cell,
-        is_clear: impl FnMut(Cell, Cell) -> bool,
-    ) -> Option<Vec<Cell>> {
+    pub fn find_taut(&mut self, from: Cell, to: Cell, is_clear: impl FnMut(Cell, Cell) -> bool) -> Option<Vec<Cell>> {
         if !self.free.is_set(from) || !self.free.is_set(to) {
             return None;
         }
@@ -162,12 +157,7 @@ impl<'a> Detours<'a> {
     fn open(&self, index: usize) -> [bool; 4] {
         let [_, _, left, down] = self.frame.neighbours(index);
         let here = self.shut[index];
-        [
-            here & SHUT_RIGHT == 0,
-            here & SHUT_UP == 0,
-            self.shut[left] & SHUT_RIGHT == 0,
-            self.shut[down] & SHUT_UP == 0,
-        ]
+        [here & SHUT_RIGHT == 0, here & SHUT_UP == 0, self.shut[left] & SHUT_RIGHT == 0, self.shut[down] & SHUT_UP == 0]
     }
 
     /// Whether one can step diagonally within the square above and to the right of a cell.

@@ -18,6 +18,8 @@ use robovac_core::{cspace::Motion, geometry::Point};
 
 /// Shares of an overlap, from either end, at which a joint is looked for.
 const SHARES: [f64; 7] = [0.0, 0.01, 0.03, 0.08, 0.16, 0.3, 0.5];
+/// Shares of an overlap, from its middle, at which a cut is looked for.
+const CUTS: [f64; 9] = [0.0, -0.05, 0.05, -0.15, 0.15, -0.3, 0.3, -0.45, 0.45];
 /// Most distance of the ways there and back at a cut, as a share of the body's length.
 const CUT: f64 = 0.1;
 
@@ -72,8 +74,8 @@ pub(super) struct ContourWalk<'a> {
 }
 
 impl<'a> ContourWalk<'a> {
-    /// Joins the runs between subgoals, whose exact `places` are in the same order. `length` is the body's, m.
-    pub fn new(points: &[Subgoal], places: &'a [Point], motion: &Motion, length: f64) -> Self {
+    /// Joins the runs between subgoals, whose exact `places` are in the same order.
+    pub fn new(points: &[Subgoal], places: &'a [Point], motion: &Motion) -> Self {
         let mut sorted: Vec<usize> = (0..points.len()).collect();
         sorted.sort_unstable_by_key(|&number| {
             let s = &points[number];
@@ -85,7 +87,9 @@ impl<'a> ContourWalk<'a> {
             .enumerate()
             .map(|(index, pair)| {
                 let ends = [pair[0], pair[1]];
-                ends.iter().for_each(|&end| run_of[end] = index);
+                for end in ends {
+                    run_of[end] = index;
+                }
                 let x = ends.map(|end| places[end].x);
                 Run { ends, x, y: places[ends[0]].y, line: points[ends[0]].line, beside: [Vec::new(), Vec::new()] }
             })
@@ -102,12 +106,14 @@ impl<'a> ContourWalk<'a> {
             line: CornerLine::default(),
             found: Vec::new(),
         };
-        walk.join(motion, length);
+        walk.join(motion);
         walk
     }
 
     /// Joins neighbouring runs.
-    fn join(&mut self, motion: &Motion, length: f64) {
+    fn join(&mut self, motion: &Motion) {
+        let (low, high) = motion.outline().bounds();
+        let length = high.x - low.x;
         let mut begin = 0;
         for upper in 0..self.runs.len() {
             let line = self.runs[upper].line;
@@ -132,10 +138,13 @@ impl<'a> ContourWalk<'a> {
                 let middle = 0.5 * (left + right);
                 let apart = (CUT * length).min(0.25 * wide);
                 let is_cut = line % 2 == 1;
-                let pair = match [middle - 0.5 * apart, middle + 0.5 * apart] {
-                    pair if is_cut && pair.iter().all(|&x| is_free(x)) => pair,
-                    _ if is_cut && is_free(middle) => [middle; 2],
-                    _ => [first, last],
+                let near = CUTS.iter().map(|share| middle + share * wide).find(|&x| is_free(x));
+                let pair = match near.filter(|_| is_cut) {
+                    None => [first, last],
+                    Some(x) => {
+                        let pair = [x - 0.5 * apart, x + 0.5 * apart];
+                        if pair.iter().all(|&x| is_free(x)) { pair } else { [x; 2] }
+                    }
                 };
                 let joint = self.joints.len();
                 self.joints.push(Joint { runs: [upper, lower], reach: [first, last], pair, is_in_tree: false });
@@ -143,11 +152,6 @@ impl<'a> ContourWalk<'a> {
                 self.runs[lower].beside[1].push(joint);
             }
         }
-    }
-
-    /// Whether a subgoal has been reached.
-    pub fn is_reached(&self, subgoal: usize) -> bool {
-        self.is_reached[subgoal]
     }
 
     /// Walks from a subgoal to all that can be reached by joints. Returns them in order, each with the way there from the
@@ -162,32 +166,48 @@ impl<'a> ContourWalk<'a> {
         // Along the way that isn't gone back.
         let (mut run, mut came) = (root, RunStop::End(end));
         loop {
-            let ring = self.ring(run, came);
-            let joints: Vec<usize> =
-                ring.iter().filter_map(|stop| if let RunStop::Joint(joint) = stop { Some(*joint) } else { None }).collect();
-            let size = |joint: &usize| self.sizes[self.across(*joint, run)];
-            let x = self.at().x;
-            let (next, is_forward) = match joints[..] {
-                [] => (None, self.is_nearer_right(run, x)),
-                [only] => (Some(only), self.is_nearer_right(run, x)),
-                [first, .., last] if size(&first) > size(&last) => (Some(first), false),
-                [.., last] => (Some(last), true),
+            let mut ring = self.ring(run, came);
+            let size = |stop: &RunStop| match stop {
+                RunStop::Joint(joint) => self.sizes[self.across(*joint, run)],
+                RunStop::End(_) => 0,
             };
-            // First to the end that isn't on the way.
-            for end in if is_forward { [1, 0] } else { [0, 1] } {
-                self.go_to_end(run, end);
-            }
-            let mut others: Vec<usize> = joints.into_iter().filter(|joint| Some(*joint) != next).collect();
+            let joints: Vec<RunStop> = ring.iter().copied().filter(|stop| matches!(stop, RunStop::Joint(_))).collect();
+            // What comes last on the way round, in one direction or the other, is where one goes on.
+            let is_forward = match joints[..] {
+                [first, .., last] if joints.len() > 1 => size(&last) >= size(&first),
+                // The nearer end first.
+                _ => {
+                    let place = ring.iter().position(|stop| matches!(stop, RunStop::Joint(_))).unwrap_or(0);
+                    let begin = ring[place..].iter().rev().chain(&ring).find(|stop| matches!(stop, RunStop::End(_)));
+                    (begin == Some(&RunStop::End(1))) == self.is_nearer_right(run, self.at().x)
+                }
+            };
             if !is_forward {
-                others.reverse();
+                ring.reverse();
             }
-            for joint in others {
-                self.walk_round(run, joint, is_forward);
+            let next = if is_forward { joints.last() } else { joints.first() }.copied();
+            let place = ring.iter().position(|&stop| Some(stop) == next).unwrap_or(0);
+            // One comes to it from the left below the run and from the right above it, or the other way round.
+            let through = next.map(|next| {
+                let joint = &self.joints[if let RunStop::Joint(joint) = next { joint } else { 0 }];
+                joint.reach[usize::from((joint.runs[1] == run) == is_forward)]
+            });
+            // What is beyond it comes first, while nothing is in the way there.
+            for stop in ring[place..].iter().rev() {
+                if let RunStop::End(end) = *stop {
+                    self.go_to_end(run, end);
+                }
             }
-            let Some(next) = next else { break };
-            let [left, right] = self.joints[next].reach;
-            let x = self.at().x;
-            let through = if (x - left).abs() <= (x - right).abs() { left } else { right };
+            if let Some(through) = through.filter(|_| joints.len() > 1) {
+                self.go(run, through);
+            }
+            for stop in &ring[..place] {
+                match *stop {
+                    RunStop::End(end) => self.go_to_end(run, end),
+                    RunStop::Joint(joint) => self.walk_round(run, joint, is_forward),
+                }
+            }
+            let (Some(RunStop::Joint(next)), Some(through)) = (next, through) else { break };
             self.go(run, through);
             run = self.across(next, run);
             self.go(run, through);

@@ -1,9 +1,9 @@
 //! Crossings of a path with itself.
 
-use robovac_core::geometry::Point;
+use robovac_core::{geometry::Point, math};
 
-/// Nearer than this, a corner lies on a line, m.
-const ON: f64 = 1e-7;
+/// Points nearer to each other than this are one, m.
+const SAME: f64 = 1e-6;
 /// Most rows of the list of neighbours.
 const MAX_ROWS: f64 = 4096.0;
 
@@ -44,37 +44,85 @@ pub(super) fn crossings(ways: &[&[Point]]) -> usize {
     found
 }
 
-/// How often one way crosses another.
+/// How often one way crosses another: stretches that both share, often a single point, at which one comes from one side
+/// of the other and leaves to its other side.
 fn crossings_of(way: &[Point], other: &[Point]) -> usize {
-    let (first, last) = (other[0], other[other.len() - 1]);
+    let (one, two) = (noded(way, other), noded(other, way));
+    let is_same = |i: Option<usize>, j: Option<usize>| match (i.and_then(|i| one.get(i)), j.and_then(|j| two.get(j))) {
+        (Some(a), Some(b)) => (a - b).norm() <= SAME,
+        _ => false,
+    };
+    let beside = |j: usize, step: isize| j.checked_add_signed(step);
     let mut found = 0;
-    for side in other.windows(2) {
-        let along = side[1] - side[0];
-        let length = along.norm();
-        if length < ON {
-            continue;
-        }
-        let off = |p: Point| along.perp(&(p - side[0])) / length;
-        // The last corner beside the line, and the first one on it since.
-        let (mut beside, mut on): (Option<Point>, Option<Point>) = (None, None);
-        for &corner in way {
-            let height = off(corner);
-            if height.abs() <= ON {
-                on = on.or(Some(corner));
-                continue;
+    for i in 0..one.len() {
+        for j in (0..two.len()).filter(|&j| is_same(Some(i), Some(j))) {
+            let goes_on = |step: isize| is_same(Some(i + 1), beside(j, step));
+            let comes = |step: isize| is_same(i.checked_sub(1), beside(j, -step));
+            let steps: &[isize] = match [1, -1].map(|step| (goes_on(step), comes(step))) {
+                [(true, false), (true, false)] => &[1, -1],
+                [(false, false), (false, false)] | [(true, false), _] => &[1],
+                [_, (true, false)] => &[-1],
+                _ => &[],
+            };
+            for &step in steps {
+                let (mut end, mut other_end) = (i, j);
+                while is_same(Some(end + 1), beside(other_end, step)) {
+                    (end, other_end) = (end + 1, other_end.saturating_add_signed(step));
+                }
+                let get = |j: Option<usize>| j.and_then(|j| two.get(j));
+                let ends = (i.checked_sub(1).map(|i| one[i]), one.get(end + 1));
+                let other_ends = (get(beside(j, -step)), get(beside(other_end, step)));
+                // At an end of either they touch.
+                let ((Some(from), Some(to)), (Some(before), Some(after))) = (ends, other_ends) else { continue };
+                let on = get(beside(j, step)).copied().unwrap_or(*after);
+                let last = if end == i { *before } else { one[end - 1] };
+                found += usize::from(is_left(*before, one[i], on, from) != is_left(last, one[end], *after, *to));
             }
-            if let Some(before) = beside.filter(|&before| (off(before) > 0.0) != (height > 0.0)) {
-                let at = on.unwrap_or_else(|| before + (corner - before) * (off(before) / (off(before) - height)));
-                let share = (at - side[0]).dot(&along) / length;
-                let is_at_end = |end: Point| (at - end).norm() <= ON;
-                // A corner of the other belongs to the side that begins there.
-                let is_inside = share > -ON && share < length - ON;
-                found += usize::from(is_inside && !is_at_end(first) && !is_at_end(last));
-            }
-            (beside, on) = (Some(corner), None);
         }
     }
     found
+}
+
+/// Whether a point is seen to the left from a corner of a line.
+fn is_left(before: Point, corner: Point, after: Point, seen: Point) -> bool {
+    let angle = |p: Point| math::atan2(p.y - corner.y, p.x - corner.x);
+    let turned = |p: Point| (angle(p) - angle(after)).rem_euclid(math::TAU);
+    turned(seen) < turned(before)
+}
+
+/// The corners of a way, with its points at which it meets another one.
+fn noded(way: &[Point], other: &[Point]) -> Vec<Point> {
+    let mut nodes = vec![way[0]];
+    for side in way.windows(2) {
+        let along = side[1] - side[0];
+        let square = along.norm_squared();
+        let mut shares = vec![1.0];
+        for across in other.windows(2) {
+            let way = across[1] - across[0];
+            let perp = along.perp(&way);
+            if perp != 0.0 {
+                let off = across[0] - side[0];
+                let (here, there) = (off.perp(&way) / perp, off.perp(&along) / perp);
+                if (0.0..=1.0).contains(&here) && (0.0..=1.0).contains(&there) {
+                    shares.push(here);
+                }
+            }
+        }
+        for corner in other {
+            let share = (corner - side[0]).dot(&along) / square;
+            if (0.0..=1.0).contains(&share) && (side[0] + share * along - corner).norm() <= SAME {
+                shares.push(share);
+            }
+        }
+        shares.sort_unstable_by(f64::total_cmp);
+        for share in shares {
+            let node = if share >= 1.0 { side[1] } else { side[0] + share * along };
+            if nodes.last().is_none_or(|last: &Point| (node - last).norm() > SAME) {
+                nodes.push(node);
+            }
+        }
+    }
+    nodes
 }
 
 #[cfg(test)]

@@ -90,12 +90,6 @@ fn plan_once(
         let begin = nearest_free(&free, pose, setup.cell)?;
         Some((begin, start_place(pose, begin, &motion, setup.cell)))
     });
-    let mut links: Vec<SubgoalLink> = Vec::with_capacity(points.len());
-    let mut told = |links: usize| match links.is_multiple_of(REPORT_EVERY) {
-        true => report(DONE[1] + (DONE[2] - DONE[1]) * links as f64 / points.len() as f64),
-        false => Ok(()),
-    };
-    let is_clear = |from: usize, to: usize| motion.is_free(places[from], places[to]);
     // To the first point.
     let (first, mut path) = match start {
         None => (0, CornerLine::default()),
@@ -108,35 +102,10 @@ fn plan_once(
     };
     scan.track(first);
     path.extend(&[places[first]]);
-    let mut last = first;
-    if setup.order == LinkOrder::Uncrossed {
-        let (low, high) = outline.bounds();
-        let mut walk = ContourWalk::new(&points, &places, &motion, high.x - low.x);
-        let mut from = first;
-        loop {
-            for (to, way) in walk.walk(from) {
-                told(links.len())?;
-                scan.track(to);
-                links.push(SubgoalLink { from: last, to, collides: !is_clear(last, to), way });
-                last = to;
-            }
-            // What no straight move joins to the rest.
-            let Some((next, _)) = scan.next(&mut |_, _| false, Err(points[last].at)) else { break };
-            scan.track(next);
-            let (way, collides) = linker.way(stop(last), stop(next));
-            links.push(SubgoalLink { from: last, to: next, collides, way });
-            (from, last) = (next, next);
-        }
-    } else {
-        let end = scan.link_all(is_clear, Ok(first), |from, to, _| {
-            told(links.len())?;
-            let from = from.unwrap_or(first);
-            let (way, collides) = linker.way(stop(from), stop(to));
-            links.push(SubgoalLink { from, to, collides, way });
-            Ok::<(), SweepError>(())
-        })?;
-        last = end.unwrap_or(first);
-    }
+    let mut told = |share: f64| report(DONE[1] + (DONE[2] - DONE[1]) * share);
+    let links = LinkStage { points: &points, places: &places, linker: &mut linker, scan, report: &mut told };
+    let links = if setup.order == LinkOrder::Uncrossed { links.uncrossed(first) } else { links.in_order(first) }?;
+    let last = links.last().map_or(first, |link| link.to);
     for link in &links {
         path.extend(&link.way);
     }
@@ -176,6 +145,65 @@ fn plan_once(
         finish_length: length - linked_length,
         coverage: cover.share(),
     })
+}
+
+/// Stages 2 and 3: links, with their detours.
+struct LinkStage<'a, 'b> {
+    points: &'a [Subgoal],
+    places: &'a [Point],
+    linker: &'a mut WayLinker<'b>,
+    scan: SubgoalScan<'a>,
+    /// Takes the share done, 0 to 1.
+    report: &'a mut dyn FnMut(f64) -> Result<(), SweepError>,
+}
+
+impl LinkStage<'_, '_> {
+    fn told(&mut self, links: usize) -> Result<(), SweepError> {
+        if links.is_multiple_of(REPORT_EVERY) { (self.report)(links as f64 / self.points.len() as f64) } else { Ok(()) }
+    }
+
+    fn link(&mut self, from: usize, to: usize) -> SubgoalLink {
+        let stop = |number: usize| (self.points[number].at, self.places[number]);
+        let (way, collides) = self.linker.way(stop(from), stop(to));
+        SubgoalLink { from, to, collides, way }
+    }
+
+    /// In the order of the paper, from the first point.
+    fn in_order(mut self, first: usize) -> Result<Vec<SubgoalLink>, SweepError> {
+        let mut links: Vec<SubgoalLink> = Vec::with_capacity(self.points.len());
+        let (motion, places) = (self.linker.motion, self.places);
+        let mut is_clear = |from: usize, to: usize| motion.is_free(places[from], places[to]);
+        let mut from = first;
+        while let Some((to, _)) = self.scan.next(&mut is_clear, Ok(from)) {
+            self.scan.track(to);
+            self.told(links.len())?;
+            links.push(self.link(from, to));
+            from = to;
+        }
+        Ok(links)
+    }
+
+    /// Without crossings, from the first point.
+    fn uncrossed(mut self, first: usize) -> Result<Vec<SubgoalLink>, SweepError> {
+        let mut links: Vec<SubgoalLink> = Vec::with_capacity(self.points.len());
+        let (motion, places) = (self.linker.motion, self.places);
+        let mut walk = ContourWalk::new(self.points, places, motion);
+        let (mut from, mut last) = (first, first);
+        loop {
+            for (to, way) in walk.walk(from) {
+                self.told(links.len())?;
+                self.scan.track(to);
+                links.push(SubgoalLink { from: last, to, collides: !motion.is_free(places[last], places[to]), way });
+                last = to;
+            }
+            // What no straight move joins to the rest.
+            let next = self.scan.next(&mut |_, _| false, Err(self.points[last].at));
+            let Some((next, _)) = next else { return Ok(links) };
+            self.scan.track(next);
+            links.push(self.link(last, next));
+            (from, last) = (next, next);
+        }
+    }
 }
 
 /// Checks the ranges of all numbers.

@@ -117,7 +117,9 @@ mod tests {
     fn rounding_never_adds_up() {
         let mut path = vec![Point::new(0.123_456, 1.0)];
         for i in 0..300 {
-            path.push(path[path.len() - 1] + 0.100_4 * Pose::new(0.0, 0.0, (1.04 * f64::from(i)).to_radians()).direction());
+            path.push(
+                path[path.len() - 1] + 0.100_4 * Pose::new(0.0, 0.0, (1.04 * f64::from(i)).to_radians()).direction(),
+            );
         }
         for id in ["roomba600", "octagon"] {
             let text = program(&path, 0.0, model(id).unwrap(), "it");

@@ -168,6 +168,7 @@ fn nothing_is_touched(rounds: std::ops::Range<u64>) -> usize {
         let least = checked(&plan, &setup, &found);
         assert!(least >= 0.0, "round {round}: {least} m, {setup:?}");
         assert_eq!(found.collisions, found.resolved, "round {round}");
+        assert_eq!(found.links.len() + 1, found.subgoals.len(), "round {round}");
     }
     paths
 }
@@ -192,24 +193,71 @@ fn no_piece_overlaps_an_obstacle_in_the_hall_of_the_paper() {
     for (width, cell) in [(0.36, 0.1), (0.36, 0.09), (1.0, 0.1), (1.0, 0.05)] {
         let setup = SweepSetup::new(Outline::octagon(width).unwrap(), cell);
         let found = planned(&plan, &setup).unwrap();
-        let least = checked(&plan, &setup, &found);
-        for order in LinkOrder::ALL {
-            let found = planned(&plan, &SweepSetup { order, ..setup.clone() }).unwrap();
-            assert!(checked(&plan, &setup, &found) > 0.0);
+        let least = nearest(&plan, &solids(&plan), &setup.outline, false, &found.path);
+        println!("octagon of {width} m, cells of {cell} m: at least {:.3} mm from everything", 1000.0 * least);
+        assert!(least > 0.0 && least < 1.1 * CLEARANCE, "{least}");
+    }
+}
+
+/// Abstract and sections 2 and 4: the connected segments should not cross.
+#[test]
+fn links_do_not_cross_in_the_hall_of_the_paper_if_asked() {
+    let plan = (room("hall20").unwrap().build)();
+    for (width, cell) in [(0.36, 0.1), (0.36, 0.09), (1.0, 0.1), (1.0, 0.05)] {
+        let setup = SweepSetup::new(Outline::octagon(width).unwrap(), cell);
+        let plans = LinkOrder::ALL.map(|order| planned(&plan, &SweepSetup { order, ..setup.clone() }).unwrap());
+        for (order, found) in LinkOrder::ALL.into_iter().zip(&plans) {
             println!(
-                "{}: {} crossings, {} collisions, {:.1} m, {:.4} by links, {:.4} with {} strokes more",
+                "octagon of {width} m, cells of {cell} m, {}: {} crossings, {} collisions, {:.1} m, {:.4} by links, {:.4} \
+                 with {} strokes more, {:.1} m",
                 order.id(),
                 found.crossings,
                 found.collisions,
                 found.length,
                 found.linked_share,
                 found.coverage,
-                found.finish.len()
+                found.finish.len(),
+                found.finish_length
             );
+            assert_eq!((found.collisions, found.links.len() + 1), (found.resolved, found.subgoals.len()));
         }
-        println!("octagon of {width} m, cells of {cell} m: at least {:.3} mm from everything", 1000.0 * least);
-        // Contacts are as near as files can tell.
-        assert!(least > 0.0 && least < 1.1 * CLEARANCE, "{least}");
+        let [nearest_first, printed, uncrossed] = &plans;
+        assert!(nearest_first.crossings > 0 && printed.crossings > 0);
+        assert_eq!(uncrossed.crossings, 0);
+        // At a price that is told.
+        assert!(uncrossed.length > nearest_first.length && uncrossed.length < 1.12 * nearest_first.length);
+        let cost = uncrossed.nearest.unwrap();
+        assert_eq!((cost.crossings, cost.length), (nearest_first.crossings, nearest_first.length));
+        assert!(uncrossed.linked_share > 0.97 && uncrossed.coverage > 0.985);
+        let least = nearest(&plan, &solids(&plan), &setup.outline, false, &uncrossed.path);
+        assert!(least > 0.0, "{least}");
+    }
+}
+
+/// Rooms of blocks and round columns: every gap is wider than a line's distance, so that the walk gets by everywhere.
+#[test]
+fn links_do_not_cross_where_the_room_allows_it() {
+    for seed in 0..25 {
+        let mut rng = rng::seeded(seed, 20);
+        let mut plan = Sketch::open(6.0, 5.0, 0.05).finish("", "");
+        // One in every field of a chessboard, away from its edges.
+        for field in 0..12 {
+            let (x, y) = (0.75 + 1.5 * f64::from(field % 4), 0.83 + 1.66 * f64::from(field / 4));
+            let mut side = || rng.random_range(0.05..0.35);
+            let (w, h) = (side(), side());
+            plan.objects.push(if w > h {
+                Object::Leg { at: Point::new(x, y), radius: h }
+            } else {
+                let corners = [(-w, -h), (w, -h), (w, h), (-w, h)];
+                Object::Furniture { outline: corners.map(|(dx, dy)| Point::new(x + dx, y + dy)).to_vec() }
+            });
+        }
+        let setup = SweepSetup { order: LinkOrder::Uncrossed, ..SweepSetup::new(Outline::octagon(0.3).unwrap(), 0.05) };
+        let found = planned(&plan, &setup).unwrap();
+        assert_eq!(found.crossings, 0, "room {seed}");
+        assert!(found.nearest.unwrap().crossings > 0 && found.linked_share > 0.97, "room {seed}");
+        let least = nearest(&plan, &solids(&plan), &setup.outline, false, &found.path);
+        assert!(least > 0.0, "room {seed}: {least}");
     }
 }
 

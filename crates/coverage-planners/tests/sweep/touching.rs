@@ -149,7 +149,8 @@ fn between((a, b): (Point, Point), (c, d): (Point, Point)) -> f64 {
 
 #[test]
 fn distances_of_moving_bodies_are_those_by_hand() {
-    let square = |x: f64, y: f64| [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(dx, dy)| Point::new(x + dx, y + dy));
+    let square =
+        |x: f64, y: f64| [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(dx, dy)| Point::new(x + dx, y + dy));
     // It passes 0.5 m below, though neither end is that near.
     assert_eq!(translated(&square(0.0, 0.0), Vector::new(9.0, 0.0), &square(4.0, 1.5)), 0.5);
     // It passes through.

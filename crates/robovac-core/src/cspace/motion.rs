@@ -31,6 +31,11 @@ impl Motion {
         Ok(Self { scene, outline: outline.clone(), sums, margin })
     }
 
+    /// The body.
+    pub fn outline(&self) -> &Outline {
+        &self.outline
+    }
+
     /// The cells of `cell` metres in whose centres the body fits, with the steps between them. O(obstacles x rows that
     /// each takes).
     pub fn steps(&self, cell: f64) -> Result<FreeSteps, CspaceError> {

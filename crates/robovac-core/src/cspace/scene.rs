@@ -54,10 +54,8 @@ impl ObstacleScene {
                 let (begin, end) = (ends[0] as usize, ends[1] as usize);
                 let mine = found.runs[begin..end].iter().zip(&sides[begin..end]);
                 let mine = mine.filter(|&(_, sides)| (sides.count_ones() > 1) == walls);
-                mine.map(|(&(first, last, _), _)| {
-                    (f64::from(first) * resolution, (f64::from(last) + 1.0) * resolution)
-                })
-                .collect()
+                mine.map(|(&(first, last, _), _)| (f64::from(first) * resolution, (f64::from(last) + 1.0) * resolution))
+                    .collect()
             };
             found.starts.windows(2).map(row).collect()
         };
@@ -74,7 +72,8 @@ impl ObstacleScene {
         match outline {
             Outline::Circle { radius } => {
                 let (low, high) = outline.bounds();
-                let round = |corners: &[Point], own: f64| Sum::of_round(&drawn_out(corners, -along), radius + own, margin);
+                let round =
+                    |corners: &[Point], own: f64| Sum::of_round(&drawn_out(corners, -along), radius + own, margin);
                 Sums {
                     line: vec![round(&line, 0.0)],
                     shapes: self

@@ -228,7 +228,8 @@ mod tests {
     #[test]
     fn an_obstacle_against_the_wall_is_one_and_a_drawn_wall_is_none() {
         let octagon = Outline::octagon(0.3).unwrap();
-        let count = |plan: &FloorPlan| Motion::new(plan, &octagon, 0.0).unwrap().steps(0.1).unwrap().obstacles().count();
+        let count =
+            |plan: &FloorPlan| Motion::new(plan, &octagon, 0.0).unwrap().steps(0.1).unwrap().obstacles().count();
         let stage = Sketch::open(3.0, 2.5, 0.05).fill(&[[1.0, 0.0, 2.0, 0.5], [0.8, 1.2, 1.0, 1.4]]).finish("", "");
         assert_eq!(count(&stage), 2);
         let walls = Sketch::open(3.0, 2.5, 0.05).fill(&[[0.0, 0.0, 0.1, 2.5], [0.0, 0.0, 3.0, 0.1]]);
