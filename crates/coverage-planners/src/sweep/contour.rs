@@ -143,7 +143,8 @@ impl<'a> ContourWalk<'a> {
                     None => [first, last],
                     Some(x) => {
                         let pair = [x - 0.5 * apart, x + 0.5 * apart];
-                        if pair.iter().all(|&x| is_free(x)) { pair } else { [x; 2] }
+                        let is_both = pair[0] >= left && pair[1] <= right && pair.iter().all(|&x| is_free(x));
+                        if is_both { pair } else { [x; 2] }
                     }
                 };
                 let joint = self.joints.len();

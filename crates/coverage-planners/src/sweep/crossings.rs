@@ -108,7 +108,8 @@ fn noded(way: &[Point], other: &[Point]) -> Vec<Point> {
                 }
             }
         }
-        for corner in other {
+        // Its own corners, too: a way can lead back along itself.
+        for corner in other.iter().chain(way) {
             let share = (corner - side[0]).dot(&along) / square;
             if (0.0..=1.0).contains(&share) && (side[0] + share * along - corner).norm() <= SAME {
                 shares.push(share);
@@ -156,6 +157,9 @@ mod tests {
         assert_eq!(count(&[level, &[(4.0, 0.0), (4.0, 1.0), (0.0, 1.0)]]), 0);
         assert_eq!(count(&[level, &[(4.0, 0.0), (0.0, 0.0)], &[(2.0, 0.5), (3.0, 5.0)]]), 0);
         assert_eq!(count(&[level, &[(5.0, -1.0), (5.0, 1.0)]]), 0);
+        // One leads back along itself before the other leaves.
+        let back: &[(f64, f64)] = &[(1.0, 1.0), (1.0, 0.0), (9.0, 0.0), (0.0, 0.0)];
+        assert_eq!(count(&[back, &[(0.0, 0.0), (4.0, 0.0), (4.0, -1.0)]]), 0);
         assert_eq!(count(&[]), 0);
     }
 }
