@@ -11,7 +11,7 @@ export const count = (value) => whole.format(value);
  * @param {number} seconds
  */
 export function clock(seconds) {
-  const total = Math.floor(seconds + 1e-6);
+  const total = Math.round(seconds);
   const [h, m, s] = [Math.floor(total / 3600), Math.floor(total / 60) % 60, total % 60];
   const two = (/** @type {number} */ n) => String(n).padStart(2, "0");
   return h > 0 ? `${h}:${two(m)}:${two(s)}` : `${m}:${two(s)}`;
@@ -25,6 +25,9 @@ export function percent(share, digits = 1) {
   const shown = Math.floor(share * 100 * 10 ** digits + 1e-6) / 10 ** digits;
   return shown.toFixed(digits);
 }
+
+/** An excess as a percentage; never 0.0 unless it is nothing. @param {number} share */
+export const shareAbove = (share) => `${(Math.ceil(share * 1000 - 1e-6) / 10).toFixed(1)} %`;
 
 /** @param {number} metres */
 export const metres = (metres) => (metres < 100 ? metres.toFixed(1) : count(metres));
@@ -49,3 +52,23 @@ export function took(seconds) {
  * @param {number} factor
  */
 export const pace = (factor) => (factor < 10 ? `${factor.toFixed(1)}×` : `${count(factor)}×`);
+
+const ROUND = { down: (/** @type {number} */ scaled) => Math.floor(scaled + 1e-6), nearest: Math.round, up: (/** @type {number} */ scaled) => Math.ceil(scaled - 1e-6) };
+
+/**
+ * A metric's value as every table shows it, without its unit.
+ * @param {import("./types").MetricInfo} metric
+ * @param {number} value
+ */
+export function shown(metric, value) {
+  const { decimals, rounding } = metric;
+  const rounded = ROUND[rounding](value * 10 ** decimals) / 10 ** decimals;
+  if (isClock(metric)) return clock(rounded);
+  return rounded.toLocaleString("en", { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+}
+
+/** Whether values are times of a clock. @param {import("./types").MetricInfo} metric */
+export const isClock = ({ unit, decimals }) => unit === "s" && decimals === 0;
+
+/** What stands behind a value. @param {import("./types").MetricInfo} metric @param {number} most The largest shown with it. */
+export const unitOf = (metric, most) => (isClock(metric) ? (most < 3600 ? "min:s" : "h:min:s") : metric.unit);

@@ -1,5 +1,5 @@
 // @ts-check
-// Keeps rooms that are not in a link: drawn or loaded ones survive a reload in this browser.
+// Keeps the state over a reload: in the address, and in this browser a room that is not in a link, drawn or loaded.
 
 import { toast } from "./messages.js";
 
@@ -29,8 +29,21 @@ export async function restoreLink(app, link) {
   app.act((p) => p.restore(link));
 }
 
+/** What was kept last. */
+let kept = "";
+
+/** Keeps the state if it has changed. @param {App} app */
+export function keepState(app) {
+  const link = app.link();
+  const hash = link.startsWith("#") ? link : `#${link}`;
+  if (hash !== location.hash) history.replaceState(null, "", hash);
+  const version = `${link} ${app.playground.room_version()}`;
+  if (version !== kept) keepRoom(app, link);
+  kept = version;
+}
+
 /** Keeps the room if it is not in the link. @param {App} app @param {string} link */
-export function keepRoom(app, link) {
+function keepRoom(app, link) {
   if (!link.split("&").includes(OWN)) return;
   try {
     localStorage.setItem(KEY, app.playground.scenario_json());

@@ -3,14 +3,17 @@
 import init, { Playground } from "../page.js";
 import { byId } from "./dom.js";
 import { startFiles } from "./files.js";
-import { keepRoom, restoreLink } from "./keep.js";
+import { keepState, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
 import { startLater } from "./explore/later.js";
 import { startLayers } from "./explore/layers.js";
+import { startNumbers } from "./explore/numbers.js";
 import { complain, cover, forgive, isFatal, startMessages, textOf, updateMessage } from "./messages.js";
 import { startObjects } from "./explore/objects.js";
 import { startPanel } from "./explore/panel.js";
-import { currentTab, go, tabOf, startTabs } from "./tabs.js";
+import { endOpening, tellOpening } from "./explore/opening.js";
+import { TabLoader } from "./tab-loader.js";
+import { currentTab, tabOf, startTabs } from "./tabs.js";
 import { Planning } from "./planning.js";
 import { startPlaybar } from "./explore/playbar.js";
 import { startSheets } from "./sheets.js";
@@ -88,10 +91,7 @@ async function start() {
       }
       return app.act((p) => p.take_map(map));
     },
-    bring: async (files) => {
-      await enter("floor-plan");
-      others["floor-plan"]?.take?.(files);
-    },
+    bring: (files) => void tabs.bring(files),
     cancelPlanning: () => {
       planning.cancel();
       app.act((p) => p.cancel_plan());
@@ -100,8 +100,8 @@ async function start() {
       const seconds = planning.keep();
       app.act((p) => p.keep_plan(seconds));
     },
-    link: () => [playground.link(), ...(here() ? [here()?.link()] : [])].join("&"),
-    tabKey: (key) => here()?.key(key) ?? false,
+    link: () => [playground.link(), ...(tabs.shown ? [tabs.shown.link()] : [])].join("&"),
+    tabKey: (key) => tabs.shown?.key(key) ?? false,
   };
   const planning = new Planning({
     progress: (id, done, cells, proof, film) => guard(() => playground.plan_progress(id, done, cells, proof, film)),
@@ -110,51 +110,7 @@ async function start() {
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),
   });
 
-  /**
-   * A tab that is loaded when it is first opened. Its `frame` can return a message to show.
-   * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void, take?(files: File[]): void }} Other
-   * @type {Record<import("./tabs.js").Tab, (() => Promise<Other>) | undefined>}
-   */
-  const doors = {
-    explore: undefined,
-    compare: () => import("./compare/enter.js").then(({ enterCompare }) => enterCompare(app, guard)),
-    map: () => import("./map/enter.js").then(({ enterMap }) => enterMap(app)),
-    "floor-plan": () => import("./floor-plan/enter.js").then(({ enterFloorPlan }) => enterFloorPlan(app)),
-    connection: () => import("./connection/enter.js").then(({ enterConnection }) => enterConnection(app, guard)),
-  };
-  /** @type {Record<string, Other>} */
-  const others = {};
-  const here = () => others[currentTab()];
-  let isDark = false;
-  /** The chosen tab; it can still be loading. */
-  let wanted = currentTab();
-  /** @param {import("./tabs.js").Tab} next */
-  const enter = async (next) => {
-    wanted = next;
-    const door = doors[next];
-    if (door && !others[next]) {
-      const tab = byId(`tab-${next}`);
-      tab.setAttribute("aria-busy", "true");
-      try {
-        // Requested twice, it is loading already.
-        const coming = door();
-        doors[next] = () => coming;
-        others[next] = await coming.catch((error) => {
-          doors[next] = door;
-          throw error;
-        });
-        others[next].setDark(isDark);
-      } catch (error) {
-        console.warn(error);
-        complain(`${tab.textContent} could not be loaded. Check the connection, then try again.`);
-        return;
-      } finally {
-        tab.removeAttribute("aria-busy");
-      }
-    }
-    if (wanted === next) go(next);
-  };
-
+  const tabs = new TabLoader(app, guard);
   /** Links that are still being followed: until then, the address is theirs. */
   let following = 0;
   /** @param {string} address */
@@ -165,15 +121,14 @@ async function start() {
     const link = hash.slice(1);
     following += 1;
     await restoreLink(app, link);
-    await enter(tabOf(link));
+    await tabs.enter(tabOf(link));
     following -= 1;
-    here()?.restore(link);
+    tabs.shown?.restore(link);
   };
   startTheme((dark) =>
     guard(() => {
-      isDark = dark;
       playground.set_dark(dark);
-      for (const other of Object.values(others)) other.setDark(dark);
+      tabs.setDark(dark);
     }),
   );
   await restore(location.href);
@@ -185,9 +140,9 @@ async function start() {
     playground.hold_films();
   }
 
-  startTabs((next) => void enter(next));
+  startTabs((next) => void tabs.enter(next));
   const [stage, playbar] = [startStage(app), startPlaybar(app)];
-  const updates = [startPanel(app), playbar.update, startLayers(app), startObjects(app)];
+  const updates = [startPanel(app), playbar.update, startLayers(app), startNumbers(app), startObjects(app)];
   startFiles(app);
   startKeys(app, [stage, playbar]);
   const updateLater = await startLater(app);
@@ -209,45 +164,17 @@ async function start() {
       if (isFirst && view.time_s > 60) tellOpening();
       else if (view.time_s < 60) endOpening();
       isFirst = false;
-      const other = here();
-      if (other) return updateMessage(other.frame(now) ?? view);
+      if (tabs.shown) return updateMessage(tabs.shown.frame(now) ?? view);
       updateView(app);
       for (const update of updates) update(view);
       updateLater(view);
     });
   };
   requestAnimationFrame(frame);
-  let kept = "";
-  const keep = () => guard(() => {
-    if (following > 0) return;
-    const link = app.link();
-    keepLink(link);
-    const version = `${link} ${playground.room_version()}`;
-    if (version !== kept) keepRoom(app, link);
-    kept = version;
-  });
+  const keep = () => guard(() => following === 0 && keepState(app));
   setInterval(keep, 500);
   addEventListener("pagehide", keep);
   document.body.dataset.boot = "ready";
-}
-
-/** Explains for a while why the robot has already cleaned; and, until the first input, what the page is. */
-function tellOpening() {
-  byId("opening").textContent = ": started ten minutes ago";
-  setTimeout(endOpening, 15_000);
-  byId("welcome").hidden = false;
-  for (const sign of ["pointerdown", "keydown"]) addEventListener(sign, () => (byId("welcome").hidden = true), { once: true, capture: true });
-}
-
-function endOpening() {
-  const told = byId("opening");
-  if (told.textContent) told.textContent = "";
-}
-
-/** Keeps the address such that it leads back here. @param {string} link */
-function keepLink(link) {
-  const hash = link.startsWith("#") ? link : `#${link}`;
-  if (hash !== location.hash) history.replaceState(null, "", hash);
 }
 
 async function boot() {

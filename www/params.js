@@ -11,7 +11,7 @@ import { fill, make } from "./dom.js";
  * @param {string} scope Makes ids of the same parameter in other forms different.
  * @returns {{ field: HTMLElement, controls: HTMLElement[] }}
  */
-export function paramField(spec, tell, scope = "param") {
+export function paramField(spec, tell, scope = "explore") {
   const label = make("span", { className: "label" }, spec.label);
   if (spec.kind === "flag") {
     const box = make("input", { type: "checkbox", onchange: () => tell(String(box.checked)) });
@@ -23,7 +23,8 @@ export function paramField(spec, tell, scope = "param") {
     return { field: make("label", { className: "field inline", "data-tip": spec.help }, label, menu), controls: [menu] };
   }
   const limits = { min: String(spec.min ?? 0), max: String(spec.max ?? 1), step: String(spec.step ?? "any") };
-  const id = `${scope}-${spec.id}`;
+  // "map-speed" is the play bar's.
+  const id = `${scope}-param-${spec.id}`;
   const box = make("input", { type: "number", id, ...limits, onchange: () => tell(box.value) });
   // The number field is accessible to users who can't see or drag the slider.
   const slider = make("input", {

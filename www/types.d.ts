@@ -104,7 +104,9 @@ note: string, };
 /** The choices in menus and forms: rooms, planners, behaviours, robots, sensors with noise, cell sizes and speeds. */
 export type Catalogue = { rooms: Array<RoomEntry>, planners: Array<CatalogueEntry>, behaviours: Array<CatalogueEntry>, robots: Array<RobotEntry>,
 /** Ids and labels. */
-sensors: [[string, string], [string, string], [string, string], [string, string], [string, string], [string, string], [string, string]], cell_sizes_m: [number, number, number, number, number, number, number, number], speeds: [number, number, number, number, number, number, number], };
+sensors: [[string, string], [string, string], [string, string], [string, string], [string, string], [string, string], [string, string]],
+/** Numbers of plans, as in tables. */
+metrics: Array<MetricInfo>, cell_sizes_m: [number, number, number, number, number, number, number, number], speeds: [number, number, number, number, number, number, number], };
 
 /** A planner or behaviour. Claims that only the other kind has are false. */
 export type CatalogueEntry = { id: string, title: string, summary: string, source: string, link: string,
@@ -528,7 +530,9 @@ definition: string,
 /** Which values are better. */
 better: Better,
 /** Digits shown after the decimal point. */
-decimals: number, };
+decimals: number,
+/** How the value is rounded to them. */
+rounding: Rounding, };
 
 /** A message. */
 export type Notice = {
@@ -801,6 +805,9 @@ buttons: Array<string>,
 song: number,
 /** Whether it plays. */
 song_plays: boolean, };
+
+/** How values are rounded to the shown digits. */
+export type Rounding = "down" | "nearest" | "up";
 
 export type RowView = {
 /** Number of the planner in the view's `entrants`. */

@@ -119,7 +119,7 @@ test("the copied link brings room, algorithms, parameters, seeds and view to ano
   await page.locator("#compare-rooms").selectOption("shapes");
   for (const id of ["boustrophedon", "wavefront_path"]) await page.locator(`#in-${id}`).uncheck();
   await page.locator("#entrants li[data-id=snake] summary").click();
-  const patience = page.locator("#in-snake-patience");
+  const patience = page.locator("#in-snake-param-patience");
   await patience.fill("5");
   await page.keyboard.press("Tab");
   await page.locator("#view-numbers").click();
@@ -132,7 +132,7 @@ test("the copied link brings room, algorithms, parameters, seeds and view to ano
   await other.locator("#panel-compare").waitFor();
   const chosen = await other.locator("#entrants li:has(> input:checked)").evaluateAll((items) => items.map((item) => item.dataset.id));
   assert.deepEqual(chosen, ["spiral_stc", "snake"]);
-  assert.equal(await other.locator("#in-snake-patience").inputValue(), "5");
+  assert.equal(await other.locator("#in-snake-param-patience").inputValue(), "5");
   assert.equal(await other.locator("#compare-seeds").inputValue(), "3");
   assert.equal(await other.locator("#compare-rooms").inputValue(), "shapes");
   assert.equal(await other.locator("#view-numbers").getAttribute("aria-pressed"), "true");
@@ -212,7 +212,7 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   assert.match(await app.text("#trying"), /^\d+ plans made; the first 9 race$/);
   for (const { name, cells } of first.rows) assert.ok(cells.every((cell) => Number.isFinite(value(cell))), `${name}: ${cells}`);
   assert.ok(column(first, "Coverage").every((share) => share > 95 && share <= 100));
-  assert.ok(column(first, "Above the bound").every((percent) => percent >= 0));
+  assert.ok(column(first, "Above the minimum").every((percent) => percent >= 0));
 
   for (const [name, lower] of [["Length", true], ["Time", true], ["Quarter turns", true], ["Coverage", false]]) {
     const at = first.columns.indexOf(name);
@@ -271,8 +271,12 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   assert.equal(await page.locator("#algorithm").inputValue(), "spiral");
   await app.until("playing", "ready", "paused", "finished");
   // What has one name is one number.
-  const there = column(first, "Above the bound")[first.rows.findIndex(({ name }) => name === "Growing spirals")];
-  await app.poll(() => app.metric("Above the bound"), ({ plan }) => Math.abs(Number.parseFloat(plan) - there) <= 0.1001);
+  const { cells } = first.rows.find(({ name }) => name === "Growing spirals");
+  await app.poll(() => app.metric("Above the minimum"), ({ plan }) => /%/.test(plan));
+  for (const [there, here] of [["Coverage"], ["Above the minimum"], ["Length", "Distance"], ["Time"], ["Turning"], ["Steps"], ["Revisits"], ["Swept again"]]) {
+    const { plan } = await app.metric(here ?? there);
+    assert.equal(plan.replace(/ ?(%|m|°)$/, ""), cells[first.columns.indexOf(there) - 1], there);
+  }
 });
 
 test("it is said why the path of an algorithm can't be shown yet", async (t) => {

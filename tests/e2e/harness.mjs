@@ -37,7 +37,7 @@ async function openWindow({ mount, isNew, init, ...options }) {
   context.on("console", (message) => {
     if (message.type() === "error") note(`console: ${message.text()} (${message.location().url})`);
   });
-  context.on("weberror", (error) => note(`uncaught: ${error.error().stack ?? error.error()}`));
+  context.on("weberror", (error) => note(`uncaught: ${error.error().stack || String(error.error())}`));
   context.on("requestfailed", (request) => {
     const cause = request.failure()?.errorText;
     // Leaving or reloading a page drops what it was still loading.

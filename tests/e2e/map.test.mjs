@@ -64,6 +64,20 @@ test("it opens empty, explores, and its figures grow", async (t) => {
   assert.match(await page.locator("#map-curve").getAttribute("d"), /L.*L.*L/);
 });
 
+test("every behaviour of the menu maps, whatever its parameters are called", async (t) => {
+  const { page, app, phase } = await openMap(t);
+  const behaviours = await page.locator("#map-explorer option").evaluateAll((options) => options.map(({ value }) => value));
+  assert.ok(behaviours.length > 5);
+  for (const behaviour of behaviours) {
+    await page.locator("#map-explorer").selectOption(behaviour);
+    await phase("ready", "paused", "finished");
+    // The speed of "edge" took the identifier of the play bar's speed.
+    const twice = await page.evaluate(() => [...document.querySelectorAll("[id]")].map(({ id }) => id).filter((id, index, all) => all.indexOf(id) !== index));
+    assert.deepEqual(twice, [], behaviour);
+    await explore(app, 1);
+  }
+});
+
 test("layers are shown and hidden, by buttons, list, keys and links", async (t) => {
   const { page, app } = await openMap(t);
   await explore(app, 60);

@@ -34,15 +34,15 @@ test("the gap is told while it works, and the best plan so far is driven when so
   const { plan: gap } = await app.metric("Optimality gap");
   assert.ok(share(gap) > 0 && share(gap) <= first, `${gap}, at first ${first} %`);
   // What all plans are compared by is proven, too, of a plan that was kept early.
-  await app.poll(() => app.metric("Above the bound"), ({ plan }) => share(plan) > 0);
+  await app.poll(() => app.metric("Above the minimum"), ({ plan }) => share(plan) > 0);
   await app.poll(() => app.numbers(), ({ distance }) => distance > 0);
 });
 
 test("other planners are measured by a bound once they are done, and can't be stopped half way", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty&planner=snake" });
-  await app.poll(() => app.metric("Above the bound"), ({ plan }) => /%|optimal/.test(plan));
+  await app.poll(() => app.metric("Above the minimum"), ({ plan }) => /%|optimal/.test(plan));
   await app.choose("algorithm", "spiral");
-  await app.poll(() => app.metric("Above the bound"), ({ plan }) => share(plan) > 0);
+  await app.poll(() => app.metric("Above the minimum"), ({ plan }) => share(plan) > 0);
   assert.ok(await page.locator("#planning-keep").isHidden());
 });
 

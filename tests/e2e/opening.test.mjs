@@ -49,18 +49,18 @@ test("a definition stays while its term is clicked, and says what is counted", a
   await page.evaluate(() => (location.hash = "room=thesis8&planner=snake"));
   await own.waitFor({ state: "hidden" });
   await page.locator("#tip").waitFor({ state: "hidden" });
-  const term = page.getByRole("button", { name: "Above the bound" });
+  const term = page.getByRole("button", { name: "Above the minimum" });
   await page.mouse.move(5, 5);
   await term.hover();
   await term.click();
-  await app.poll(() => page.locator("#tip").textContent(), (text) => /as in Compare\. A plan costs its steps \+ 2 × its quarter turns\./.test(text));
+  await app.poll(() => page.locator("#tip").textContent(), (text) => /Excess of steps \+ 2 × quarter turns over a proven lower bound/.test(text));
   await page.keyboard.press("Escape");
   assert.ok(await page.locator("#tip").isHidden());
 });
 
 test("on laptop, tablet and phone one sentence says what the page is, and how good the plan is stands there at once", async (t) => {
   const { page, app } = await openApp(t);
-  assert.match((await app.metric("Above the bound")).plan, /^[\d.]+ %$/);
+  assert.match((await app.metric("Above the minimum")).plan, /^[\d.]+ %$/);
   for (const viewport of [{ width: 1440, height: 900 }, { width: 1024, height: 768 }, { width: 390, height: 844 }]) {
     await page.setViewportSize(viewport);
     const sentence = page.getByText("Try floor-cleaning algorithms on simulated robots, compare them, run them on a real Roomba.").filter({ visible: true });

@@ -1,6 +1,6 @@
 // @ts-check
 // Bars for turns, revisits and length, as in figures 5.4 to 5.6 of Emu & Obaida 2020, and all numbers side by side.
-import { shown } from "./numbers.js";
+import { shown } from "../format.js";
 
 /**
  * @typedef {import("../types").TableView} Table
@@ -48,9 +48,9 @@ function bars({ metrics, rows }, planners, id) {
     const y = 6 + ROW * i;
     const { title: name, mark } = drawn(planners[row.entrant]);
     const range = spread.max > spread.min ? `<path class="range" d="M${x(spread.min)} ${y + 22}H${x(spread.max)}"/>` : "";
-    return `<g data-entrant="${row.entrant}"><title>${name}: ${shown(spread.median, metric)}</title><text x="0" y="${y + 11}" class="name">${name}</text><rect y="${y + 16}" width="${Math.max(x(spread.median), 1)}" height="12" rx="2" ${mark}/>${range}<text x="${x(spread.max) + 6}" y="${y + 26}" class="value">${shown(spread.median, metric)}</text></g>`;
+    return `<g data-entrant="${row.entrant}"><title>${name}: ${shown(metric, spread.median)}</title><text x="0" y="${y + 11}" class="name">${name}</text><rect y="${y + 16}" width="${Math.max(x(spread.median), 1)}" height="12" rx="2" ${mark}/>${range}<text x="${x(spread.max) + 6}" y="${y + 26}" class="value">${shown(metric, spread.median)}</text></g>`;
   });
-  return svg(title, height, items.join(""), `${title}: ${known.map(({ row, spread }) => `${planners[row.entrant]?.title} ${shown(spread.median, metric)}`).join(", ")}`);
+  return svg(title, height, items.join(""), `${title}: ${known.map(({ row, spread }) => `${planners[row.entrant]?.title} ${shown(metric, spread.median)}`).join(", ")}`);
 }
 
 /** One axis for each number, the best at the top, the worst at the bottom. @param {Table} table @param {Planner[]} planners */
@@ -67,14 +67,14 @@ function parallel({ metrics, rows }, planners) {
     const metric = metrics[column];
     const end = ends[i];
     if (!metric || !end) return "";
-    return `<path class="grid-line" d="M${x(i)} ${top}V${bottom}"/><text class="name middle" x="${x(i)}" y="${i % 2 ? 26 : 14}">${safe(metric.label)}</text><text class="value middle" x="${x(i)}" y="${bottom + (i % 2 ? 26 : 14)}">${shown(end.worst, metric)}</text>`;
+    return `<path class="grid-line" d="M${x(i)} ${top}V${bottom}"/><text class="name middle" x="${x(i)}" y="${i % 2 ? 26 : 14}">${safe(metric.label)}</text><text class="value middle" x="${x(i)}" y="${bottom + (i % 2 ? 26 : 14)}">${shown(metric, end.worst)}</text>`;
   });
   const lines = rows.map((row) => {
     const points = axes.flatMap((column, i) => {
       const [value, end] = [row.values[column]?.median, ends[i]];
       if (value === undefined || !end) return [];
       const metric = metrics[column];
-      const share = metric && shown(end.best, metric) === shown(end.worst, metric) ? 0 : (value - end.best) / (end.worst - end.best);
+      const share = metric && shown(metric, end.best) === shown(metric, end.worst) ? 0 : (value - end.best) / (end.worst - end.best);
       return [`${x(i).toFixed(1)} ${(top + share * (bottom - top)).toFixed(1)}`];
     });
     const { title: name, mark } = drawn(planners[row.entrant]);

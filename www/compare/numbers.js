@@ -3,7 +3,7 @@
 import { drawCharts } from "./charts.js";
 import { byId, changed, fill, make, select, setText } from "../dom.js";
 import { swatch } from "./entrants.js";
-import { clock, count } from "../format.js";
+import { count, shown, unitOf } from "../format.js";
 import { cueScroll } from "./scroll-cue.js";
 
 /**
@@ -34,7 +34,7 @@ export function startNumbers(it) {
     if (!table) return;
     const { metrics, rows } = table;
     const focused = document.activeElement?.closest("#compared [data-key]")?.getAttribute("data-key");
-    head.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...metrics.map((metric, column) => heading(metric, column, order, sortBy))));
+    head.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...metrics.map((metric, column) => heading(metric, column, rows, order, sortBy))));
     body.replaceChildren(...sorted(rows, metrics, order).map((row) => line(it, row, metrics, rows, select("table-room").value === "all" ? it.view.rooms.length : 1)));
     drawCharts(byId("charts"), table, app.catalogue.planners, it.about);
     // The keyboard focus stays where it was.
@@ -68,10 +68,11 @@ function proven({ bounds }) {
   return `Proven: no walk over these cells has fewer than ${count(bounds.steps)} steps or ${count(bounds.turns)} quarter turns, or steps + 2 × turns below ${count(bounds.cost)}.`;
 }
 
-/** @param {Metric} metric @param {number} column @param {{ column: number, down: boolean } | undefined} order @param {(column: number) => void} sortBy */
-function heading(metric, column, order, sortBy) {
+/** @param {Metric} metric @param {number} column @param {Row[]} rows @param {{ column: number, down: boolean } | undefined} order @param {(column: number) => void} sortBy */
+function heading(metric, column, rows, order, sortBy) {
   const cell = make("th", { scope: "col", "data-tip": `${metric.definition} ${metric.better === "lower" ? "Lower" : "Higher"} is better.` });
-  const unit = metric.unit ? make("span", { className: "unit" }, metric.unit === "s" && metric.decimals === 0 ? "min" : metric.unit) : "";
+  const most = Math.max(...rows.map(({ values }) => values[column]?.max ?? 0));
+  const unit = metric.unit ? make("span", { className: "unit" }, unitOf(metric, most)) : "";
   cell.append(make("button", { type: "button", className: "term", "data-key": metric.id, onclick: () => sortBy(column) }, metric.label), unit);
   cell.setAttribute("aria-sort", order?.column !== column ? "none" : order.down === (metric.better === "lower") ? "descending" : "ascending");
   return cell;
@@ -97,8 +98,8 @@ function line({ app, about }, row, metrics, rows, rooms) {
     const spread = row.values[column];
     if (!spread) return make("td", {}, "–");
     const cell = make("td", { className: row.best[column] ? "best" : "", "data-tip": difference(row, column, metric, rows, app.catalogue.planners) });
-    cell.append(shown(spread.median, metric));
-    const [min, max] = [shown(spread.min, metric), shown(spread.max, metric)];
+    cell.append(shown(metric, spread.median));
+    const [min, max] = [shown(metric, spread.min), shown(metric, spread.max)];
     if (min !== max) cell.append(make("small", {}, `${min}–${max}`));
     return cell;
   });
@@ -115,12 +116,6 @@ function difference(row, column, metric, rows, planners) {
   if (row.best[column]) return `${metric.label}: the best here${best.length > 1 ? `, tied with ${best.length - 1} more` : ""}. ${metric.definition}`;
   const names = best.map((other) => planners[other.entrant]?.title).join(", ");
   const more = value > least ? "more" : "less";
-  const by = metric.unit === "%" || least === 0 ? `${shown(Math.abs(value - least), metric)} ${metric.unit === "%" ? "points" : ""}` : `${Math.abs((100 * (value - least)) / least).toFixed(0)} %`;
-  return `${metric.label}: ${by.trim()} ${more} than the best (${shown(least, metric)}, ${names}). ${metric.definition}`;
-}
-
-/** A value as it stands in the table. @param {number} value @param {Metric} metric */
-export function shown(value, metric) {
-  if (metric.unit === "s" && metric.decimals === 0) return clock(Math.round(value));
-  return value.toLocaleString("en", { minimumFractionDigits: metric.decimals, maximumFractionDigits: metric.decimals });
+  const by = metric.unit === "%" || least === 0 ? `${shown(metric, Math.abs(value - least))} ${metric.unit === "%" ? "points" : ""}` : `${Math.abs((100 * (value - least)) / least).toFixed(0)} %`;
+  return `${metric.label}: ${by.trim()} ${more} than the best (${shown(metric, least)}, ${names}). ${metric.definition}`;
 }

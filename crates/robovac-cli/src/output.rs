@@ -43,12 +43,13 @@ pub fn markdown(title: &str, columns: &[usize], table: &ComparisonTable) -> Stri
     let mut text = format!("### {title}\n\n| {} |\n|---{}|\n", heads.join(" | "), "|--:".repeat(columns.len()));
     for row in &table.rows {
         let cells = columns.iter().map(|&column| {
-            let digits = usize::from(METRICS[column].decimals);
+            let metric = &METRICS[column];
+            let shown = |value| format!("{:.*}", usize::from(metric.decimals), metric.rounded(value));
             let Some(spread) = row.values[column] else { return "–".to_owned() };
-            let value = format!("{:.digits$}", spread.median);
+            let value = shown(spread.median);
             let value = if table.is_best(row, column) { format!("**{value}**") } else { value };
             if spread.max > spread.min {
-                format!("{value} ({:.digits$} to {:.digits$})", spread.min, spread.max)
+                format!("{value} ({} to {})", shown(spread.min), shown(spread.max))
             } else {
                 value
             }

@@ -77,7 +77,7 @@ export const CHECKS = {
     await state(page, "playing", "finished");
     await page.choose("#algorithm", "spiral_stc");
     await page.until(() => location.hash.includes("planner=spiral_stc"));
-    await planned(page, "Above the bound", /^[\d.]+ %/);
+    await planned(page, "Above the minimum", /^[\d.]+ %/);
     await state(page, "playing", "finished");
     await page.evaluate(() => document.activeElement?.blur());
     await page.press("r");

@@ -73,7 +73,7 @@ export async function openDesk(t, { robot, allow = [], extra = {} } = {}) {
   const problems = [];
   const note = (message) => allow.some((pattern) => pattern.test(message)) || problems.push(message);
   context.on("console", (message) => message.type() === "error" && note(`console: ${message.text()}`));
-  context.on("weberror", (error) => note(`uncaught: ${error.error().stack ?? error.error()}`));
+  context.on("weberror", (error) => note(`uncaught: ${error.error().stack || String(error.error())}`));
   t.after(async () => {
     // A request that a test answers may still be on its way.
     await context.unrouteAll({ behavior: "ignoreErrors" });

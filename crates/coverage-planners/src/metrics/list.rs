@@ -28,6 +28,19 @@ pub enum Better {
     Higher,
 }
 
+/// How values are rounded to the shown digits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "lowercase")]
+pub enum Rounding {
+    /// Down, so that only all of a whole is 100 %.
+    Down,
+    /// To the nearest.
+    Nearest,
+    /// Up, so that only nothing is 0.
+    Up,
+}
+
 /// A column of a table of plans.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
@@ -44,6 +57,8 @@ pub struct MetricInfo {
     pub better: Better,
     /// Digits shown after the decimal point.
     pub decimals: u8,
+    /// How the value is rounded to them.
+    pub rounding: Rounding,
     #[serde(skip)]
     value: fn(&PlanNumbers) -> Option<f64>,
 }
@@ -53,7 +68,23 @@ impl MetricInfo {
     pub fn value(&self, numbers: &PlanNumbers) -> Option<f64> {
         (self.value)(numbers)
     }
+
+    /// `value` rounded to the shown digits; differences below them don't count.
+    pub fn rounded(&self, value: f64) -> f64 {
+        let unit = 10f64.powi(i32::from(self.decimals));
+        let scaled = value * unit;
+        // What is whole but for an error of computing stays so.
+        let whole = match self.rounding {
+            Rounding::Down => (scaled + ROUNDING_ERROR).floor(),
+            Rounding::Nearest => scaled.round(),
+            Rounding::Up => (scaled - ROUNDING_ERROR).ceil(),
+        };
+        whole / unit
+    }
 }
+
+/// In the last shown digit.
+const ROUNDING_ERROR: f64 = 1e-6;
 
 impl PlanNumbers {
     /// Cost of the walk (steps + 2 x quarter turns) above the lower bound, % of the bound; 0 if no walk is better.
@@ -72,7 +103,7 @@ const fn lower(
     definition: &'static str,
     value: fn(&PlanNumbers) -> Option<f64>,
 ) -> MetricInfo {
-    MetricInfo { id, label, unit, definition, better: Better::Lower, decimals, value }
+    MetricInfo { id, label, unit, definition, better: Better::Lower, decimals, rounding: Rounding::Nearest, value }
 }
 
 /// Every number of a plan, in the order of tables.
@@ -84,16 +115,20 @@ pub const METRICS: &[MetricInfo] = &[
         definition: "Swept share of the floor that the robot's tool can reach from the start.",
         better: Better::Higher,
         decimals: 1,
+        rounding: Rounding::Down,
         value: |n| Some(100.0 * n.drive.coverage),
     },
-    lower(
-        "above_bound",
-        "Above the bound",
-        ("%", 1),
-        "Excess of steps + 2 x quarter turns over a proven lower bound for all walks over these cells. 0 means \
-         optimal; often no walk attains it.",
-        PlanNumbers::above_bound_percent,
-    ),
+    MetricInfo {
+        rounding: Rounding::Up,
+        ..lower(
+            "above_bound",
+            "Above the minimum",
+            ("%", 1),
+            "Excess of steps + 2 × quarter turns over a proven lower bound for all walks over these cells. 0 means \
+             optimal; often no walk attains it.",
+            PlanNumbers::above_bound_percent,
+        )
+    },
     lower("length", "Length", ("m", 1), "Length of the path that the robot drives.", |n| Some(n.drive.length_m)),
     lower(
         "duration",
@@ -137,7 +172,7 @@ pub const METRICS: &[MetricInfo] = &[
     }),
     lower(
         "overlap",
-        "Overlap",
+        "Swept again",
         ("%", 1),
         "Repeated passes, as a share of the floor swept: at 30 %, three tenths of it were swept a second time. A tool \
          wider than a planning cell also overlaps the neighbouring lane.",
@@ -145,7 +180,7 @@ pub const METRICS: &[MetricInfo] = &[
     ),
     lower(
         "overlap_area",
-        "Overlap area",
+        "Area swept again",
         ("m²", 2),
         "Floor area swept again after the tool had left it; floor swept three times counts twice.",
         |n| Some(n.drive.overlap_m2),
@@ -160,6 +195,14 @@ const _: () = assert!(TURN_STEPS == 2);
 mod tests {
     use super::*;
     use std::collections::HashSet;
+
+    #[test]
+    fn only_all_is_100_percent_and_only_nothing_is_0() {
+        let of = |id: &str| METRICS.iter().find(|metric| metric.id == id).unwrap();
+        assert_eq!([0.9999, 0.99951, 1.0 - 1e-12].map(|share| of("coverage").rounded(100.0 * share)), [99.9, 99.9, 100.0]);
+        assert_eq!([0.0001, 1e-9, 5.11].map(|excess| of("above_bound").rounded(excess)), [0.1, 0.0, 5.2]);
+        assert_eq!(of("length").rounded(425.25), 425.3);
+    }
 
     #[test]
     fn entries_are_told_apart_and_explained() {

@@ -9,5 +9,5 @@ mod walk;
 
 pub use crate::{Bounds, TURN_STEPS};
 pub use drive::DriveMetrics;
-pub use list::{Better, METRICS, MetricInfo, PlanNumbers};
+pub use list::{Better, METRICS, MetricInfo, PlanNumbers, Rounding};
 pub use walk::WalkMetrics;

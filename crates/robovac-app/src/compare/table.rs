@@ -95,7 +95,7 @@ impl ComparisonTable {
     /// Whether a planner has the best value, at the displayed precision.
     pub fn is_best(&self, row: &Row, column: usize) -> bool {
         let (metric, value) = (&METRICS[column], row.values[column]);
-        value.is_some_and(|v| self.best[column] == Some(rounded(metric, v.median)))
+        value.is_some_and(|v| self.best[column] == Some(metric.rounded(v.median)))
     }
 }
 
@@ -104,16 +104,10 @@ fn best_of(rows: &[Row], column: usize, metric: &MetricInfo) -> Option<f64> {
     if metric.id == PLANNING {
         return None;
     }
-    let values: Vec<f64> = rows.iter().filter_map(|r| Some(rounded(metric, r.values[column]?.median))).collect();
+    let values: Vec<f64> = rows.iter().filter_map(|r| Some(metric.rounded(r.values[column]?.median))).collect();
     let spread = MedianAndRange::of(values.clone()).filter(|_| values.len() > 1)?;
     Some(if metric.better == Better::Lower { spread.min } else { spread.max })
 }
 
 /// Id of the only metric that isn't deterministic.
 const PLANNING: &str = "planning";
-
-/// A value at the displayed precision; differences below that don't count.
-fn rounded(metric: &MetricInfo, value: f64) -> f64 {
-    let unit = 10f64.powi(i32::from(metric.decimals));
-    (value * unit).round() / unit
-}

@@ -1,7 +1,10 @@
 //! Catalogue of algorithms, rooms and robots, for menus and forms.
 
 use crate::CatalogueEntry;
-use coverage_planners::PLANNERS;
+use coverage_planners::{
+    PLANNERS,
+    metrics::{METRICS, MetricInfo},
+};
 use robovac_core::{
     floor_plan::ROOMS,
     robot::{Body, MODELS, RobotModel, WheelLayout},
@@ -23,6 +26,8 @@ pub struct Catalogue {
     robots: Vec<RobotEntry>,
     /// Ids and labels.
     sensors: [(&'static str, &'static str); SensorKind::ALL.len()],
+    /// Numbers of plans, as in tables.
+    metrics: &'static [MetricInfo],
     cell_sizes_m: [f64; CELL_SIZES.len()],
     speeds: [f64; SPEEDS.len()],
 }
@@ -73,6 +78,7 @@ impl Catalogue {
             behaviours: MAPLESS.infos().map(|info| CatalogueEntry::new(Algorithm::Behaviour(info))).collect(),
             robots: MODELS.iter().copied().map(RobotEntry::new).collect(),
             sensors: SensorKind::ALL.map(|(kind, name)| (name, kind.label())),
+            metrics: METRICS,
             cell_sizes_m: CELL_SIZES,
             speeds: SPEEDS,
         }

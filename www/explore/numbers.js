@@ -1,0 +1,90 @@
+// @ts-check
+// The numbers beside the floor: of the plan, and of the run so far. Those that Compare has, too, look and read the same.
+import { byId, make, setAttribute, setHidden, setText } from "../dom.js";
+import { count, isClock, percent, shareAbove, shown, smallLength, took } from "../format.js";
+
+/**
+ * @typedef {import("../types").PageView} View
+ * @typedef {import("../types").PlanView} Plan
+ * @typedef {{ plan?: (p: Plan) => string, run?: (v: View) => string, when?: (v: View) => boolean }} Texts
+ * @typedef {{ label: string, tip: string | ((v: View) => string) } & Texts} Line
+ * @typedef {{ metric: string, label?: string, more?: string, plan?: (p: Plan) => number | null, run?: (v: View) => number }} MetricLine
+ * A metric of the tables, which says what it is called, how it is shown and what it means.
+ */
+
+/** @type {(Line | MetricLine)[]} */
+const RUN = [
+  { metric: "coverage", plan: (p) => 100 * p.coverage, run: (v) => 100 * v.coverage },
+  { metric: "duration", more: "A run takes a little longer than its plan, as the robot keeps itself on the path.", plan: (p) => p.duration_s, run: (v) => v.time_s },
+  { metric: "length", label: "Distance", plan: (p) => p.length_m, run: (v) => v.distance_m },
+  { metric: "turning", plan: (p) => p.turning_deg, run: (v) => v.turning_deg },
+  { metric: "overlap", plan: (p) => 100 * p.overlap, run: (v) => 100 * v.overlap },
+  { label: "Bumps", tip: "How often the bumper touched a wall or furniture.", run: (v) => count(v.bumps) },
+  { label: "Position error", tip: "Distance between the true position and the one estimated from wheel counts.", run: (v) => smallLength(v.pose_error_m) },
+  { label: "Dirt left", tip: "Share of the room's dirt not picked up yet.", run: (v) => `${percent(v.dirt_left ?? 0, 0)} %`, when: (v) => v.dirt_left !== null },
+];
+
+/** @type {(Line | MetricLine)[]} */
+const PLAN = [
+  { label: "Cells visited", tip: "Cells of the planning grid that the plan visits, out of those reachable from the start.", plan: (p) => `${count(p.visited_cells)} of ${count(p.reachable_cells)}` },
+  { metric: "steps", plan: (p) => p.steps },
+  { metric: "revisits", plan: (p) => p.revisits },
+  { metric: "turns", plan: (p) => p.turns },
+  { metric: "above_bound", more: "It is computed after planning; a plan that misses cells has none.", plan: (p) => (p.above_bound === null ? null : 100 * p.above_bound) },
+  { label: "Optimality gap", tip: ownGap, plan: (p) => (p.gap === 0 ? "proven optimal" : shareAbove(p.gap ?? 0)), when: (v) => typeof v.plan?.gap === "number" },
+  { label: "Kept early", tip: "The search was stopped early and its best plan kept: time spent, and progress at that moment.", plan: (p) => `after ${took(p.planning_s ?? 0)}, ${percent(p.kept_at ?? 0, 0)} % of the search`, when: (v) => typeof v.plan?.kept_at === "number" },
+  { label: "Planned in", tip: "Planning time on this computer. The opening scene's plan is preloaded.", plan: (p) => (p.planning_s === null ? "preloaded" : took(p.planning_s)) },
+];
+
+/** Explanation of the gap that a planner proves. @param {View} view */
+function ownGap({ plan }) {
+  const turn = +(plan?.turn_weight ?? 0).toFixed(2);
+  const weights = `its steps + ${turn} × its quarter turns${plan?.times_turns ? " (the time that this robot takes for one, in steps; the turn to the first step counts too)" : ""}`;
+  return `How far the plan's cost is above the proven lower bound of what this search minimises, in percent. Here a plan costs ${weights}. 0 % means proven optimal.`;
+}
+
+/** @param {MetricLine} line @param {import("../types").MetricInfo[]} metrics @returns {Line} */
+function lineOf({ metric: id, label, more, plan, run }, metrics) {
+  const metric = metrics.find((known) => known.id === id);
+  if (!metric) throw new Error(`no metric is called "${id}"`);
+  const unit = !metric.unit || isClock(metric) ? "" : metric.unit === "°" ? "°" : ` ${metric.unit}`;
+  const text = (/** @type {number | null} */ value) => {
+    if (value === null) return "–";
+    return id === "above_bound" && value === 0 ? "proven optimal" : shown(metric, value) + unit;
+  };
+  return {
+    label: label ?? metric.label,
+    tip: more ? `${metric.definition} ${more}` : metric.definition,
+    plan: plan && ((p) => text(plan(p))),
+    run: run && ((v) => text(run(v))),
+  };
+}
+
+/** @param {import("../main.js").App} app @returns {(view: View) => void} */
+export function startNumbers({ catalogue }) {
+  /** @type {{ of: Line, plan: Element, run: Element, line: HTMLElement }[]} */
+  const rows = [];
+  /** @param {Line | MetricLine} description @param {boolean} isPlanOnly */
+  const row = (description, isPlanOnly) => {
+    const of = "metric" in description ? lineOf(description, catalogue.metrics) : description;
+    const plan = make("td", isPlanOnly ? { colSpan: 2 } : {});
+    const run = make("td");
+    const term = make("button", { type: "button", className: "term" }, of.label);
+    if (!isPlanOnly) plan.className = "plan-only";
+    const line = make("tr", typeof of.tip === "string" ? { "data-tip": of.tip } : {}, make("th", { scope: "row" }, term), plan, ...(isPlanOnly ? [] : [run]));
+    rows.push({ of, plan, run, line });
+    return line;
+  };
+  byId("metrics-run").append(...RUN.map((line) => row(line, false)));
+  byId("metrics-plan").append(...PLAN.map((line) => row(line, true)));
+
+  return (view) => {
+    const known = view.plan && view.plan.steps > 0 ? view.plan : null;
+    for (const { of, plan, run, line } of rows) {
+      if (typeof of.tip !== "string") setAttribute(line, "data-tip", of.tip(view));
+      if (of.when) setHidden(line, !of.when(view));
+      setText(plan, known && of.plan ? of.plan(known) : "–");
+      setText(run, of.run ? of.run(view) : "–");
+    }
+  };
+}
