@@ -35,7 +35,7 @@ fn office() -> FloorPlan {
 }
 
 fn setup(outline: Outline, cell: f64) -> SweepSetup {
-    SweepSetup { outline, scan_width: None, cell, start: None }
+    SweepSetup::new(outline, cell)
 }
 
 fn sweeps(criterion: &mut Criterion) {

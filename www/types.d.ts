@@ -312,6 +312,10 @@ negate: boolean,
 body: BodyChoice,
 /** Distance between scan lines, m; half the robot's width if `None`. */
 scan_width: number | null,
+/** The order in which subgoals are linked. */
+order: LinkOrder,
+/** Distance that the sweep keeps from everything, m. */
+clearance: number,
 /** Side of the obstacle map's cells, m. */
 cell: number,
 /** Headings of the obstacle map. */
@@ -405,6 +409,9 @@ schedule: number, };
 
 /** Request to the transport. */
 export type LineRequest = { "baud": number } | { "brc": boolean } | "stop";
+
+/** The order in which subgoals are linked. */
+export type LinkOrder = "nearest" | "printed" | "uncrossed";
 
 /** Actions that are allowed now. */
 export type MapActions = {
@@ -1066,10 +1073,20 @@ links: number,
 collisions: number,
 /** Of these, those with a detour. */
 resolved: number,
+/** How often the ways of links cross each other. */
+crossings: number,
+/** Crossings and length, m, in the order *nearest*, for another one. */
+nearest: [number, number] | null,
 /** Length of the path, m. */
 length: number,
+/** Strokes of the last stage, and their length with the ways there, m. */
+finish: [number, number],
+/** Share of the reachable floor that is swept by the links, 0 to 1. */
+linked_share: number,
 /** Share of the reachable floor that is swept, 0 to 1. */
 coverage: number,
+/** What is kept free, if it isn't the outline. */
+kept_free: string | null,
 /** Distance between scan lines, m. */
 scan_width: number, };
 

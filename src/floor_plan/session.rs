@@ -135,9 +135,9 @@ impl FloorPlanSession {
         robovac_app::floor_plan::warm_up();
     }
 
-    /// Shows a stage of the sweep, 1 to 3, as far as `share`, 0 to 1; stage 0 for none.
+    /// Shows a stage of the sweep, 1 to 4, as far as `share`, 0 to 1; stage 0 for none.
     pub fn show_stage(&mut self, stage: u8, share: f64) {
-        (self.shown.stage, self.shown.share) = (stage.min(3), share.clamp(0.0, 1.0));
+        (self.shown.stage, self.shown.share) = (stage.min(4), share.clamp(0.0, 1.0));
     }
 
     /// Shows the slice of the obstacle map at a heading, counted from 0; below 0 for none. May take seconds.

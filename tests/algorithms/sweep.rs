@@ -2,7 +2,7 @@
 
 use coverage_planners::{
     stage::LineEndContact,
-    sweep::{Sweep, SweepError, SweepSetup, sweep},
+    sweep::{CLEARANCE, Sweep, SweepError, SweepSetup, sweep},
 };
 use robovac_app::floor_plan::overlays;
 use robovac_core::{
@@ -22,7 +22,7 @@ use robovac_sim::{
 use std::ops::ControlFlow;
 
 fn setup(outline: Outline, cell: f64) -> SweepSetup {
-    SweepSetup { outline, scan_width: None, cell, start: None }
+    SweepSetup::new(outline, cell)
 }
 
 fn planned(plan: &FloorPlan, setup: &SweepSetup) -> Sweep {
@@ -56,15 +56,15 @@ fn the_papers_case() {
         // Section 3: the first entry is LEFT_WALL, in the upper left.
         assert_eq!((found.subgoals[0].contact, found.subgoals[0].line), (LineEndContact::LeftWall, 0));
         assert_eq!(found.path[0], found.subgoals[0].at);
-        // The stage stands against the wall: it's none of the obstacles.
+        // Seven as in Fig. 2: the stage counts though it stands against the wall.
         let numbers: std::collections::BTreeSet<u32> = found.subgoals.iter().filter_map(|s| s.obstacle).collect();
-        assert!(numbers.into_iter().eq(1..=6));
+        assert!(numbers.into_iter().eq(1..=7));
         // Section 4: every point once.
         let mut linked: Vec<usize> = found.links.iter().map(|link| link.to).collect();
         linked.push(0);
         linked.sort_unstable();
         assert!(linked.into_iter().eq(0..found.subgoals.len()));
-        let motion = Motion::new(&hall(), &outline).unwrap();
+        let motion = Motion::new(&hall(), &outline, CLEARANCE).unwrap();
         for subgoal in &found.subgoals {
             // It touches: a micrometre on it would overlap.
             let on = Vector::new(if subgoal.contact.is_left() { -1e-6 } else { 1e-6 }, 0.0);
@@ -75,12 +75,8 @@ fn the_papers_case() {
             let (from, to) = (found.subgoals[link.from].at, found.subgoals[link.to].at);
             assert!((link.way[0] - from).norm() < 1e-9 && (link.way[link.way.len() - 1] - to).norm() < 1e-9);
         }
-        // Between the centres of FREE cells a body may come into an obstacle by a part of a cell.
-        let slimmer = Motion::new(&hall(), &Outline::octagon(width - 1.5 * cell).unwrap()).unwrap();
-        let exact = found.path.windows(2).filter(|piece| motion.is_free(piece[0], piece[1])).count();
-        println!("  {exact} of {} pieces are free to the nanometre", found.path.len() - 1);
-        assert!(found.path.windows(2).all(|piece| slimmer.is_free(piece[0], piece[1])));
-        assert!(exact as f64 > 0.97 * (found.path.len() - 1) as f64);
+        // See `crates/coverage-planners/tests/sweep` for a check that shares nothing with the planner.
+        assert!(found.path.windows(2).all(|piece| motion.is_free(piece[0], piece[1])));
     }
 }
 
@@ -116,10 +112,15 @@ fn contacts_tell_walls_from_obstacles() {
     let solid: Vec<_> = found.subgoals.iter().filter(|s| s.obstacle.is_some()).collect();
     assert!(solid.iter().all(|s| s.obstacle == Some(1)) && solid.len() >= 4);
     for s in solid {
-        assert!(((s.at - Point::new(2.0, 1.5)).norm() - 0.4).abs() < 1e-6, "{s:?}");
+        assert!(((s.at - Point::new(2.0, 1.5)).norm() - 0.4 - CLEARANCE).abs() < 1e-6, "{s:?}");
         assert_eq!(s.contact == LineEndContact::RightObstacle, s.at.x < 2.0);
     }
-    assert!(found.subgoals.iter().any(|s| s.contact == LineEndContact::RightWall && (s.at.x - 3.85).abs() < 1e-6));
+    assert!(
+        found
+            .subgoals
+            .iter()
+            .any(|s| s.contact == LineEndContact::RightWall && (s.at.x - 3.85 + CLEARANCE).abs() < 1e-6)
+    );
 }
 
 #[test]
@@ -183,7 +184,8 @@ fn overlays_are_in_drawing_units() {
     // A drawing in millimetres.
     let layers = overlays(&found, Vector::new(5000.0, -1000.0), 0.001);
     let names: Vec<&str> = layers.iter().map(|layer| layer.layer.as_str()).collect();
-    assert_eq!(names, ["SWEEP_SUBGOALS", "SWEEP_LINKS", "SWEEP_PATH"]);
+    assert_eq!(names, ["SWEEP_SUBGOALS", "SWEEP_LINKS", "SWEEP_PATH", "SWEEP_FINISH"]);
+    assert_eq!(layers[3].lines.len(), found.finish.len());
     assert_eq!(layers[0].lines.len(), 2 * found.subgoals.len());
     assert_eq!(layers[1].lines.len(), found.links.len());
     let first = layers[2].lines[0][0];

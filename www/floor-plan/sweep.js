@@ -1,6 +1,6 @@
 // @ts-check
 // The sweep of 001: scan width, obstacle map, the stages one after the other, their results, and export.
-import { button, byId, input, setAttribute, setHidden, setText } from "../dom.js";
+import { button, byId, input, select, setAttribute, setHidden, setText } from "../dom.js";
 import { download } from "../files.js";
 import { onNumber, plain, showValue } from "./fields.js";
 
@@ -9,6 +9,9 @@ export function startSweep(it) {
   const [width, cell, headings, slice, heading] = [input("floor-plan-scan"), input("floor-plan-space-cell"), input("floor-plan-headings"), input("floor-plan-slice"), input("floor-plan-heading")];
   onNumber(width, (metres) => void it.set({ scan_width: metres > 0 ? metres : null }));
   width.addEventListener("change", () => width.value === "" && void it.set({ scan_width: null }));
+  const [order, clearance] = [select("floor-plan-order"), input("floor-plan-clearance")];
+  order.addEventListener("change", () => void it.set({ order: /** @type {import("./types").FloorPlanSettings["order"]} */ (order.value) }));
+  onNumber(clearance, (centimetres) => void it.set({ clearance: centimetres / 100 }));
   onNumber(cell, (centimetres) => void it.set({ cell: centimetres / 100 }));
   onNumber(headings, (count) => void it.set({ headings: Math.round(count) }));
   const showSlice = () => it.ask({ type: "slice", heading: slice.checked ? heading.valueAsNumber : -1 }, "Making the obstacle map");
@@ -34,7 +37,7 @@ export function startSweep(it) {
     it.toCanvas(false);
     it.client.say({ type: "stages", stages, moves: isMoving });
   };
-  button("floor-plan-play").addEventListener("click", () => void play([1, 2, 3], moves()));
+  button("floor-plan-play").addEventListener("click", () => void play([1, 2, 3, 4], moves()));
   const stages = [...byId("floor-plan-stages").querySelectorAll("button")];
   for (const node of stages) node.addEventListener("click", () => void play([Number(node.dataset.stage)], moves()));
 
@@ -59,6 +62,8 @@ export function startSweep(it) {
     const { settings, sweep } = view;
     showValue(width, settings.scan_width === null ? "" : plain(settings.scan_width));
     width.placeholder = view.body_width === null ? "" : plain(view.body_width / 2, 3);
+    showValue(order, settings.order);
+    showValue(clearance, plain(100 * settings.clearance));
     showValue(cell, plain(100 * settings.cell));
     showValue(headings, String(settings.headings));
     slice.checked = view.slice >= 0;
@@ -84,9 +89,23 @@ function numbers(sweep, seconds) {
     links: count(sweep.links),
     collisions: count(sweep.collisions),
     resolved: count(sweep.resolved),
+    crossings: count(sweep.crossings),
     length: `${sweep.length.toFixed(1)} m`,
+    linked: `${(100 * sweep.linked_share).toFixed(1)} %`,
+    finish: sweep.finish[0] ? `${count(sweep.finish[0])}, ${sweep.finish[1].toFixed(1)} m` : "0",
+    order: sweep.nearest ? compared(sweep, sweep.nearest) : "",
     coverage: `${(100 * sweep.coverage).toFixed(1)} %`,
     seconds: seconds < 1 ? `${Math.round(1000 * seconds)} ms` : `${seconds.toFixed(1)} s`,
   };
   for (const [name, value] of Object.entries(values)) setText(byId(`floor-plan-n-${name}`), value);
+  setHidden(byId("floor-plan-order-row"), !sweep.nearest);
+  setHidden(byId("floor-plan-kept"), sweep.kept_free === null);
+  setText(byId("floor-plan-kept"), sweep.kept_free === null ? "" : `This robot turns to where it drives, so ${sweep.kept_free} is kept free.`);
+}
+
+/** What another order costs. @param {import("./types").SweepView} sweep @param {[number, number]} nearest */
+function compared(sweep, [crossings, length]) {
+  const [more, longer] = [sweep.crossings - crossings, sweep.length - length];
+  const crossed = `${Math.abs(more).toLocaleString("en")} ${more > 0 ? "more" : "fewer"} ${Math.abs(more) === 1 ? "crossing" : "crossings"}`;
+  return `${crossed}, ${Math.abs(longer).toFixed(1)} m ${longer < 0 ? "shorter" : "longer"}`;
 }

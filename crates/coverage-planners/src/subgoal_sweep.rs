@@ -111,13 +111,14 @@ struct LinkTally {
 impl Planner for SubgoalSweep {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         let free = &job.free;
-        let points = subgoals(free, &scan_rows(free, self.distance), &ObstacleRuns::of(free));
+        let points = subgoals(free, &scan_rows(free, self.distance), &ObstacleRuns::of(free), |_| true);
         ctx.trace(|| contacts(&points, job));
         let mut scan = SubgoalScan::new(&points, self.beside);
         let mut detours = Detours::new(free);
         let mut progress = CoverageProgress::new(job);
         let mut tally = LinkTally::default();
-        scan.link_all(free, Err(job.start), |_, to, found| {
+        let is_clear = |from: usize, to: usize| is_straight_free(free, points[from].at, points[to].at);
+        scan.link_all(is_clear, Err(job.start), |_, to, found| {
             progress.report(ctx)?;
             let (step, at, goal) = (progress.steps(), progress.at, points[to].at);
             if is_straight_free(free, at, goal) {

@@ -3,14 +3,14 @@
 use super::{drawing::DrawingOptions, failure::Failure, output, source::RoomSource};
 use coverage_planners::{
     stage::LineEndContact,
-    sweep::{Sweep, SweepError, SweepSetup, in_frame, planned_for, sweep},
+    sweep::{LinkOrder, Sweep, SweepError, SweepSetup, in_frame, planned_for, sweep},
 };
 use floor_drawing::{Traced, is_drawing, is_dxf};
 use robovac_app::{export::PathFormat, floor_plan::sweep_dxf};
 use robovac_core::{
     cspace::{CspaceError, Outline},
     geometry::{Point, Vector},
-    robot::{RobotModel, model},
+    robot::{RobotModel, WheelLayout, model},
 };
 use serde::Serialize;
 use std::{fs, ops::ControlFlow, path::PathBuf, time::Instant};
@@ -34,6 +34,13 @@ pub struct Arguments {
     /// Cell size of the obstacle map in metres [default: a quarter of the outline's width]
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     cell: Option<f64>,
+    /// Order of the links: nearest point at the end of a line; printed, with the paper's steps 3 to 5; uncrossed, without
+    /// crossings where the room allows it
+    #[arg(long, value_name = "ORDER", default_value = "nearest", value_parser = LinkOrder::ALL.map(LinkOrder::id))]
+    order: String,
+    /// Distance to keep from everything in metres
+    #[arg(long, value_name = "M", default_value_t = 0.0, allow_hyphen_values = true)]
+    clearance: f64,
     /// Output file; can be repeated; its extension chooses the format: .csv table, .yaml ROS path, .oi.txt Open
     /// Interface bytes for a Roomba 600, .txt program, .json all stages
     #[arg(long, value_name = "FILE")]
@@ -45,6 +52,8 @@ pub struct Arguments {
 struct SweepReport<'a> {
     room: &'a str,
     robot: &'a str,
+    /// What is kept free, in words.
+    kept_free: String,
     width_m: f64,
     scan_width_m: f64,
     cell_m: f64,
@@ -52,8 +61,14 @@ struct SweepReport<'a> {
     subgoals: usize,
     collisions: usize,
     resolved: usize,
+    order: LinkOrder,
+    crossings: usize,
+    /// Crossings and length, m, in the order "nearest", for another one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    nearest: Option<(usize, f64)>,
     linked_share: f64,
     finishing_strokes: usize,
+    finishing_length_m: f64,
     length_m: f64,
     coverage: f64,
     planning_s: f64,
@@ -104,17 +119,22 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let plan = &room.plan;
     let width = outline.width();
     let planned = if outline == Outline::of(robot) { planned_for(robot) } else { outline.to_string() };
+    // Two driven wheels turn the robot to where it drives; a circle is the same at every heading.
+    let turns = robot.wheels == WheelLayout::Differential;
     let setup = SweepSetup {
-        outline,
         scan_width: arguments.scan_width,
-        cell: arguments.cell.unwrap_or(0.25 * width),
         start: plan.start,
+        order: LinkOrder::ALL.into_iter().find(|order| order.id() == arguments.order).unwrap_or_default(),
+        turns,
+        clearance: arguments.clearance,
+        ..SweepSetup::new(outline, arguments.cell.unwrap_or(0.25 * width))
     };
     let begin = Instant::now();
     let found = sweep(plan, &setup, &mut |_| ControlFlow::Continue(()))?;
     let report = SweepReport {
         room: &plan.name,
         robot: robot.id,
+        kept_free: found.outline.to_string(),
         width_m: width,
         scan_width_m: found.scan_width,
         cell_m: found.cell,
@@ -122,13 +142,18 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         subgoals: found.subgoals.len(),
         collisions: found.collisions,
         resolved: found.resolved,
+        order: setup.order,
+        crossings: found.crossings,
+        nearest: found.nearest.map(|cost| (cost.crossings, cost.length)),
         linked_share: found.linked_share,
         finishing_strokes: found.finish.len(),
+        finishing_length_m: found.finish_length,
         length_m: found.length,
         coverage: found.coverage,
         planning_s: begin.elapsed().as_secs_f64(),
     };
-    let heading = plan.start.map_or(0.0, |start| start.heading);
+    // One that doesn't turn keeps the heading that the path was planned for.
+    let heading = plan.start.filter(|_| turns).map_or(0.0, |start| start.heading);
     for (out, format) in arguments.out.iter().zip(formats) {
         let content = written(format, &found, &report, (&room, original), (robot, heading, &planned))?;
         fs::write(out, content).map_err(|error| Failure::io(out.display(), &error))?;

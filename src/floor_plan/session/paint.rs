@@ -26,7 +26,7 @@ const GRID_FROM: f64 = 28.0;
 /// Displayed parts of a session besides the room.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct ShownPlan {
-    /// Stage of the sweep, 1 to 3; 0 for none.
+    /// Stage of the sweep, 1 to 4; 0 for none.
     pub stage: u8,
     /// Displayed share of the stage, 0 to 1.
     pub share: f64,

@@ -1,5 +1,5 @@
 //! Draws the stages of a sweep as 001 shows them: subgoals (Fig. 3), links with their collisions (Fig. 4), detours (Figs 5
-//! and 6). One unit of the context is a CSS pixel.
+//! and 6), and the last stage, ours. One unit of the context is a CSS pixel.
 
 use super::{marks::dash, paint::ShownPlan};
 use coverage_planners::{
@@ -19,12 +19,25 @@ struct Colours {
     link: &'static str,
     collision: &'static str,
     detour: &'static str,
+    finish: &'static str,
 }
 
-const LIGHT: Colours =
-    Colours { left: "#0072b2", right: "#b35c00", link: "#4a5568", collision: "#d0342c", detour: "#00795a" };
-const DARK: Colours =
-    Colours { left: "#56b4e9", right: "#f0a93b", link: "#b6bfcc", collision: "#ff7a6e", detour: "#2fd6a4" };
+const LIGHT: Colours = Colours {
+    left: "#0072b2",
+    right: "#b35c00",
+    link: "#4a5568",
+    collision: "#d0342c",
+    detour: "#00795a",
+    finish: "#9a3f78",
+};
+const DARK: Colours = Colours {
+    left: "#56b4e9",
+    right: "#f0a93b",
+    link: "#b6bfcc",
+    collision: "#ff7a6e",
+    detour: "#2fd6a4",
+    finish: "#e39bc5",
+};
 
 /// Draws the displayed part of the sweep; `view` is onto the room.
 pub(super) fn draw(
@@ -66,6 +79,13 @@ pub(super) fn draw(
         polyline(context, view, &link.way);
     }
     stroke(context, colours.detour, 2.5);
+    context.begin_path();
+    for way in &sweep.finish[..first(sweep.finish.len(), 4).min(sweep.finish.len())] {
+        polyline(context, view, way);
+    }
+    dash(context, &[2.0, 4.0])?;
+    stroke(context, colours.finish, 2.5);
+    dash(context, &[])?;
 
     let subgoals = &sweep.subgoals[..first(sweep.subgoals.len(), 1).min(sweep.subgoals.len())];
     let size = (0.28 * sweep.scan_width * view.scale).clamp(2.5, 7.0);

@@ -7,7 +7,7 @@
 //! line stays in FREE cells. The result is within a few percent of the shortest.
 
 use super::{frame::FramedGrid, is_straight_free};
-use robovac_core::grid::{Cell, Grid};
+use robovac_core::grid::{Cell, Direction, Grid};
 
 /// Costs of a step straight and diagonally: 99/70 is the square root of 2 to within 0.00007.
 const STRAIGHT: u32 = 70;
@@ -16,6 +16,28 @@ const SLANTED: u32 = 99;
 const BUCKETS: usize = 256;
 /// Corners considered ahead while a way is pulled taut.
 const LOOK_AHEAD: usize = 64;
+/// Bits of a cell: there is no step to the right, none up, none diagonally within the square above and to the right.
+const SHUT_RIGHT: u8 = 1;
+const SHUT_UP: u8 = 2;
+const SHUT_SQUARE: u8 = 4;
+
+/// What a body can do between free cells.
+pub trait Steps {
+    /// Whether it can step from a free cell to a free neighbour.
+    fn is_open(&self, cell: Cell, to: Direction) -> bool;
+    /// Whether it can step diagonally between the four free cells of which `cell` is the lower left one.
+    fn is_square_free(&self, cell: Cell) -> bool;
+}
+
+impl Steps for robovac_core::cspace::FreeSteps {
+    fn is_open(&self, cell: Cell, to: Direction) -> bool {
+        Self::is_open(self, cell, to)
+    }
+
+    fn is_square_free(&self, cell: Cell) -> bool {
+        Self::is_square_free(self, cell)
+    }
+}
 
 /// Searches for detours. It reuses its memory, so that a search takes time in proportion to the cells it visits.
 #[derive(Debug)]
@@ -24,6 +46,8 @@ pub struct Detours<'a> {
     frame: FramedGrid,
     /// `base` + cost of the way to a cell; lower values are left from searches before, and [`WALL`] is above all.
     reached: Vec<u32>,
+    /// Steps that aren't possible.
+    shut: Vec<u8>,
     base: u32,
     /// The cost of the last search's dearest way.
     dearest: u32,
@@ -33,14 +57,34 @@ pub struct Detours<'a> {
 const WALL: u32 = u32::MAX;
 
 impl<'a> Detours<'a> {
-    /// Searches through `free` cells.
+    /// Searches through `free` cells, with steps between all neighbours.
     pub fn new(free: &'a Grid<bool>) -> Self {
         let frame = FramedGrid::around(free);
-        Self { free, frame, reached: frame.drawn(free, 0, WALL), base: 1, dearest: 0, queue: Queue::default() }
+        let (reached, shut) = (frame.drawn(free, 0, WALL), frame.filled(0));
+        Self { free, frame, reached, shut, base: 1, dearest: 0, queue: Queue::default() }
+    }
+
+    /// Searches through `free` cells, by these steps only.
+    pub fn along(free: &'a Grid<bool>, steps: &impl Steps) -> Self {
+        let mut detours = Self::new(free);
+        for (cell, _) in free.iter().filter(|&(_, &is_free)| is_free) {
+            let shut = |is_open: bool, bit: u8| if is_open { 0 } else { bit };
+            detours.shut[detours.frame.index(cell)] = shut(steps.is_open(cell, Direction::Right), SHUT_RIGHT)
+                | shut(steps.is_open(cell, Direction::Up), SHUT_UP)
+                | shut(steps.is_square_free(cell), SHUT_SQUARE);
+        }
+        detours
     }
 
     /// Corners of a short way, ends included, whose straight pieces stay in free cells; `None` if there is no way.
     pub fn find(&mut self, from: Cell, to: Cell) -> Option<Vec<Cell>> {
+        let free = self.free;
+        self.find_taut(from, to, |from, to| is_straight_free(free, from, to))
+    }
+
+    /// Corners of a short way, ends included, of single steps and of straight pieces that `is_clear` says are free;
+    /// `None` if there is no way.
+    pub fn find_taut(&mut self, from: Cell, to: Cell, is_clear: impl FnMut(Cell, Cell) -> bool) -> Option<Vec<Cell>> {
         if !self.free.is_set(from) || !self.free.is_set(to) {
             return None;
         }
@@ -50,7 +94,7 @@ impl<'a> Detours<'a> {
         while let Some((index, cost)) = self.queue.pop() {
             if index == goal {
                 let way = self.trace_back(index);
-                return Some(pulled(self.free, &way));
+                return Some(pulled(&way, is_clear));
             }
             if self.reached[index] < self.base + cost {
                 continue;
@@ -66,20 +110,21 @@ impl<'a> Detours<'a> {
         let [right, up, left, down] = self.frame.neighbours(index);
         let Cell { x, y } = self.frame.cell(index);
         let (straight, slanted) = (cost + STRAIGHT, cost + SLANTED);
-        let is_right = self.reach(right, Cell::new(x + 1, y), straight, to);
-        let is_up = self.reach(up, Cell::new(x, y + 1), straight, to);
-        let is_left = self.reach(left, Cell::new(x - 1, y), straight, to);
-        let is_down = self.reach(down, Cell::new(x, y - 1), straight, to);
-        if is_right && is_up {
+        let [open_right, open_up, open_left, open_down] = self.open(index);
+        let is_right = open_right && self.reach(right, Cell::new(x + 1, y), straight, to);
+        let is_up = open_up && self.reach(up, Cell::new(x, y + 1), straight, to);
+        let is_left = open_left && self.reach(left, Cell::new(x - 1, y), straight, to);
+        let is_down = open_down && self.reach(down, Cell::new(x, y - 1), straight, to);
+        if is_right && is_up && self.is_square(index) {
             self.reach(up + 1, Cell::new(x + 1, y + 1), slanted, to);
         }
-        if is_up && is_left {
+        if is_up && is_left && self.is_square(left) {
             self.reach(up - 1, Cell::new(x - 1, y + 1), slanted, to);
         }
-        if is_left && is_down {
+        if is_left && is_down && self.is_square(down - 1) {
             self.reach(down - 1, Cell::new(x - 1, y - 1), slanted, to);
         }
-        if is_down && is_right {
+        if is_down && is_right && self.is_square(down) {
             self.reach(down + 1, Cell::new(x + 1, y - 1), slanted, to);
         }
     }
@@ -97,13 +142,28 @@ impl<'a> Detours<'a> {
             }
             is_open
         };
-        let (is_right, is_up) = (look(right, true, STRAIGHT), look(up, true, STRAIGHT));
-        let (is_left, is_down) = (look(left, true, STRAIGHT), look(down, true, STRAIGHT));
-        look(up + 1, is_right && is_up, SLANTED);
-        look(up - 1, is_up && is_left, SLANTED);
-        look(down - 1, is_left && is_down, SLANTED);
-        look(down + 1, is_down && is_right, SLANTED);
+        let [open_right, open_up, open_left, open_down] = self.open(index);
+        let (is_right, is_up) = (look(right, open_right, STRAIGHT), look(up, open_up, STRAIGHT));
+        let (is_left, is_down) = (look(left, open_left, STRAIGHT), look(down, open_down, STRAIGHT));
+        look(up + 1, is_right && is_up && self.is_square(index), SLANTED);
+        look(up - 1, is_up && is_left && self.is_square(left), SLANTED);
+        look(down - 1, is_left && is_down && self.is_square(down - 1), SLANTED);
+        look(down + 1, is_down && is_right && self.is_square(down), SLANTED);
         (steps, count)
+    }
+
+    /// Which steps from a cell aren't shut, in the order of [`Direction::ALL`].
+    #[inline]
+    fn open(&self, index: usize) -> [bool; 4] {
+        let [_, _, left, down] = self.frame.neighbours(index);
+        let here = self.shut[index];
+        [here & SHUT_RIGHT == 0, here & SHUT_UP == 0, self.shut[left] & SHUT_RIGHT == 0, self.shut[down] & SHUT_UP == 0]
+    }
+
+    /// Whether one can step diagonally within the square above and to the right of a cell.
+    #[inline]
+    fn is_square(&self, index: usize) -> bool {
+        self.shut[index] & SHUT_SQUARE == 0
     }
 
     /// Records a way of that cost to a cell; returns whether the cell is free.
@@ -200,7 +260,7 @@ impl Queue {
 }
 
 /// The corners that a way keeps when it is pulled taut, from its start and then from its end.
-fn pulled(free: &Grid<bool>, way: &[Cell]) -> Vec<Cell> {
+fn pulled(way: &[Cell], mut is_clear: impl FnMut(Cell, Cell) -> bool) -> Vec<Cell> {
     let turn = |w: &[Cell]| (w[1].x - w[0].x, w[1].y - w[0].y) != (w[2].x - w[1].x, w[2].y - w[1].y);
     let (Some(&first), Some(&last)) = (way.first(), way.last()) else { return Vec::new() };
     let mut corners = vec![first];
@@ -211,7 +271,7 @@ fn pulled(free: &Grid<bool>, way: &[Cell]) -> Vec<Cell> {
         let mut at = 0;
         while at + 1 < corners.len() {
             let farthest = (at + LOOK_AHEAD).min(corners.len() - 1);
-            let seen = (at + 2..=farthest).rev().find(|&next| is_straight_free(free, corners[at], corners[next]));
+            let seen = (at + 2..=farthest).rev().find(|&next| is_clear(corners[at], corners[next]));
             at = seen.unwrap_or(at + 1);
             kept.push(corners[at]);
         }

@@ -34,7 +34,7 @@ pub use axis::{lanes_lie_down, swap_axes, swap_grid, swap_walk};
 pub(super) use best_of::{BestOf, MAX_CELLS_FOR_ALL};
 pub use cost::Costs;
 pub use decompose::{Block, CellRun, RunSide, decompose};
-pub use detour::Detours;
+pub use detour::{Detours, Steps};
 pub use distances::Links;
 pub use flood::Flood;
 pub(super) use greedy_walk::{FloorLeft, WalkRule};

@@ -18,8 +18,8 @@
 //!   end of the next line as figure 4's lines ask for ([`Beside::Never`], the default).
 //! - *Ties* aren't in the paper: here the lower line comes first, and on a line the left point.
 
-use super::{is_straight_free, subgoals::Subgoal};
-use robovac_core::grid::{Cell, Grid};
+use super::subgoals::Subgoal;
+use robovac_core::grid::Cell;
 
 /// Whether steps 3 to 5 come before step 6.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,15 +87,20 @@ impl<'a> SubgoalScan<'a> {
         scan
     }
 
-    /// The point to go to from `from` or, at the start, from a cell; `None` once all are tracked.
-    pub fn next(&mut self, free: &Grid<bool>, from: Result<usize, Cell>) -> Option<(usize, FoundBy)> {
+    /// The point to go to from `from` or, at the start, from a cell; `None` once all are tracked. `is_clear` says whether
+    /// the straight way from a point to another is free.
+    pub fn next(
+        &mut self,
+        is_clear: &mut impl FnMut(usize, usize) -> bool,
+        from: Result<usize, Cell>,
+    ) -> Option<(usize, FoundBy)> {
         let at = from.map_or_else(|cell| cell, |number| self.subgoals[number].at);
         if let Ok(number) = from {
             if let Some(across) = self.across(number) {
                 return Some((across, FoundBy::Across));
             }
             if self.beside == Beside::First
-                && let Some(beside) = self.beside(free, number)
+                && let Some(beside) = self.beside(is_clear, number)
             {
                 return Some((beside, FoundBy::Beside));
             }
@@ -107,11 +112,11 @@ impl<'a> SubgoalScan<'a> {
     /// point, and the step that found it. Returns the last point.
     pub fn link_all<E>(
         &mut self,
-        free: &Grid<bool>,
+        mut is_clear: impl FnMut(usize, usize) -> bool,
         mut from: Result<usize, Cell>,
         mut go: impl FnMut(Result<usize, Cell>, usize, FoundBy) -> Result<(), E>,
     ) -> Result<Option<usize>, E> {
-        while let Some((to, found)) = self.next(free, from) {
+        while let Some((to, found)) = self.next(&mut is_clear, from) {
             self.track(to);
             go(from, to, found)?;
             from = Ok(to);
@@ -140,7 +145,7 @@ impl<'a> SubgoalScan<'a> {
     }
 
     /// Steps 3 to 5: the nearest point of the other side on the line above, or else below, with a clear way.
-    fn beside(&mut self, free: &Grid<bool>, number: usize) -> Option<usize> {
+    fn beside(&mut self, is_clear: &mut impl FnMut(usize, usize) -> bool, number: usize) -> Option<usize> {
         let Subgoal { at: cell, contact, line, .. } = self.subgoals[number];
         let lines = [line.checked_sub(1), Some(line + 1).filter(|&next| (next as usize) < self.rows.len())];
         lines.into_iter().flatten().find_map(|line| {
@@ -150,7 +155,7 @@ impl<'a> SubgoalScan<'a> {
                 self.left.has(place) && self.subgoals[number].contact.is_left() != contact.is_left()
             });
             let nearest = across.min_by_key(|&(number, _)| self.subgoals[number].at.x.abs_diff(cell.x))?.0;
-            is_straight_free(free, cell, self.subgoals[nearest].at).then_some(nearest)
+            is_clear(number, nearest).then_some(nearest)
         })
     }
 
@@ -238,12 +243,15 @@ fn follow(next: &mut [u32], mut number: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stage::{LineEndContact, scan_rows, subgoals};
-    use robovac_core::{cspace::ObstacleRuns, grid::from_picture};
+    use crate::stage::{LineEndContact, is_straight_free, scan_rows, subgoals};
+    use robovac_core::{
+        cspace::ObstacleRuns,
+        grid::{Grid, from_picture},
+    };
 
     fn order(picture: &str, beside: Beside) -> (Vec<Subgoal>, Vec<(usize, FoundBy)>) {
         let free = from_picture(picture, |c| c == '.').unwrap();
-        let found = subgoals(&free, &scan_rows(&free, 1.0), &ObstacleRuns::of(&free));
+        let found = subgoals(&free, &scan_rows(&free, 1.0), &ObstacleRuns::of(&free), |_| true);
         let mut scan = SubgoalScan::new(&found, beside);
         scan.track(0);
         let mut links = vec![(0, FoundBy::Nearest)];
@@ -251,7 +259,8 @@ mod tests {
             links.push((next, by));
             Ok::<(), ()>(())
         };
-        scan.link_all(&free, Ok(0), link).unwrap().unwrap();
+        let is_clear = |from: usize, to: usize| is_straight_free(&free, found[from].at, found[to].at);
+        scan.link_all(is_clear, Ok(0), link).unwrap().unwrap();
         (found, links)
     }
 
@@ -302,13 +311,13 @@ mod tests {
         for _ in 0..30 {
             let mut free = Grid::filled(40, 25, true);
             free.values_mut().iter_mut().for_each(|f| *f = rng.random_bool(0.8));
-            let found = subgoals(&free, &scan_rows(&free, 2.0), &ObstacleRuns::of(&free));
+            let found = subgoals(&free, &scan_rows(&free, 2.0), &ObstacleRuns::of(&free), |_| true);
             let mut scan = SubgoalScan::new(&found, Beside::Never);
             let mut is_left = vec![true; found.len()];
             for _ in 0..found.len() {
                 let at = Cell::new(rng.random_range(-3..43), rng.random_range(-3..28));
                 let square = |s: &Subgoal| (s.at.x - at.x).pow(2) + (s.at.y - at.y).pow(2);
-                let (got, _) = scan.next(&free, Err(at)).unwrap();
+                let (got, _) = scan.next(&mut |_, _| true, Err(at)).unwrap();
                 let left = found.iter().zip(&is_left).filter(|(_, left)| **left);
                 assert_eq!(left.map(|(s, _)| square(s)).min(), Some(square(&found[got])));
                 assert!(is_left[got]);
@@ -321,7 +330,7 @@ mod tests {
                 is_left[gone] = false;
                 scan.track(gone);
             }
-            assert_eq!(scan.next(&free, Err(Cell::new(0, 0))), None);
+            assert_eq!(scan.next(&mut |_, _| true, Err(Cell::new(0, 0))), None);
         }
     }
 }

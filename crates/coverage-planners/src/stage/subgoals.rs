@@ -86,9 +86,22 @@ pub fn scan_rows(free: &Grid<bool>, distance: f64) -> Vec<i32> {
     rows
 }
 
-/// Both ends of every run of free cells on the lines at `rows`, in the order of the scan.
-pub fn subgoals(free: &Grid<bool>, rows: &[i32], obstacles: &ObstacleRuns) -> Vec<Subgoal> {
+/// Both ends of every run of free cells on the lines at `rows`, in the order of the scan. A run also ends between two
+/// free cells if `is_joined` says of the left one that there is no way to the other.
+pub fn subgoals(
+    free: &Grid<bool>,
+    rows: &[i32],
+    obstacles: &ObstacleRuns,
+    is_joined: impl Fn(Cell) -> bool,
+) -> Vec<Subgoal> {
     let width = free.width();
+    // What is between two free cells is seen in the rows beside them only.
+    let touched = |x: i32, y: i32, side: i32| {
+        let beside = [(side, 0), (0, 1), (0, -1), (side, 1), (side, -1)];
+        let is_narrow = free.is_set(Cell::new(x + side, y));
+        let looked_at = if is_narrow { &beside[..] } else { &beside[..1] };
+        looked_at.iter().find_map(|&(dx, dy)| obstacles.number(Cell::new(x + dx, y + dy)))
+    };
     let mut found: Vec<Subgoal> = Vec::new();
     for (&y, line) in rows.iter().zip(0..) {
         let begin = found.len();
@@ -96,9 +109,11 @@ pub fn subgoals(free: &Grid<bool>, rows: &[i32], obstacles: &ObstacleRuns) -> Ve
         let mut x = 0;
         while let Some(skipped) = row[x..].iter().position(|&is_free| is_free) {
             let first = x + skipped;
-            let end = row[first..].iter().position(|&is_free| !is_free).map_or(width, |run| first + run);
-            let (left, right) =
-                (obstacles.number(Cell::new(first as i32 - 1, y)), obstacles.number(Cell::new(end as i32, y)));
+            let mut end = first + 1;
+            while end < width && row[end] && is_joined(Cell::new(end as i32 - 1, y)) {
+                end += 1;
+            }
+            let (left, right) = (touched(first as i32, y, -1), touched(end as i32 - 1, y, 1));
             let subgoal = |x: usize, wall: LineEndContact, solid: LineEndContact, obstacle: Option<u32>| Subgoal {
                 at: Cell::new(x as i32, y),
                 contact: if obstacle.is_some() { solid } else { wall },
@@ -123,7 +138,7 @@ mod tests {
 
     fn scanned(picture: &str, distance: f64) -> Vec<Subgoal> {
         let free = from_picture(picture, |c| c == '.').unwrap();
-        subgoals(&free, &scan_rows(&free, distance), &ObstacleRuns::of(&free))
+        subgoals(&free, &scan_rows(&free, distance), &ObstacleRuns::of(&free), |_| true)
     }
 
     /// 001, section 3, steps 1 to 3: from the upper left, to the right and to the left in turn, contacts with walls
@@ -169,6 +184,16 @@ mod tests {
         let narrow = from_picture("...\n###\n...\n###", |c| c == '.').unwrap();
         assert_eq!(scan_rows(&narrow, 1.0), [3, 2, 1]);
         assert!(scan_rows(&Grid::filled(3, 3, false), 1.0).is_empty());
+    }
+
+    #[test]
+    fn runs_end_where_something_is_narrower_than_a_cell() {
+        let free = from_picture("......\n..#...", |c| c == '.').unwrap();
+        let tip = Cell::new(2, 1);
+        let obstacles = ObstacleRuns::of_cells(&free.map(|free| !free));
+        let found = subgoals(&free, &[1], &obstacles, |cell| cell != tip);
+        let ends: Vec<_> = found.iter().map(|s| (s.at.x, s.obstacle)).collect();
+        assert_eq!(ends, [(0, None), (2, Some(1)), (3, Some(1)), (5, None)]);
     }
 
     #[test]

@@ -11,7 +11,7 @@ use super::{
 };
 use robovac_core::{
     geometry::Point,
-    grid::{Cell, Grid},
+    grid::{Cell, Direction, Grid},
 };
 
 /// Least length of an edge that is driven along, cells.
@@ -30,7 +30,7 @@ pub(super) fn finish(
     mut at: WayStop,
     report: &mut dyn FnMut(f64) -> Result<(), SweepError>,
 ) -> Result<Vec<Vec<Point>>, SweepError> {
-    let mut edges = edges(linker.free, rows);
+    let mut edges = edges(linker.free, rows, |cell| linker.steps.is_open(cell, Direction::Right));
     let size = linker.cell;
     // Most edges lie along a scan line's floor.
     edges.retain(|edge| cover.gain(edge.0.centre(size), edge.1.centre(size)) >= cover.least_gain);
@@ -72,7 +72,7 @@ fn nearest(edges: &[(Cell, Cell)], at: Cell) -> Option<(usize, bool)> {
 }
 
 /// First and last cell of every stretch of cells off the scan lines that can't be swept farther up or down.
-fn edges(free: &Grid<bool>, rows: &[i32]) -> Vec<(Cell, Cell)> {
+fn edges(free: &Grid<bool>, rows: &[i32], is_joined: impl Fn(Cell) -> bool) -> Vec<(Cell, Cell)> {
     let mut found = Vec::new();
     let mut lines = rows.iter().rev().peekable();
     for y in 0..free.height() as i32 {
@@ -88,13 +88,13 @@ fn edges(free: &Grid<bool>, rows: &[i32]) -> Vec<(Cell, Cell)> {
             let mut x = 0;
             while x < free.width() {
                 let first = x;
-                while x < free.width() && is_edge(x) {
+                while x < free.width() && is_edge(x) && (x == first || is_joined(Cell::new(x as i32 - 1, y))) {
                     x += 1;
                 }
                 if x >= first + LEAST_CELLS {
                     found.push((Cell::new(first as i32, y), Cell::new(x as i32 - 1, y)));
                 }
-                x += 1;
+                x = x.max(first + 1);
             }
         }
     }
@@ -110,8 +110,10 @@ mod tests {
     fn edges_off_the_lines_are_found() {
         let free = from_picture("......\n......\n..###.\n......\n......", |c| c == '.').unwrap();
         let cells = |y, first, last| (Cell::new(first, y), Cell::new(last, y));
-        assert_eq!(edges(&free, &[4, 2, 0]), [cells(1, 2, 4), cells(3, 2, 4)]);
-        assert_eq!(edges(&free, &[4, 3, 2, 1, 0]), []);
-        assert_eq!(edges(&free, &[3]).len(), 3);
+        assert_eq!(edges(&free, &[4, 2, 0], |_| true), [cells(1, 2, 4), cells(3, 2, 4)]);
+        assert_eq!(edges(&free, &[4, 3, 2, 1, 0], |_| true), []);
+        assert_eq!(edges(&free, &[3], |_| true).len(), 3);
+        // Something narrower than a cell ends a stretch.
+        assert_eq!(edges(&free, &[4, 2, 0], |cell| cell.x != 2), [cells(1, 3, 4), cells(3, 3, 4)]);
     }
 }

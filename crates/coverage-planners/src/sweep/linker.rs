@@ -2,19 +2,21 @@
 
 use crate::stage::{Detours, is_straight_free};
 use robovac_core::{
-    cspace::Motion,
+    cspace::{FreeSteps, Motion},
     geometry::Point,
     grid::{Cell, Grid},
 };
 
-/// A place, and the FREE cell that it belongs to.
+/// A place, and the FREE cell that it belongs to: the way between it and the cell's centre is free.
 pub(super) type WayStop = (Cell, Point);
 
-/// Finds ways between places.
+/// Finds ways between places. All their pieces are free to the nanometre.
 pub(super) struct WayLinker<'a> {
     /// Cells that the robot can reach.
     pub free: &'a Grid<bool>,
-    /// Free motion to the nanometre.
+    /// The steps between them.
+    pub steps: &'a FreeSteps,
+    /// Free motion.
     pub motion: &'a Motion,
     /// Detours around obstacles.
     pub detours: Detours<'a>,
@@ -23,22 +25,32 @@ pub(super) struct WayLinker<'a> {
 }
 
 impl WayLinker<'_> {
-    /// The way from a place in a cell to a place in another. The straight way collides if the line between the cells'
-    /// centres leaves the FREE cells (the check of the paper's map). Where it doesn't, it is driven between the
-    /// places themselves if that is free to the nanometre, or else by the centres.
+    /// The way from a place to another, and whether the straight one collides. A detour leads by centres of cells.
     pub fn way(&mut self, from: WayStop, to: WayStop) -> (Vec<Point>, bool) {
         let mut line = CornerLine::default();
-        line.extend(&[from.1]);
-        let collides = !is_straight_free(self.free, from.0, to.0);
-        if collides {
-            let Some(corners) = self.detours.find(from.0, to.0) else { return (Vec::new(), true) };
-            let centres: Vec<Point> = corners.into_iter().map(|corner| corner.centre(self.cell)).collect();
-            line.extend(&centres);
-        } else if from.0.y != to.0.y && !self.motion.is_free(from.1, to.1) {
-            line.extend(&[from.0, to.0].map(|cell| cell.centre(self.cell)));
+        if self.motion.is_free(from.1, to.1) {
+            line.extend(&[from.1, to.1]);
+            return (line.corners, false);
         }
-        line.extend(&[to.1]);
-        (line.corners, collides)
+        let Self { free, steps, motion, cell, .. } = *self;
+        // Free squares tell most of it in whole numbers.
+        let is_clear = |a: Cell, b: Cell| {
+            steps.is_straight_free(a, b)
+                || (is_straight_free(free, a, b) && motion.is_free(a.centre(cell), b.centre(cell)))
+        };
+        let Some(corners) = self.detours.find_taut(from.0, to.0, is_clear) else { return (Vec::new(), true) };
+        let mut way = vec![from.1];
+        way.extend(corners.into_iter().map(|corner| corner.centre(cell)));
+        way.push(to.1);
+        // The centres at the ends are needed only if the places don't see what comes next.
+        if way.len() > 3 && motion.is_free(way[0], way[2]) {
+            way.remove(1);
+        }
+        if way.len() > 3 && motion.is_free(way[way.len() - 3], way[way.len() - 1]) {
+            way.remove(way.len() - 2);
+        }
+        line.extend(&way);
+        (line.corners, true)
     }
 }
 

@@ -3,9 +3,13 @@
 //!
 //! The registry's planner ([`crate`], `subgoal_sweep`) works on planning cells like every other; this one works as the
 //! paper does: with the outline drawn by the user, in metres, with scan lines at any distance. The robot keeps heading
-//! 0 and moves in every direction (section 2).
+//! 0 and moves in every direction (section 2); one that has to turn gets the room that it needs for that.
+//!
+//! The path touches nothing: every piece of it is free for the exact outline, with [`CLEARANCE`] to spare.
 
+mod contour;
 mod cover;
+mod crossings;
 mod error;
 mod finish;
 mod linker;
@@ -18,5 +22,5 @@ pub use crate::stage::{LineEndContact, Subgoal};
 pub use error::SweepError;
 pub use pipeline::{SCAN_WIDTHS, sweep};
 pub use program::{planned_for, program};
-pub use stages::{SubgoalLink, Sweep, SweepSetup};
+pub use stages::{CLEARANCE, LinkOrder, OrderCost, SubgoalLink, Sweep, SweepSetup};
 pub use track::{FRAME, in_frame, start_text, to_csv, to_ros_path};

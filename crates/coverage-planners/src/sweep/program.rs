@@ -1,16 +1,16 @@
 //! Paths as human-readable programs (001, section 2: "robot language command is generated for the sweeping motion").
 
-use super::track::{FRAME, Waypoint, start_text, waypoints};
+use super::track::{FRAME, decimals, start_text, waypoints};
 use robovac_core::{
     cspace::Outline,
-    geometry::{Point, difference},
+    geometry::{Point, Pose, difference},
     math,
     robot::{RobotModel, WheelLayout},
 };
 use std::fmt::Write;
 
-/// Smallest angle that is printed, degrees.
-const LEAST_TURN: f64 = 0.05;
+/// Decimals of lengths, m, and of angles, degrees: a move of 100 m ends within a tenth of a millimetre.
+const DECIMALS: [usize; 2] = [4, 5];
 
 /// A robot model in words that follow "for": `the Omnidirectional octagon, an octagon, 0.360 m wide`.
 pub fn planned_for(robot: &RobotModel) -> String {
@@ -29,7 +29,8 @@ pub fn planned_for(robot: &RobotModel) -> String {
 /// `planned` names the robot that the path was planned for, in words that follow "for"; `robot` is the one that moves
 /// along it and whose speeds give the duration.
 ///
-/// Angles and lengths are rounded so that their sums are never off by more than one rounding.
+/// Every command leads from where the printed ones before it have brought the robot, so roundings don't add up: it
+/// stays nearer to the path than [`super::CLEARANCE`].
 ///
 /// ```
 /// use coverage_planners::sweep::program;
@@ -57,29 +58,36 @@ pub fn program(path: &[Point], heading: f64, robot: &RobotModel, planned: &str) 
             last.time
         );
     }
-    // The printed totals: tenths of a degree, millimetres.
-    let (mut turned, mut driven) = ((heading.to_degrees() * 10.0).round() / 10.0, 0.0);
-    for pair in stops.windows(2) {
-        let (Waypoint { pose: from, .. }, Waypoint { pose: to, distance, .. }) = (pair[0], pair[1]);
-        let way = to.position() - from.position();
-        if way.norm() <= 0.0 {
-            let turn = difference(turned.to_radians(), to.heading).to_degrees();
-            let angle = (turn.abs() * 10.0).round() / 10.0;
-            if angle > LEAST_TURN {
-                let side = if turn > 0.0 { "left" } else { "right" };
-                turned += angle.copysign(turn);
-                let _ = writeln!(text, "TURN {side} {angle:.1} deg");
-            }
+    let Some(&first) = path.first() else { return text + "STOP\n" };
+    let mut at = Pose::new(first.x, first.y, heading);
+    let rounded = |value: f64, decimals: usize| {
+        let unit = 10_f64.powi(decimals as i32);
+        (value * unit).round() / unit
+    };
+    for &to in &path[1..] {
+        let way = to - at.position();
+        let towards = difference(at.heading, math::atan2(way.y, way.x)).to_degrees();
+        let angle = rounded(towards, DECIMALS[1]);
+        let heading = at.heading + angle.to_radians();
+        let metres = rounded(way.dot(&Pose::new(0.0, 0.0, heading).direction()), DECIMALS[0]);
+        // Nothing to drive: the next command makes up for it.
+        if metres <= 0.0 {
             continue;
         }
-        let metres = ((distance - driven) * 1000.0).round() / 1000.0;
-        driven += metres;
+        let length = decimals(metres, 3, DECIMALS[0]);
+        let degrees = decimals(if is_free { angle } else { angle.abs() }, 1, DECIMALS[1]);
         if is_free {
-            let angle = difference(from.heading, math::atan2(way.y, way.x)).to_degrees();
-            let _ = writeln!(text, "MOVE {metres:.3} m at {angle:.1} deg");
+            let _ = writeln!(text, "MOVE {length} m at {degrees} deg");
         } else {
-            let _ = writeln!(text, "FORWARD {metres:.3} m");
+            if angle != 0.0 {
+                let side = if angle > 0.0 { "left" } else { "right" };
+                let _ = writeln!(text, "TURN {side} {degrees} deg");
+            }
+            let _ = writeln!(text, "FORWARD {length} m");
+            at.heading = heading;
         }
+        let moved = at.position() + metres * Pose::new(0.0, 0.0, heading).direction();
+        (at.x, at.y) = (moved.x, moved.y);
     }
     text + "STOP\n"
 }
@@ -104,19 +112,37 @@ mod tests {
         assert!(text.contains("; length    4.500 m\n"));
     }
 
+    /// Three hundred pieces that turn by 1.04 degrees each: whoever executes the commands comes by every corner.
     #[test]
     fn rounding_never_adds_up() {
-        // Three hundred pieces that turn by 1.04 degrees each.
-        let mut path = vec![Point::origin()];
+        let mut path = vec![Point::new(0.123_456, 1.0)];
         for i in 0..300 {
-            let (sin, cos) = math::sin_cos((1.04 * f64::from(i)).to_radians());
-            path.push(path[path.len() - 1] + 0.100_4 * robovac_core::geometry::Vector::new(cos, sin));
+            path.push(
+                path[path.len() - 1] + 0.100_4 * Pose::new(0.0, 0.0, (1.04 * f64::from(i)).to_radians()).direction(),
+            );
         }
-        let text = program(&path, 0.0, model("roomba600").unwrap(), "it");
-        let value = |line: &str, word: usize| line.split(' ').nth(word).unwrap().parse::<f64>().unwrap();
-        let turned: f64 = text.lines().filter(|l| l.starts_with("TURN left")).map(|l| value(l, 2)).sum();
-        let driven: f64 = text.lines().filter(|l| l.starts_with("FORWARD")).map(|l| value(l, 1)).sum();
-        assert!((turned - 299.0 * 1.04).abs() < 0.06 && (driven - 30.12).abs() < 6e-4, "{turned} {driven}");
+        for id in ["roomba600", "octagon"] {
+            let text = program(&path, 0.0, model(id).unwrap(), "it");
+            let value = |line: &str, word: usize| line.split(' ').nth(word).unwrap().parse::<f64>().unwrap();
+            let mut at = Pose::new(path[0].x, path[0].y, 0.0);
+            let mut corners = path[1..].iter();
+            for line in text.lines() {
+                let (metres, heading) = match line.split(' ').next().unwrap() {
+                    "TURN" => {
+                        let side = if line.contains("left") { 1.0 } else { -1.0 };
+                        at.heading += side * value(line, 2).to_radians();
+                        continue;
+                    }
+                    "FORWARD" => (value(line, 1), at.heading),
+                    "MOVE" => (value(line, 1), value(line, 4).to_radians()),
+                    _ => continue,
+                };
+                let moved = at.position() + metres * Pose::new(0.0, 0.0, heading).direction();
+                (at.x, at.y) = (moved.x, moved.y);
+                assert!((moved - corners.next().unwrap()).norm() < crate::sweep::CLEARANCE, "{line}");
+            }
+            assert_eq!(corners.next(), None);
+        }
     }
 
     #[test]

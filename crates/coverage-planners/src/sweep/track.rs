@@ -21,7 +21,16 @@ pub fn in_frame(path: &[Point], heading: f64, origin: Pose) -> (Vec<Point>, f64)
 
 /// Where a path begins, for the head of a file.
 pub fn start_text(pose: Pose) -> String {
-    format!("x {:.3} m, y {:.3} m, heading {:.1} deg", pose.x, pose.y, pose.heading.to_degrees())
+    let [x, y] = [pose.x, pose.y].map(|metres| decimals(metres, 3, 5));
+    format!("x {x} m, y {y} m, heading {} deg", decimals(pose.heading.to_degrees(), 1, 5))
+}
+
+/// A number with at least and at most so many decimals.
+pub(super) fn decimals(value: f64, least: usize, most: usize) -> String {
+    let mut text = format!("{value:.most$}");
+    let zeros = text.len() - text.trim_end_matches('0').len();
+    text.truncate(text.len() - zeros.min(most - least));
+    text
 }
 
 /// A robot's position on its path, with the time.

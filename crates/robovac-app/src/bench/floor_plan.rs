@@ -25,7 +25,7 @@ pub fn floor_plan(bench: &mut Bench<'_>) {
     let go_on = &mut |_| ControlFlow::Continue(());
     let (Some(hall), Some(octagon)) = (room("hall20"), model("octagon")) else { return };
     let (hall, outline) = ((hall.build)(), Outline::of(octagon));
-    let setup = SweepSetup { outline: outline.clone(), scan_width: None, cell: CELL, start: None };
+    let setup = SweepSetup::new(outline.clone(), CELL);
     bench.once("sweep the hall of 001, the first time", || drop(sweep(&hall, &setup, go_on)));
     bench.take("sweep the hall of 001", &mut || drop(sweep(&hall, &setup, go_on)), None);
     let name = format!("obstacle map of 1000 x 1000 x {HEADINGS}");

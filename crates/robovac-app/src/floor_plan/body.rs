@@ -3,7 +3,7 @@
 use robovac_core::{
     cspace::{CspaceError, Outline},
     geometry::Point,
-    robot,
+    robot::{self, WheelLayout},
 };
 use serde::{Deserialize, Serialize};
 
@@ -70,6 +70,13 @@ impl BodyChoice {
             Self::Octagon { width } => Outline::octagon(*width)?,
             Self::Polygon { corners } => Outline::checked(read_corners(corners)?)?,
         })
+    }
+
+    /// Whether the robot turns to where it drives: a built-in one with two driven wheels. A robot with an outline of its
+    /// own moves in every direction, as in 001.
+    pub fn turns(&self) -> bool {
+        let model = self.model().and_then(robot::model);
+        model.is_some_and(|model| model.wheels == WheelLayout::Differential)
     }
 
     /// The id if it is a built-in robot.

@@ -7,7 +7,10 @@ use crate::{
 };
 use coverage_planners::sweep::{Sweep, in_frame, planned_for};
 use floor_drawing::Traced;
-use robovac_core::{cspace::Outline, robot};
+use robovac_core::{
+    cspace::Outline,
+    robot::{self, WheelLayout},
+};
 
 impl DrawingSession {
     /// The sweep as a file.
@@ -23,8 +26,9 @@ impl DrawingSession {
         let like = if matches!(outline, Outline::Circle { .. }) { Some(roomba) } else { robot::model("octagon") };
         let model = chosen.or(like).unwrap_or(roomba);
         let planned = chosen.map_or_else(|| outline.to_string(), planned_for);
-        // As in the planner: the robot begins along x, or as the room's start says.
-        let start = room.plan.start.map_or(0.0, |start| start.heading);
+        // A robot that turns begins as the room's start says; any other keeps the heading that the path was planned for.
+        let turns = model.wheels == WheelLayout::Differential;
+        let start = room.plan.start.filter(|_| turns).map_or(0.0, |start| start.heading);
         let (path, heading) = in_frame(&sweep.path, start, room.plan.origin);
         let bytes = match format.text((&path, heading), model, &planned) {
             Some(text) => text.into_bytes(),

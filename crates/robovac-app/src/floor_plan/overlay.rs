@@ -21,9 +21,9 @@ pub fn sweep_dxf(sweep: &Sweep, room: &Traced, original: Option<&[u8]>) -> Resul
     to_dxf(None, &layers)
 }
 
-/// The sweep on three layers in drawing units: `SWEEP_SUBGOALS`, a cross a point (AutoCAD colour 1, red);
+/// The sweep on layers in drawing units: `SWEEP_SUBGOALS`, a cross a point (AutoCAD colour 1, red);
 /// `SWEEP_LINKS`, the straight links of Fig. 4, through obstacles or not (2, yellow); `SWEEP_PATH`, the path of Fig. 5
-/// (5, blue). `corner` is the position of the room's lower left corner in the drawing, and `metre` the metres per
+/// with the last stage (5, blue); `SWEEP_FINISH`, the strokes of that stage, if there are any (3, green). `corner` is the position of the room's lower left corner in the drawing, and `metre` the metres per
 /// drawing unit, as in [`Traced`].
 pub fn overlays(sweep: &Sweep, corner: Vector, metre: f64) -> Vec<Overlay> {
     let place = |point: Point| Point::from(corner + point.coords / metre);
@@ -34,9 +34,14 @@ pub fn overlays(sweep: &Sweep, corner: Vector, metre: f64) -> Vec<Overlay> {
     });
     let links = sweep.links.iter().map(|link| [link.from, link.to].map(|end| place(sweep.subgoals[end].at)).to_vec());
     let layer = |name: &str, colour, lines| Overlay { layer: name.to_owned(), colour, lines };
-    vec![
+    let finish: Vec<Vec<Point>> = sweep.finish.iter().map(|way| way.iter().copied().map(place).collect()).collect();
+    let mut layers = vec![
         layer("SWEEP_SUBGOALS", 1, crosses.collect()),
         layer("SWEEP_LINKS", 2, links.collect()),
         layer("SWEEP_PATH", 5, vec![sweep.path.iter().copied().map(place).collect()]),
-    ]
+    ];
+    if !finish.is_empty() {
+        layers.push(layer("SWEEP_FINISH", 3, finish));
+    }
+    layers
 }

@@ -130,7 +130,7 @@ impl DrawingSession {
         let space = |s: &FloorPlanSettings| (s.body.clone(), s.cell, s.headings);
         if space(&before) != space(now) {
             (self.space, self.sweep) = (None, None);
-        } else if before.scan_width != now.scan_width {
+        } else if (before.scan_width, before.order, before.clearance) != (now.scan_width, now.order, now.clearance) {
             self.sweep = None;
         }
         Ok(())
@@ -177,8 +177,9 @@ impl DrawingSession {
     pub fn sweep(&mut self, observe: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<(), String> {
         let outline = self.outline()?;
         let Some(room) = &self.room else { return Err(self.no_room()) };
-        let FloorPlanSettings { scan_width, cell, .. } = self.settings;
-        let setup = SweepSetup { outline, scan_width, cell, start: room.plan.start };
+        let FloorPlanSettings { scan_width, cell, order, clearance, .. } = self.settings;
+        let (start, turns) = (room.plan.start, self.settings.body.turns());
+        let setup = SweepSetup { scan_width, start, order, turns, clearance, ..SweepSetup::new(outline, cell) };
         let planned = sweep(&room.plan, &setup, observe).map_err(|error: SweepError| error.to_string())?;
         self.sweep = Some(planned);
         Ok(())
@@ -248,7 +249,7 @@ impl DrawingSession {
 pub fn warm_up() {
     let plan = Sketch::open(4.0, 4.0, 0.1).fill(&[[1.0, 2.1, 3.0, 2.75]]).disc(1.5, 1.0, 0.3).finish("", "");
     let Ok(outline) = Outline::octagon(0.4) else { return };
-    let setup = SweepSetup { outline, scan_width: None, cell: 0.1, start: None };
+    let setup = SweepSetup::new(outline, 0.1);
     let _ = sweep(&plan, &setup, &mut |_| ControlFlow::Continue(()));
 }
 

@@ -1,6 +1,7 @@
 //! All settings of the Floor plan tab, as one value shared with the page.
 
 use super::{BodyChoice, DrawingSource};
+use coverage_planners::sweep::LinkOrder;
 use floor_drawing::{DrawingRegion, Role, Tracing};
 use robovac_core::{
     floor_plan::{DEFAULT_IMAGE_RESOLUTION, MAX_RESOLUTION, MIN_RESOLUTION, Shading},
@@ -39,6 +40,12 @@ pub struct FloorPlanSettings {
     pub body: BodyChoice,
     /// Distance between scan lines, m; half the robot's width if `None`.
     pub scan_width: Option<f64>,
+    /// The order in which subgoals are linked.
+    #[serde(default)]
+    pub order: LinkOrder,
+    /// Distance that the sweep keeps from everything, m.
+    #[serde(default)]
+    pub clearance: f64,
     /// Side of the obstacle map's cells, m.
     pub cell: f64,
     /// Headings of the obstacle map.
@@ -88,6 +95,8 @@ impl FloorPlanSettings {
             negate: false,
             body: BodyChoice::Octagon { width: 0.4 },
             scan_width: None,
+            order: LinkOrder::default(),
+            clearance: 0.0,
             cell: 0.05,
             headings: 36,
         }
@@ -111,6 +120,7 @@ impl FloorPlanSettings {
         self.shade = self.shade.clamp(0.0, 1.0);
         self.resolution = self.resolution.clamp(0.005, 1.0);
         self.cell = self.cell.clamp(0.01, 1.0);
+        self.clearance = self.clearance.clamp(0.0, 1.0);
         self.headings = self.headings.clamp(1, MOST_HEADINGS);
         self.scan_width = self.scan_width.and_then(positive);
         Ok(self)

@@ -4,7 +4,7 @@ use super::{Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings
 use crate::amount::amount;
 use coverage_planners::{stage::LineEndContact, sweep::Sweep};
 use floor_drawing::Role;
-use robovac_core::geometry::Point;
+use robovac_core::{cspace::Outline, geometry::Point};
 use serde::Serialize;
 
 /// Snapshot of a drawing session.
@@ -131,10 +131,20 @@ pub struct SweepView {
     pub collisions: usize,
     /// Of these, those with a detour.
     pub resolved: usize,
+    /// How often the ways of links cross each other.
+    pub crossings: usize,
+    /// Crossings and length, m, in the order *nearest*, for another one.
+    pub nearest: Option<(usize, f64)>,
     /// Length of the path, m.
     pub length: f64,
+    /// Strokes of the last stage, and their length with the ways there, m.
+    pub finish: (usize, f64),
+    /// Share of the reachable floor that is swept by the links, 0 to 1.
+    pub linked_share: f64,
     /// Share of the reachable floor that is swept, 0 to 1.
     pub coverage: f64,
+    /// What is kept free, if it isn't the outline.
+    pub kept_free: Option<String>,
     /// Distance between scan lines, m.
     pub scan_width: f64,
 }
@@ -179,15 +189,13 @@ impl DrawingSession {
             points: self.hand.points.len(),
             is_measured: self.hand.measured().is_some(),
             measured_m: self.measured_m(),
-            body_width: outline.as_ref().ok().map(robovac_core::cspace::Outline::width),
+            body_width: outline.as_ref().ok().map(Outline::width),
             body: match &outline {
-                Ok(robovac_core::cspace::Outline::Polygon(corners)) => {
-                    corners.iter().map(|&Point { coords }| coords.into()).collect()
-                }
+                Ok(Outline::Polygon(corners)) => corners.iter().map(|&Point { coords }| coords.into()).collect(),
                 _ => Vec::new(),
             },
             body_fault: outline.err().unwrap_or_default(),
-            sweep: self.planned().map(sweep_view),
+            sweep: self.planned().map(|sweep| sweep_view(sweep, self.outline().ok().as_ref())),
             words: String::new(),
         };
         view.words = description(&view);
@@ -246,11 +254,12 @@ fn description(view: &DrawingView) -> String {
     }
     if let Some(sweep) = &view.sweep {
         say(format!(
-            "a sweep of {:.1} metres with {}, collisions resolved: {} of {}",
+            "a sweep of {:.1} metres with {}, collisions resolved: {} of {}, {}",
             sweep.length,
             amount(sweep.subgoals[0] as i64, "subgoal"),
             sweep.resolved,
-            sweep.collisions
+            sweep.collisions,
+            amount(sweep.crossings as i64, "crossing")
         ));
     }
     words.push('.');
@@ -267,7 +276,7 @@ fn layer_view(layer: &floor_drawing::DrawingLayer, role: Role) -> LayerView {
     }
 }
 
-fn sweep_view(sweep: &Sweep) -> SweepView {
+fn sweep_view(sweep: &Sweep, outline: Option<&Outline>) -> SweepView {
     let count = |contact| sweep.subgoals.iter().filter(|subgoal| subgoal.contact == contact).count();
     SweepView {
         subgoals: [
@@ -280,8 +289,13 @@ fn sweep_view(sweep: &Sweep) -> SweepView {
         links: sweep.links.len(),
         collisions: sweep.collisions,
         resolved: sweep.resolved,
+        crossings: sweep.crossings,
+        nearest: sweep.nearest.map(|cost| (cost.crossings, cost.length)),
         length: sweep.length,
+        finish: (sweep.finish.len(), sweep.finish_length),
+        linked_share: sweep.linked_share,
         coverage: sweep.coverage,
+        kept_free: (outline != Some(&sweep.outline)).then(|| sweep.outline.to_string()),
         scan_width: sweep.scan_width,
     }
 }

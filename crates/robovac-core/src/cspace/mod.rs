@@ -12,6 +12,7 @@ mod obstacles;
 mod outline;
 mod scene;
 mod space;
+mod steps;
 mod sum;
 mod swath;
 
@@ -20,6 +21,7 @@ pub use motion::Motion;
 pub use obstacles::ObstacleRuns;
 pub use outline::{EXTENTS, MAX_OUTLINE_CORNERS, Outline};
 pub use space::{ConfigurationSpace, MAX_BYTES};
+pub use steps::FreeSteps;
 pub use swath::Swath;
 
 /// Overlaps up to this count as touching, m; allows for rounding.

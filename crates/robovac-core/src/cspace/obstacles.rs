@@ -2,11 +2,10 @@
 
 use crate::grid::{Cell, Grid};
 
-/// The obstacles of a slice: connected FULL cells, including diagonally. Those connected with the outside are wall.
+/// The obstacles of a slice: connected FULL cells, including diagonally.
 ///
-/// So obstacles that leave no way between them are one to the robot, and one that leaves no way along the wall is
-/// part of it. They are numbered from 1 in the order in which a scan from the top left meets them (001, section 3:
-/// `obstacleNo`).
+/// So obstacles that leave no way between them are one to the robot. They are numbered from 1 in the order in which a
+/// scan from the top left meets them (001, section 3: `obstacleNo`).
 #[derive(Debug, Clone)]
 pub struct ObstacleRuns {
     /// Start of every row's runs in `runs`, from the bottom row.
@@ -17,47 +16,33 @@ pub struct ObstacleRuns {
 }
 
 impl ObstacleRuns {
-    /// The obstacles between FREE cells. O(n).
+    /// The obstacles between FREE cells. Those connected with the outside are wall. O(n).
     pub fn of(free: &Grid<bool>) -> Self {
         let (width, height) = (free.width(), free.height());
-        let mut starts = vec![0];
-        let mut runs: Vec<(i32, i32, u32)> = Vec::new();
-        // The first set is the wall.
-        let mut sets = vec![0_u32];
-        let mut below = 0..0;
-        for (y, row) in free.values().chunks(width).enumerate() {
-            let begin = runs.len();
-            let mut x = 0;
-            while x < width {
-                let is_free = row[x];
-                let end = row[x..].iter().position(|&f| f != is_free).map_or(width, |run| x + run);
-                if !is_free {
-                    let set = sets.len() as u32;
-                    let at_border = x == 0 || end == width || y == 0 || y + 1 == height;
-                    sets.push(if at_border { 0 } else { set });
-                    runs.push((x as i32, end as i32 - 1, set));
-                }
-                x = end;
-            }
-            let mut under = below.start;
-            for run in begin..runs.len() {
-                let (first, last, set) = runs[run];
-                while under < below.end && runs[under].1 + 1 < first {
-                    under += 1;
-                }
-                let mut touching = under;
-                while touching < below.end && runs[touching].0 <= last + 1 {
-                    join(&mut sets, set, runs[touching].2);
-                    touching += 1;
+        Self::numbered(RunSets::of(free, false), height, |y, (first, last)| {
+            first == 0 || last as usize + 1 == width || y == 0 || y + 1 == height
+        })
+    }
+
+    /// The obstacles that consist of these cells, none of them wall. O(n).
+    pub fn of_cells(cells: &Grid<bool>) -> Self {
+        Self::numbered(RunSets::of(cells, true), cells.height(), |_, _| false)
+    }
+
+    fn numbered(found: RunSets, height: usize, is_wall: impl Fn(usize, (i32, i32)) -> bool) -> Self {
+        let RunSets { starts, mut runs, mut sets } = found;
+        let rows = |y: usize| starts[y] as usize..starts[y + 1] as usize;
+        for y in 0..height {
+            for &(first, last, set) in &runs[rows(y)] {
+                if is_wall(y, (first, last)) {
+                    join(&mut sets, 0, set);
                 }
             }
-            below = begin..runs.len();
-            starts.push(runs.len() as u32);
         }
         let mut numbers = vec![0; sets.len()];
         let mut count = 0;
         for y in (0..height).rev() {
-            for run in &mut runs[starts[y] as usize..starts[y + 1] as usize] {
+            for run in &mut runs[rows(y)] {
                 let set = root(&mut sets, run.2) as usize;
                 if set != 0 && numbers[set] == 0 {
                     count += 1;
@@ -81,6 +66,66 @@ impl ObstacleRuns {
         let runs = &self.runs[from as usize..to as usize];
         let &(first, _, number) = runs.get(runs.partition_point(|run| run.1 < cell.x))?;
         (first <= cell.x && number > 0).then_some(number)
+    }
+}
+
+/// Runs of cells in rows, and the sets of those that touch each other, including diagonally.
+#[derive(Debug)]
+pub(super) struct RunSets {
+    /// Start of every row's runs in `runs`, from the bottom row.
+    pub starts: Vec<u32>,
+    /// First and last column of a run, and its number in `sets`.
+    pub runs: Vec<(i32, i32, u32)>,
+    /// Disjoint sets; number 0 is no run's.
+    sets: Vec<u32>,
+}
+
+impl RunSets {
+    /// The runs of cells with a value.
+    pub fn of(cells: &Grid<bool>, value: bool) -> Self {
+        let width = cells.width();
+        let mut starts = vec![0];
+        let mut runs: Vec<(i32, i32, u32)> = Vec::new();
+        let mut sets = vec![0_u32];
+        let mut below = 0..0;
+        for row in cells.values().chunks(width) {
+            let begin = runs.len();
+            let mut x = 0;
+            while let Some(skipped) = row[x..].iter().position(|&cell| cell == value) {
+                let first = x + skipped;
+                let end = row[first..].iter().position(|&cell| cell != value).map_or(width, |run| first + run);
+                let set = sets.len() as u32;
+                sets.push(set);
+                runs.push((first as i32, end as i32 - 1, set));
+                x = end;
+            }
+            let mut under = below.start;
+            for run in begin..runs.len() {
+                let (first, last, set) = runs[run];
+                while under < below.end && runs[under].1 + 1 < first {
+                    under += 1;
+                }
+                let mut touching = under;
+                while touching < below.end && runs[touching].0 <= last + 1 {
+                    join(&mut sets, set, runs[touching].2);
+                    touching += 1;
+                }
+            }
+            below = begin..runs.len();
+            starts.push(runs.len() as u32);
+        }
+        Self { starts, runs, sets }
+    }
+
+    /// For every run, what `of` says of all runs of its set together.
+    pub fn marks(&mut self, of: impl Fn(usize, (i32, i32)) -> u8) -> Vec<u8> {
+        let mut marks = vec![0; self.sets.len()];
+        for y in 0..self.starts.len() - 1 {
+            for &(first, last, set) in &self.runs[self.starts[y] as usize..self.starts[y + 1] as usize] {
+                marks[root(&mut self.sets, set) as usize] |= of(y, (first, last));
+            }
+        }
+        self.runs.iter().map(|run| marks[root(&mut self.sets, run.2) as usize]).collect()
     }
 }
 
@@ -138,5 +183,8 @@ mod tests {
         assert_eq!(obstacles.count(), 3);
         assert_eq!(obstacles.number(Cell::new(-1, 2)), None);
         assert_eq!(obstacles.number(Cell::new(2, 99)), None);
+        // Nothing is wall.
+        let cells = free.map(|free| !free);
+        assert_eq!(ObstacleRuns::of_cells(&cells).count(), 5);
     }
 }

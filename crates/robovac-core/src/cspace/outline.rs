@@ -69,7 +69,7 @@ impl Outline {
     }
 
     /// Checks that the outline is valid.
-    pub(super) fn check(&self) -> Result<(), CspaceError> {
+    pub fn check(&self) -> Result<(), CspaceError> {
         let refuse = |why: String| Err(CspaceError::Outline(why));
         let [least, most] = EXTENTS;
         match self {
@@ -108,6 +108,17 @@ impl Outline {
             }
         }
         Ok(())
+    }
+
+    /// The circle in which it turns on the spot: the smallest one around the origin that holds it.
+    #[must_use]
+    pub fn turning_circle(&self) -> Self {
+        match self {
+            Self::Circle { radius } => Self::Circle { radius: *radius },
+            Self::Polygon(corners) => {
+                Self::Circle { radius: corners.iter().map(|corner| corner.coords.norm()).fold(0.0, f64::max) }
+            }
+        }
     }
 
     /// Extent perpendicular to the heading, m: the width of the strip that it sweeps at heading 0.
@@ -157,6 +168,37 @@ pub(super) fn bounds(points: &[Point]) -> (Point, Point) {
     points.iter().fold((first, first), |(low, high), p| (low.inf(p), high.sup(p)))
 }
 
+/// What a convex polygon covers while it moves straight `along` a way: the convex hull of its corners and of those moved,
+/// counter-clockwise (Andrew 1979). The polygon itself for no way.
+pub(super) fn drawn_out(corners: &[Point], along: Vector) -> Vec<Point> {
+    if along == Vector::zeros() {
+        return corners.to_vec();
+    }
+    let mut points: Vec<Point> = corners.iter().flat_map(|&corner| [corner, corner + along]).collect();
+    points.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    points.dedup();
+    if points.len() < 3 {
+        return points;
+    }
+    let mut hull: Vec<Point> = Vec::with_capacity(points.len() + 1);
+    let mut least = 1;
+    for (index, &point) in points.iter().chain(points.iter().rev().skip(1)).enumerate() {
+        if index == points.len() {
+            least = hull.len();
+        }
+        while hull.len() > least {
+            let [.., before, last] = hull[..] else { break };
+            if (last - before).perp(&(point - last)) > 0.0 {
+                break;
+            }
+            hull.pop();
+        }
+        hull.push(point);
+    }
+    hull.pop();
+    hull
+}
+
 /// Farthest extent of points in a direction.
 pub(super) fn support(points: &[Point], direction: Vector) -> f64 {
     points.iter().map(|p| p.coords.dot(&direction)).fold(f64::MIN, f64::max)
@@ -194,6 +236,20 @@ mod tests {
         assert!(signed_area(&corners) > 0.0 && corners.len() == 8);
         let sides: Vec<f64> = (0..8).map(|i| (corners[(i + 1) % 8] - corners[i]).norm()).collect();
         assert!(sides.iter().all(|side| (side - sides[0]).abs() < 1e-12), "{sides:?}");
+    }
+
+    #[test]
+    fn a_polygon_drawn_out_is_the_hull_of_both_ends() {
+        let square = points(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
+        let long = drawn_out(&square, Vector::new(2.0, 0.0));
+        assert_eq!(long, points(&[(0.0, 0.0), (3.0, 0.0), (3.0, 1.0), (0.0, 1.0)]));
+        let slanted = drawn_out(&square, Vector::new(1.0, 1.0));
+        assert_eq!(slanted.len(), 6);
+        assert!((signed_area(&slanted) - 3.0).abs() < 1e-12);
+        assert_eq!(drawn_out(&points(&[(1.0, 2.0)]), Vector::new(0.0, 1.0)), points(&[(1.0, 2.0), (1.0, 3.0)]));
+        let line = drawn_out(&points(&[(0.0, 0.0), (0.0, 1.0)]), Vector::new(0.0, -1.0));
+        assert_eq!(line, points(&[(0.0, -1.0), (0.0, 1.0)]));
+        assert_eq!(Outline::rectangle(0.6, 0.8).unwrap().turning_circle(), Outline::Circle { radius: 0.5 });
     }
 
     #[test]

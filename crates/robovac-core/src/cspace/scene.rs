@@ -2,13 +2,14 @@
 
 use super::{
     Outline,
-    outline::bounds,
+    obstacles::RunSets,
+    outline::{bounds, drawn_out},
     sum::{ConvexPiece, Sum},
 };
 use crate::{
     coverage::{drop_offs, obstacles},
     floor_plan::FloorPlan,
-    geometry::{Point, Shape},
+    geometry::{Point, Shape, Vector},
 };
 
 /// The obstacles of a room.
@@ -18,8 +19,12 @@ pub(super) struct ObstacleScene {
     pub resolution: f64,
     /// Width and height, m.
     pub size: (f64, f64),
-    /// Left and right end of every run of cells that aren't free, m, row by row from the bottom.
-    pub rows: Vec<Vec<(f64, f64)>>,
+    /// Left and right end of every run of cells that aren't free, m, row by row from the bottom: first those of walls,
+    /// then those of obstacles.
+    ///
+    /// Cells that are connected with the plan's edge are wall. Those that touch one side of it only are an obstacle that
+    /// stands against the wall.
+    pub rows: [Vec<Vec<(f64, f64)>>; 2],
     shapes: Vec<Shape>,
 }
 
@@ -37,49 +42,61 @@ pub(super) struct Sums {
 impl ObstacleScene {
     pub fn of(plan: &FloorPlan) -> Self {
         let resolution = plan.resolution;
-        let columns = plan.occupancy.width();
-        let rows = plan.occupancy.values().chunks(columns).map(|row| {
-            let (mut runs, mut x) = (Vec::new(), 0);
-            while x < columns {
-                let is_free = row[x].is_free();
-                let end = row[x..].iter().position(|o| o.is_free() != is_free).map_or(columns, |run| x + run);
-                if !is_free {
-                    runs.push((x as f64 * resolution, end as f64 * resolution));
-                }
-                x = end;
-            }
-            runs
+        let (columns, rows) = (plan.occupancy.width(), plan.occupancy.height());
+        let mut found = RunSets::of(&plan.occupancy.map(|cell| cell.is_free()), false);
+        let sides = found.marks(|y, (first, last)| {
+            [first == 0, last as usize + 1 == columns, y == 0, y + 1 == rows]
+                .into_iter()
+                .fold(0, |sides, touches| 2 * sides + u8::from(touches))
         });
+        let runs_of = |walls: bool| -> Vec<Vec<(f64, f64)>> {
+            let row = |ends: &[u32]| {
+                let (begin, end) = (ends[0] as usize, ends[1] as usize);
+                let mine = found.runs[begin..end].iter().zip(&sides[begin..end]);
+                let mine = mine.filter(|&(_, sides)| (sides.count_ones() > 1) == walls);
+                mine.map(|(&(first, last, _), _)| (f64::from(first) * resolution, (f64::from(last) + 1.0) * resolution))
+                    .collect()
+            };
+            found.starts.windows(2).map(row).collect()
+        };
+        let runs = [true, false].map(runs_of);
         let mut shapes = obstacles(plan);
         shapes.extend(drop_offs(plan));
-        Self { resolution, size: (plan.width_m(), plan.height_m()), rows: rows.collect(), shapes }
+        Self { resolution, size: (plan.width_m(), plan.height_m()), rows: runs, shapes }
     }
 
-    pub fn sums(&self, outline: &Outline, heading: f64) -> Sums {
+    /// The sums of what an outline covers at a heading while it moves straight `along` a way, by the place where it
+    /// begins. `margin` is the distance that it keeps, m; below 0 it may overlap as much.
+    pub fn sums(&self, outline: &Outline, heading: f64, along: Vector, margin: f64) -> Sums {
         let line = [Point::origin(), Point::new(0.0, self.resolution)];
         match outline {
-            Outline::Circle { radius } => Sums {
-                line: vec![Sum::of_round(&line, *radius)],
-                shapes: self
-                    .shapes
-                    .iter()
-                    .map(|shape| match shape {
-                        Shape::Disc { centre, radius: own } => Sum::of_round(&[*centre], radius + own),
-                        Shape::Convex(corners) => Sum::of_round(corners, *radius),
-                    })
-                    .collect(),
-                reach: outline.bounds(),
-            },
+            Outline::Circle { radius } => {
+                let (low, high) = outline.bounds();
+                let round =
+                    |corners: &[Point], own: f64| Sum::of_round(&drawn_out(corners, -along), radius + own, margin);
+                Sums {
+                    line: vec![round(&line, 0.0)],
+                    shapes: self
+                        .shapes
+                        .iter()
+                        .map(|shape| match shape {
+                            Shape::Disc { centre, radius: own } => round(&[*centre], *own),
+                            Shape::Convex(corners) => round(corners, 0.0),
+                        })
+                        .collect(),
+                    reach: (low.inf(&(low + along)), high.sup(&(high + along))),
+                }
+            }
             Outline::Polygon(_) => {
-                let pieces = outline.pieces(heading);
+                let pieces: Vec<_> = outline.pieces(heading).iter().map(|piece| drawn_out(piece, along)).collect();
                 let reach = bounds(&pieces.concat());
                 let pieces: Vec<ConvexPiece> = pieces.into_iter().map(ConvexPiece::new).collect();
                 let sum = |shape: &Shape, piece: &ConvexPiece| match shape {
-                    Shape::Disc { centre, radius } => Sum::of_disc(*centre, *radius, piece),
-                    Shape::Convex(corners) => Sum::of_polygons(corners, piece),
+                    Shape::Disc { centre, radius } => Sum::of_disc(*centre, *radius, piece, margin),
+                    Shape::Convex(corners) => Sum::of_polygons(corners, piece, margin),
                 };
                 Sums {
-                    line: pieces.iter().map(|piece| Sum::of_polygons(&line, piece)).collect(),
+                    line: pieces.iter().map(|piece| Sum::of_polygons(&line, piece, margin)).collect(),
                     shapes: self
                         .shapes
                         .iter()

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     floor_plan::FloorPlan,
-    geometry::Point,
+    geometry::{Point, Vector},
     grid::{Cell, Grid},
     math,
 };
@@ -43,22 +43,17 @@ impl ConfigurationSpace {
     /// The configuration space of a body in a room. O(obstacles x rows that each takes) for every heading.
     pub fn new(plan: &FloorPlan, outline: &Outline, cell: f64, headings: usize) -> Result<Self, CspaceError> {
         outline.check()?;
-        if !(cell.is_finite() && cell > 0.0) {
-            return Err(CspaceError::Cell(cell));
-        }
         let headings = headings.max(1);
-        let cells = |length: f64| ((length / cell - 1e-6).ceil() as usize).max(1);
-        let (width, height) = (cells(plan.width_m()), cells(plan.height_m()));
         // A circle is the same at every heading.
         let layers = if matches!(outline, Outline::Circle { .. }) { 1 } else { headings };
-        let bytes = Bits::words(width, height).saturating_mul(8).saturating_mul(layers);
-        if bytes > MAX_BYTES || width.saturating_mul(height) > MAX_SLICE {
-            return Err(CspaceError::TooLarge { width, height, headings });
-        }
+        let (width, height) = size(plan.width_m(), plan.height_m(), cell, headings, layers)?;
         let scene = ObstacleScene::of(plan);
         let layer = |heading: usize| {
             let mut slice = Slice { canvas: BitCanvas::new(width, height, cell) };
-            slice.draw(&scene, &scene.sums(outline, heading as f64 * (math::TAU / headings as f64)));
+            let heading = heading as f64 * (math::TAU / headings as f64);
+            let sums = scene.sums(outline, heading, Vector::zeros(), -HAIR);
+            slice.draw_walls(&scene, &sums, -HAIR);
+            slice.draw_obstacles(&scene, &sums);
             slice.canvas.bits
         };
         Ok(Self { cell, headings, width, height, layers: (0..layers).map(layer).collect() })
@@ -85,27 +80,50 @@ impl ConfigurationSpace {
     }
 }
 
+/// Columns and rows of a map of a room of that size, m, unless they are too many.
+pub(super) fn size(
+    width_m: f64,
+    height_m: f64,
+    cell: f64,
+    headings: usize,
+    layers: usize,
+) -> Result<(usize, usize), CspaceError> {
+    if !(cell.is_finite() && cell > 0.0) {
+        return Err(CspaceError::Cell(cell));
+    }
+    let cells = |length: f64| ((length / cell - 1e-6).ceil() as usize).max(1);
+    let (width, height) = (cells(width_m), cells(height_m));
+    let bytes = Bits::words(width, height).saturating_mul(8).saturating_mul(layers);
+    if bytes > MAX_BYTES || width.saturating_mul(height) > MAX_SLICE {
+        return Err(CspaceError::TooLarge { width, height, headings });
+    }
+    Ok((width, height))
+}
+
 /// A slice under construction.
-struct Slice {
-    canvas: BitCanvas,
+pub(super) struct Slice {
+    /// What is FULL so far.
+    pub canvas: BitCanvas,
 }
 
 impl Slice {
-    fn draw(&mut self, scene: &ObstacleScene, sums: &Sums) {
-        self.draw_outside(scene, sums.reach);
-        for sum in &sums.line {
-            self.draw_runs(scene, sum);
-        }
-        for sum in &sums.shapes {
-            self.canvas.draw(sum);
-        }
+    /// Makes cells FULL where the outline would leave the plan or overlap its walls; `margin` is that of the sums.
+    pub fn draw_walls(&mut self, scene: &ObstacleScene, sums: &Sums, margin: f64) {
+        self.draw_outside(scene, sums.reach, margin);
+        sums.line.iter().for_each(|sum| self.draw_runs(scene, &scene.rows[0], sum));
+    }
+
+    /// Makes cells FULL where the outline would overlap obstacles.
+    pub fn draw_obstacles(&mut self, scene: &ObstacleScene, sums: &Sums) {
+        sums.line.iter().for_each(|sum| self.draw_runs(scene, &scene.rows[1], sum));
+        sums.shapes.iter().for_each(|sum| self.canvas.draw(sum));
     }
 
     /// Makes cells FULL that are too near to the edge of the plan for an outline that reaches from `low` to `high`.
-    fn draw_outside(&mut self, scene: &ObstacleScene, (low, high): (Point, Point)) {
+    fn draw_outside(&mut self, scene: &ObstacleScene, (low, high): (Point, Point), margin: f64) {
         let canvas = &mut self.canvas;
-        let inside = canvas.rows((-low.y - HAIR, scene.size.1 - high.y + HAIR));
-        let (first, last) = canvas.between(-low.x - HAIR, scene.size.0 - high.x + HAIR);
+        let inside = canvas.rows((-low.y + margin, scene.size.1 - high.y - margin));
+        let (first, last) = canvas.between(-low.x + margin, scene.size.0 - high.x - margin);
         let columns = canvas.width as i32;
         for row in 0..canvas.height as i32 {
             if !inside.contains(&row) || first > last {
@@ -123,10 +141,10 @@ impl Slice {
 
     /// Makes cells FULL that overlap the cells of the plan. `sum` is that of a vertical line at the origin: its extent
     /// in a row holds for every run of cells, its left end for their left and its right end for their right.
-    fn draw_runs(&mut self, scene: &ObstacleScene, sum: &Sum) {
+    fn draw_runs(&mut self, scene: &ObstacleScene, rows: &[Vec<(f64, f64)>], sum: &Sum) {
         let canvas = &mut self.canvas;
         let (low, high) = sum.rows();
-        for (runs, number) in scene.rows.iter().zip(0..) {
+        for (runs, number) in rows.iter().zip(0..) {
             if runs.is_empty() {
                 continue;
             }

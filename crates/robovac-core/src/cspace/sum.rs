@@ -1,9 +1,6 @@
 //! Minkowski sums of an obstacle and the mirrored outline: the places of the outline's origin at which both overlap.
 
-use super::{
-    HAIR,
-    outline::{bounds, support},
-};
+use super::outline::{bounds, support};
 use crate::geometry::{Point, Vector, edges, nearest_on_segment, outward};
 
 /// An open convex region that is evaluated row by row.
@@ -45,27 +42,28 @@ impl ConvexPiece {
 }
 
 impl Sum {
-    /// Overlap of a convex piece of the outline with a convex polygon by more than `HAIR`. Only sides of the
-    /// two can separate them, as in [`crate::geometry::overlap`].
-    pub fn of_polygons(obstacle: &[Point], piece: &ConvexPiece) -> Self {
+    /// Overlap of a convex piece of the outline with a convex polygon, or a distance below `margin`, m; below 0 an
+    /// overlap by more than that. Only sides of the two can separate them, as in [`crate::geometry::overlap`].
+    pub fn of_polygons(obstacle: &[Point], piece: &ConvexPiece, margin: f64) -> Self {
         // A side without length separates nothing.
         let own = edges(obstacle).map(|(a, b)| outward(a, b)).filter(|normal| *normal != Vector::zeros());
         let own = own.map(|normal| (normal, support(&piece.corners, -normal)));
-        let plane = |(normal, reach): (Vector, f64)| (normal, support(obstacle, normal) + reach - HAIR);
+        let plane = |(normal, reach): (Vector, f64)| (normal, support(obstacle, normal) + reach + margin);
         let planes = own.chain(piece.sides.iter().copied()).map(plane).collect();
         let ((low, high), (own_low, own_high)) = (bounds(obstacle), piece.bounds);
-        Self::Planes { planes, rows: (low.y - own_high.y + HAIR, high.y - own_low.y - HAIR) }
+        Self::Planes { planes, rows: (low.y - own_high.y - margin, high.y - own_low.y + margin) }
     }
 
-    /// Overlap of a convex piece of the outline with a disc.
-    pub fn of_disc(centre: Point, radius: f64, piece: &ConvexPiece) -> Self {
+    /// Overlap of a convex piece of the outline with a disc, or a distance below `margin`.
+    pub fn of_disc(centre: Point, radius: f64, piece: &ConvexPiece, margin: f64) -> Self {
         let corners = piece.corners.iter().map(|p| centre - p.coords).collect();
-        Self::Rounded { corners, radius: radius - HAIR }
+        Self::Rounded { corners, radius: radius + margin }
     }
 
-    /// Overlap of a round outline with a convex polygon or, if that has one corner, a point.
-    pub fn of_round(corners: &[Point], radius: f64) -> Self {
-        Self::Rounded { corners: corners.to_vec(), radius: radius - HAIR }
+    /// Overlap of a round outline with a convex polygon or, if that has one corner, a point, or a distance below
+    /// `margin`.
+    pub fn of_round(corners: &[Point], radius: f64, margin: f64) -> Self {
+        Self::Rounded { corners: corners.to_vec(), radius: radius + margin }
     }
 
     /// The lowest and highest y of the region.

@@ -1,7 +1,7 @@
-//! The floor that a body sweeps while it moves without turning.
+//! The floor that a body sweeps while it moves straight.
 
 use super::{
-    Outline,
+    HAIR, Outline,
     canvas::BitCanvas,
     sum::{ConvexPiece, Sum},
 };
@@ -10,7 +10,7 @@ use crate::{
     grid::{Cell, Grid},
 };
 
-/// Floor swept by an outline at heading 0: a cell is swept once its centre has been under the body.
+/// Floor swept by an outline, at first at heading 0: a cell is swept once its centre has been under the body.
 #[derive(Debug, Clone)]
 pub struct Swath {
     canvas: BitCanvas,
@@ -23,34 +23,39 @@ impl Swath {
     /// Nothing swept, on `width` x `height` cells of `cell` metres.
     pub fn new(outline: &Outline, width: usize, height: usize, cell: f64) -> Self {
         let radius = if let Outline::Circle { radius } = outline { *radius } else { 0.0 };
-        let mirror = |piece: Vec<Point>| ConvexPiece::new(piece.into_iter().map(|p| -p).collect());
-        let mirrored = outline.pieces(0.0).into_iter().map(mirror).collect();
-        Self { canvas: BitCanvas::new(width, height, cell), mirrored, radius }
+        Self { canvas: BitCanvas::new(width, height, cell), mirrored: mirrored(outline, 0.0), radius }
+    }
+
+    /// Turns the body: from now on it sweeps at this heading, rad.
+    pub fn face(&mut self, outline: &Outline, heading: f64) {
+        self.mirrored = mirrored(outline, heading);
     }
 
     /// Sweeps with the body's origin straight from `from` to `to`.
     pub fn sweep(&mut self, from: Point, to: Point) {
         let line = [from, to];
         if self.mirrored.is_empty() {
-            self.canvas.draw(&Sum::of_round(&line, self.radius));
+            self.canvas.draw(&Sum::of_round(&line, self.radius, -HAIR));
         }
         for piece in &self.mirrored {
-            self.canvas.draw(&Sum::of_polygons(&line, piece));
+            self.canvas.draw(&Sum::of_polygons(&line, piece, -HAIR));
         }
     }
 
     /// Sweeps from all cells that are set, the body's origin in their centres and on the way between neighbours in a
-    /// row.
-    pub fn sweep_cells(&mut self, cells: &Grid<bool>) {
+    /// row, if `is_joined` says of the left one that the way is free.
+    pub fn sweep_cells(&mut self, cells: &Grid<bool>, is_joined: impl Fn(Cell) -> bool) {
         let size = self.canvas.cell;
         for (y, row) in cells.values().chunks(cells.width()).enumerate() {
             let mut x = 0;
             while let Some(skipped) = row[x..].iter().position(|&is_set| is_set) {
-                let first = x + skipped;
-                let end = row[first..].iter().position(|&is_set| !is_set).map_or(row.len(), |run| first + run);
-                let centre = |x: usize| Cell::new(x as i32, y as i32).centre(size);
-                self.sweep(centre(first), centre(end - 1));
-                x = end;
+                let at = |x: usize| Cell::new(x as i32, y as i32);
+                let (first, mut last) = (x + skipped, x + skipped);
+                while last + 1 < row.len() && row[last + 1] && is_joined(at(last)) {
+                    last += 1;
+                }
+                self.sweep(at(first).centre(size), at(last).centre(size));
+                x = last + 1;
             }
         }
     }
@@ -71,9 +76,9 @@ impl Swath {
             rows.sum()
         };
         if self.mirrored.is_empty() {
-            return count(&Sum::of_round(&line, self.radius));
+            return count(&Sum::of_round(&line, self.radius, -HAIR));
         }
-        self.mirrored.iter().map(|piece| count(&Sum::of_polygons(&line, piece))).sum()
+        self.mirrored.iter().map(|piece| count(&Sum::of_polygons(&line, piece, -HAIR))).sum()
     }
 
     /// Adds the floor swept by another body of the same room.
@@ -85,6 +90,11 @@ impl Swath {
     pub fn count(&self) -> usize {
         self.canvas.bits.count()
     }
+}
+
+fn mirrored(outline: &Outline, heading: f64) -> Vec<ConvexPiece> {
+    let mirror = |piece: Vec<Point>| ConvexPiece::new(piece.into_iter().map(|p| -p).collect());
+    outline.pieces(heading).into_iter().map(mirror).collect()
 }
 
 #[cfg(test)]
