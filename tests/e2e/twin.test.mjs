@@ -46,6 +46,8 @@ test("a recording becomes a twin, is checked with another and is the robot in Ex
   await page.locator("#twin-explore").click();
   await page.waitForFunction(() => document.getElementById("robot").value === "twin");
   await screenshot("explore-twin");
+  // The address leads back.
+  await page.waitForFunction(() => location.hash.includes("twin="));
   await page.reload();
   await page.waitForFunction(() => document.getElementById("robot")?.value === "twin");
   await page.locator("#robot").selectOption("dvr1");

@@ -166,12 +166,16 @@ export class FloorPlanTab {
     return this.until((view) => view.mode === "Safe" && view.can.drive);
   }
 
-  /** Holds the stick from now on: forward, or to the left. */
+  /** Holds the stick from now on, forward or to the left, until the robot drives. */
   async drive(stick = { forward: 1, left: 0 }) {
-    await this.tab.evaluate((how) => {
+    await this.hold(stick);
+    return this.until((view) => view.wheels[1] > 0);
+  }
+
+  hold(stick) {
+    return this.tab.evaluate((how) => {
       window.stick = setInterval(() => window.connection.request({ do: "drive", ...how }), 50);
     }, stick);
-    return this.until((view) => view.wheels[1] > 0);
   }
 
   letGo() {

@@ -80,6 +80,14 @@ export class Robot {
     return this.#until(() => this.heard().some(moves));
   }
 
+  /** Waits until it has heard this since a command moved it last. @param {number} opcode */
+  hearsAfterMoving(opcode) {
+    return this.#until(() => {
+      const heard = this.heard();
+      return heard.slice(heard.findLastIndex(moves) + 1).some((command) => command.opcode === opcode);
+    });
+  }
+
   /** Waits until it stands still. */
   rests() {
     return this.#until(() => this.isAtRest());
