@@ -8,6 +8,7 @@ const ROOM = "#room=empty&speed=1";
 
 test("plays, steps and goes back by single keys", async (t) => {
   const { page, app } = await openApp(t, { address: ROOM });
+  await app.until("playing");
   await page.keyboard.press("Space");
   await app.until("paused");
   await page.keyboard.press("r");

@@ -108,8 +108,7 @@ test("before the run begins, dragging the robot moves the start", async (t) => {
   await app.press("Back to the start");
   await app.until("ready");
   await app.drag([0.5, 0.5], [0.6, 0.4]);
-  const start = await app.linked("start", (text) => text !== "2.500,2.000,0.0");
-  assert.ok(Number(start.split(",")[0]) > 2.6, start);
+  await app.linked("start", (text) => Number(text.split(",")[0]) > 2.6);
 });
 
 test("a finger picks the robot up, too", async (t) => {

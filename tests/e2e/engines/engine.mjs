@@ -46,7 +46,7 @@ export class Engine {
   }
 
   /** Waits until what a function returns in the page is true, and returns it. */
-  until(fits, ...args) {
+  async until(fits, ...args) {
     const wait = `async (...args) => {
       const patience = performance.now() + ${PATIENCE_MS};
       for (;;) {
@@ -56,7 +56,13 @@ export class Engine {
         await new Promise((later) => setTimeout(later, 20));
       }
     }`;
-    return this.evaluate(wait, ...args);
+    try {
+      return await this.evaluate(wait, ...args);
+    } catch (error) {
+      // WebKit may have asked the page that was about to be left.
+      if (!/before the unload event/.test(String(error))) throw error;
+      return this.evaluate(wait, ...args);
+    }
   }
 
   async #find(selector) {
