@@ -3,35 +3,15 @@
 //! quarter turns of closed tours in `turncost`. Its effort is the largest, and it's stopped after that many seconds (10): on
 //! Linux those that the processor worked at it, as other programs may run.
 
+mod processor_clock;
+
 use coverage_planners::{CoverageJob, CoveragePath, Objective, PlanContext, PlanError, ProgressReport, Proof, find};
+use processor_clock::Clock;
 use robovac_core::{
     grid::{Cell, Direction, from_picture},
     registry::{ParamValue, Params},
 };
-use std::{error::Error, fs, ops::ControlFlow, path::Path, time::Instant};
-
-/// A clock of the working time.
-struct Clock {
-    begun: Instant,
-    worked: Option<f64>,
-}
-
-impl Clock {
-    fn start() -> Self {
-        Self { begun: Instant::now(), worked: Self::worked() }
-    }
-
-    fn seconds(&self) -> f64 {
-        Self::worked().zip(self.worked).map_or_else(|| self.begun.elapsed().as_secs_f64(), |(now, then)| now - then)
-    }
-
-    /// CPU time of the only thread, s, on Linux.
-    fn worked() -> Option<f64> {
-        let nanoseconds: f64 =
-            fs::read_to_string("/proc/self/schedstat").ok()?.split_whitespace().next()?.parse().ok()?;
-        Some(nanoseconds / 1e9)
-    }
-}
+use std::{error::Error, fs, ops::ControlFlow, path::Path};
 
 /// A room, and the best known value in its header, if any.
 fn read(path: &Path) -> Result<(CoverageJob, Option<f64>), Box<dyn Error>> {

@@ -1,46 +1,26 @@
-//! Paths in metres beside walks on planning cells: `cargo run --release -p coverage-planners --example lanes_table --
+//! Paths in metres beside walks on planning cells: `cargo run --release --example lanes_table --
 //! [SECONDS [COVERAGE [CLEARANCE [ROOM...]]]]`.
 //!
 //! For a Roomba 600: bounds, `boustrophedon`, `near_optimal` and lanes, searched for so many seconds (30) for a share of the floor
 //! (99 %), that many millimetres off obstacles (3). Seconds are those of the processor on Linux, as other programs may run. A room is
 //! the id of a built-in one, or the seed of a random flat.
 
+mod processor_clock;
+
 use coverage_planners::{
     CoverageJob, Params, PlanContext, find,
     lanes::{LanesProgress, LanesSetup, MetricBound, plan_lanes, swept_share},
     metrics::DriveMetrics,
 };
+use processor_clock::Clock;
 use robovac_core::{
     coverage::{PlanningGrid, ReachableFloor},
     floor_plan::{generate::random_flat, room},
     robot::{RobotModel, model},
 };
-use std::{error::Error, fs, ops::ControlFlow, time::Instant};
+use std::{error::Error, ops::ControlFlow};
 
 const ROOMS: [&str; 8] = ["flat", "room12ft", "bedroom", "living", "hotel", "office", "warehouse", "hall20"];
-
-/// A clock of the working time.
-struct Clock {
-    begun: Instant,
-    worked: Option<f64>,
-}
-
-impl Clock {
-    fn start() -> Self {
-        Self { begun: Instant::now(), worked: Self::worked() }
-    }
-
-    fn seconds(&self) -> f64 {
-        Self::worked().zip(self.worked).map_or_else(|| self.begun.elapsed().as_secs_f64(), |(now, then)| now - then)
-    }
-
-    /// Processor time of the only thread, s, on Linux.
-    fn worked() -> Option<f64> {
-        let nanoseconds: f64 =
-            fs::read_to_string("/proc/self/schedstat").ok()?.split_whitespace().next()?.parse().ok()?;
-        Some(nanoseconds / 1e9)
-    }
-}
 
 /// A row: length in metres, time in seconds and coverage, 0 to 1, with their excess over the bound for that coverage.
 fn row(name: &str, floor: &ReachableFloor, robot: &RobotModel, [length, duration, coverage]: [f64; 3]) -> String {
