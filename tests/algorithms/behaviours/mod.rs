@@ -7,3 +7,5 @@ mod papers;
 mod paths;
 mod stairs;
 mod support;
+
+pub use docking::room_with_dock;

@@ -66,6 +66,10 @@ impl MapBase {
         let observer = match known {
             Some(known) => {
                 let mapper = mapper(setup.tracking).knowing(known.map().clone(), known.marks().clone());
+                let mapper = match known.dock() {
+                    Some(dock) => mapper.knowing_dock(dock),
+                    None => mapper,
+                };
                 observer.with_mapper(mapper).with_locator(known.locator(robot, setup.odometry, self.seed)?)
             }
             // A controller with a map of its own acts by that.
@@ -82,7 +86,7 @@ impl MapBase {
 /// Key of a session's room, start, robot, conditions and seed; stable between sessions.
 fn place_of(session: &Session) -> String {
     let kept = session.link_pairs().filter(|(key, _)| {
-        ["room", "robot", "twin", "cell", "seed", "slip", "quantised", "start"].contains(&key.as_str())
+        ["room", "robot", "twin", "cell", "seed", "slip", "quantised", "charge", "start"].contains(&key.as_str())
             || key.starts_with("noise.")
     });
     let kept: Vec<String> = kept.map(|(key, value)| format!("{key}={value}")).collect();
