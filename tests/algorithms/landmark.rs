@@ -2,6 +2,7 @@
 
 use super::behaviours::room_with_dock;
 use robovac_core::{
+    coverage::with_objects,
     floor_plan::{FloorPlan, Object, Sketch},
     geometry::{Pose, difference},
     math,
@@ -9,12 +10,13 @@ use robovac_core::{
     robot::{BatteryReading, OdometryModel, SensorReadings, model},
 };
 use robovac_sim::{
-    Conditions, Input, Noise, NoiseLevel, SlipLevel, berth, controller, dock_at,
+    Conditions, Noise, NoiseLevel, Run, SlipLevel,
+    controller::{self, clean_by_map},
     experiment::{
         kidnapping::{Kidnapped, Kidnapping},
         planning::RoomSetup,
     },
-    mapping::{Mapper, MapperSetup, Tracking},
+    mapping::{Mapper, MapperSetup, Marks, OccupancyMap, Tracking},
 };
 
 fn typical() -> Conditions {
@@ -22,7 +24,7 @@ fn typical() -> Conditions {
     Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() }
 }
 
-/// Trials of a kidnapped Roomba that follows walls for two minutes.
+/// Trials of a kidnapped Roomba that follows walls for a minute.
 fn kidnapped(plan: &FloorPlan) -> Vec<Kidnapped> {
     let (robot, info) = (model("roomba600").unwrap(), controller::find("wall_follow").unwrap());
     let (prepared, params) = (RoomSetup::new(plan, robot, 0.12, None).unwrap(), Params::defaults(info.params));
@@ -34,22 +36,24 @@ fn kidnapped(plan: &FloorPlan) -> Vec<Kidnapped> {
         params: &params,
         conditions: typical(),
         odometry: OdometryModel::Arc,
-        duration_s: 120.0,
+        duration_s: 60.0,
     };
-    (1..=6).map(|seed| kidnapping.run(seed).unwrap()).collect()
+    (1..=4).map(|seed| kidnapping.run(seed).unwrap()).collect()
 }
 
+// slow: particle filters
 /// A bare room looks the same from opposite corners; only the dock tells them apart.
 #[test]
 fn beams_tell_two_ends_of_a_symmetric_room_apart() {
     let found = |trials: &[Kidnapped]| trials.iter().filter(|trial| trial.found_s.is_some()).count();
-    let mut plan = Sketch::open(4.0, 3.0, 0.05).start(1.0, 1.0, 0.0).finish("bare", "");
+    let sketch = Sketch::solid(4.2, 3.2, 0.05).carve(&[[0.1, 0.1, 4.1, 3.1]]);
+    let mut plan = sketch.start(1.0, 1.0, 0.0).finish("bare", "");
     let without = kidnapped(&plan);
-    plan.objects.push(Object::Dock { pose: Pose::new(0.0, 1.5, 0.0) });
+    plan.objects.push(Object::Dock { pose: Pose::new(0.1, 1.6, 0.0) });
     let with = kidnapped(&plan);
-    println!("{} of 6 without a dock, {} with", found(&without), found(&with));
-    assert!(found(&without) <= 4, "{without:?}");
-    assert!(found(&with) >= 6, "{with:?}");
+    println!("{} of 4 without a dock, {} with", found(&without), found(&with));
+    assert!(found(&without) <= 1, "{without:?}");
+    assert!(found(&with) >= 3, "{with:?}");
 }
 
 fn mapper() -> Mapper {
@@ -107,36 +111,30 @@ fn who_has_never_been_on_a_dock_stays_lost_there() {
     assert!(mapper.is_lost());
 }
 
-/// An explorer that is carried off within sight of its dock drives there before it goes on, and its place is right.
+/// A robot that cleans by a map with its dock, and is put down within sight of it, drives there before it goes on.
 #[test]
-fn a_lost_explorer_goes_to_its_dock() {
+fn who_is_lost_on_a_known_map_goes_to_the_dock_and_then_cleans() {
     let (plan, robot) = (room_with_dock(), model("roomba600").unwrap());
     let dock = Pose::new(1.8, 0.0, math::FRAC_PI_2);
-    let start = berth(dock, robot);
-    assert!((dock_at(start, robot).position() - dock.position()).norm() < 1e-9);
     for seed in 1..=3 {
-        let prepared = RoomSetup::new(&plan, robot, 0.12, Some(Pose::new(1.8, 0.9, start.heading))).unwrap();
-        let info = controller::find("explore_frontier").unwrap();
-        let mut run = prepared.run_behaviour(info, &Params::defaults(info.params), typical(), seed).unwrap();
-        // It begins by being put onto its dock.
-        run.apply(Input::PutDown(start));
-        while run.time_s() < 60.0 {
+        let start = Pose::new(2.0, 1.4, -1.0);
+        let prepared = RoomSetup::new(&plan, robot, 0.12, Some(start)).unwrap();
+        let map = OccupancyMap::of(&with_objects(&plan));
+        let marks = Marks::new(map.resolution());
+        let lost = mapper().knowing(map, marks).knowing_dock(dock);
+        let mut run = Run::new(&prepared.setup(typical(), seed), clean_by_map(lost, "boustrophedon"));
+        let is_lost = |run: &Run| run.mapper().unwrap().is_lost();
+        assert!(is_lost(&run));
+        while is_lost(&run) && run.time_s() < 60.0 {
             run.step();
         }
-        run.apply(Input::Lift);
-        while run.time_s() < 62.0 {
-            run.step();
-        }
-        run.apply(Input::PutDown(Pose::new(2.0, 1.4, -1.0)));
-        let is_lost = |run: &robovac_sim::Run| run.mapper().unwrap().is_lost();
-        run.step();
-        assert!(is_lost(&run), "{seed}: it isn't lost");
-        while is_lost(&run) && run.time_s() < 400.0 {
-            run.step();
-        }
-        assert!(run.sensors().battery.on_dock, "{seed}: after {:.0} s, {}", run.time_s(), run.activity());
         let (estimate, pose) = (run.estimate().unwrap(), run.pose());
-        println!("{seed}: {:.0} s, {estimate} at {pose}", run.time_s() - 62.0);
-        assert!(difference(estimate.heading, pose.heading).abs() < 0.16, "{seed}");
+        assert!(run.sensors().battery.on_dock, "{seed}: after {:.0} s, {}", run.time_s(), run.activity());
+        assert!((estimate.position() - pose.position()).norm() < 0.03, "{seed}: {estimate}, {pose}");
+        assert!(difference(estimate.heading, pose.heading).abs() < 0.16, "{seed}: {estimate}, {pose}");
+        while run.time_s() < 180.0 {
+            run.step();
+        }
+        assert!(run.distance_m() > 5.0 && run.activity() == "cleaning by its map", "{seed}: {}", run.activity());
     }
 }
