@@ -85,12 +85,21 @@ test("what is shown, noise and behaviour are in the link", async (t) => {
   assert.ok(await page.locator("#layers").isHidden());
   assert.equal(await app.linked("show", (text) => !/coverage/.test(text) && /sensors/.test(text)), "dirt,sensors");
   await app.linked("quantised");
+  const charge = page.locator("#start-charge");
+  await charge.fill("40");
+  await charge.press("Enter");
+  assert.equal(await app.linked("charge"), "40");
+  await charge.fill("0");
+  await charge.press("Enter");
+  await app.says(/start charge can't be "0"; use a whole number from 1 to 100/);
+  assert.equal(await charge.inputValue(), "40");
 
   await page.reload();
   await app.settled();
   assert.equal(await page.locator("#algorithm").inputValue(), "bounce");
   assert.equal(await page.locator("#noise").inputValue(), "mixed");
   assert.ok(await page.locator("#quantised").isChecked());
+  assert.equal(await charge.inputValue(), "40");
   assert.ok(!(await page.locator("[data-layer=coverage]").isChecked()));
   assert.ok(await page.locator("[data-layer=sensors]").isChecked());
 });
