@@ -26,7 +26,7 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
   }
   await ready;
   const { id } = message.request;
-  /** @param {number} done @param {Uint32Array} cells @param {import("./worker-types").Proof | undefined} proof @param {unknown[] | undefined} film */
+  /** @param {number} done @param {import("./worker-types").WirePath} cells @param {import("./worker-types").Proof | undefined} proof @param {unknown[] | undefined} film */
   const report = (done, cells, proof, film) => answer({ type: "progress", id, done, cells, proof, film }, [cells.buffer]);
   try {
     if (message.type === "plan") {

@@ -46,7 +46,7 @@ fn kept_plan_is_the_planners_own() {
 #[test]
 fn kept_plan_is_as_good_as_it_says() {
     let job = request().job;
-    let path = CoveragePath { cells: opening::from_runs(job.start, opening::WALK) };
+    let path = CoveragePath::walk(opening::from_runs(job.start, opening::WALK));
     let cost = WalkMetrics::of(&job, &path).cost() as u64;
     assert_eq!(opening::PROOF, Proof { cost, bound: Bounds::of(&job).cost as u64 }, "opening.rs tells something else");
     // It is available at once, without a worker.

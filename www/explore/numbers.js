@@ -79,7 +79,7 @@ export function startNumbers({ catalogue }) {
   byId("metrics-plan").append(...PLAN.map((line) => row(line, true)));
 
   return (view) => {
-    const known = view.plan && view.plan.steps > 0 ? view.plan : null;
+    const known = view.plan && view.plan.length_m > 0 ? view.plan : null;
     for (const { of, plan, run, line } of rows) {
       if (typeof of.tip !== "string") setAttribute(line, "data-tip", of.tip(view));
       if (of.when) setHidden(line, !of.when(view));

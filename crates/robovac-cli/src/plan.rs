@@ -12,7 +12,7 @@ use robovac_sim::experiment::{
 };
 use std::time::Instant;
 
-/// Plan a walk that covers a room
+/// Plan a path that covers a room
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -48,24 +48,32 @@ fn summary(task: &PlanningTask, report: &PlanReport) -> String {
     let PlanReport { walk, drive, bounds, .. } = report;
     let above =
         report.above_bound_percent.map(|percent| format!(", the walk is {percent:.1} % above")).unwrap_or_default();
+    let (cells, path) = match walk {
+        None => (String::new(), format!("Path      {} corners", report.corners_m.len())),
+        Some(walk) => (
+            format!(", {} reachable cells", walk.reachable_cells),
+            format!(
+                "Walk      {} steps, {} quarter turns and {} at the start, {} revisits, {:.1} % overlap\n\
+                 Bound     at least {} steps, at least {} quarter turns, steps + 2 x turns at least {}{above}",
+                walk.steps,
+                walk.turns,
+                walk.initial_turns,
+                walk.revisits,
+                100.0 * drive.overlap,
+                bounds.steps,
+                bounds.turns,
+                bounds.cost,
+            ),
+        ),
+    };
     format!(
         "{}\
-         Coverage  {:.1} % of the reachable floor, {} reachable cells\n\
-         Walk      {} steps, {} quarter turns and {} at the start, {} revisits, {:.1} % overlap\n\
-         Bound     at least {} steps, at least {} quarter turns, steps + 2 x turns at least {}{above}\n\
+         Coverage  {:.1} % of the reachable floor{cells}\n\
+         {path}\n\
          Drive     {:.1} m in {}, {:.1} Wh\n\
          Planning  {:.3} s\n",
         task::summary(Algorithm::Planner(task.planner), &task.placement, &report.task),
         100.0 * drive.coverage,
-        walk.reachable_cells,
-        walk.steps,
-        walk.turns,
-        walk.initial_turns,
-        walk.revisits,
-        100.0 * drive.overlap,
-        bounds.steps,
-        bounds.turns,
-        bounds.cost,
         drive.length_m,
         output::minutes(drive.duration_s),
         drive.energy_wh,

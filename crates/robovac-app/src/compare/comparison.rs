@@ -19,7 +19,7 @@ use std::{
 pub const MOST_SEEDS: u32 = 20;
 /// Planners that are selected at first.
 const FIRST: [&str; 4] = ["boustrophedon", "snake", "spiral_stc", "wavefront_path"];
-/// Most cells of all walks kept for the race together, 8 bytes each.
+/// Most cells of all paths kept for the race together, 8 bytes each.
 const MOST_KEPT_CELLS: usize = 8_000_000;
 
 /// The entrants of a comparison and their results.
@@ -221,9 +221,9 @@ impl Comparison {
     /// A worker is done.
     pub fn trial_finished(&mut self, id: u32, result: Result<PlanOutcome, String>) {
         let Some((trial, key)) = self.trials.end(id) else { return };
-        let result = result.map(|PlanOutcome { numbers, cells }| {
+        let result = result.map(|PlanOutcome { numbers, path }| {
             if self.base.as_ref().is_some_and(|base| base.seed == trial.seed) {
-                self.keep(&key, CoveragePath { cells });
+                self.keep(&key, path);
             }
             numbers
         });
@@ -232,17 +232,17 @@ impl Comparison {
         self.enter_race();
     }
 
-    /// Keeps a walk for the race.
+    /// Keeps a path for the race.
     fn keep(&mut self, key: &TrialKey, path: CoveragePath) {
         let kept =
-            |paths: &BTreeMap<TrialKey, CoveragePath>| paths.values().map(|path| path.cells.len()).sum::<usize>();
-        if kept(&self.paths) + path.cells.len() > MOST_KEPT_CELLS {
+            |paths: &BTreeMap<TrialKey, CoveragePath>| paths.values().map(size).sum::<usize>();
+        if kept(&self.paths) + size(&path) > MOST_KEPT_CELLS {
             // For other rooms the walk is planned again if needed.
             let here = self.place(self.here());
             self.trials.retain(|key| key.starts_with(&here) || !self.paths.contains_key(key));
             self.paths.retain(|key, _| key.starts_with(&here));
         }
-        if kept(&self.paths) + path.cells.len() <= MOST_KEPT_CELLS {
+        if kept(&self.paths) + size(&path) <= MOST_KEPT_CELLS {
             self.paths.insert(key.clone(), path);
         }
     }
@@ -401,6 +401,11 @@ impl Comparison {
         }
         self.race = Some(race);
     }
+}
+
+/// Length of a path in cells of as much memory.
+fn size(path: &CoveragePath) -> usize {
+    path.cells.len() + 2 * path.line.len()
 }
 
 fn key(place: &str, entrant: &str, seed: u64) -> TrialKey {

@@ -202,7 +202,7 @@ pub struct RoomView {
     pub left_out_m2: f64,
 }
 
-/// The plan in numbers; those of walk and drive are 0 while planning.
+/// The plan in numbers; those of walk and drive are 0 while planning, those of the walk also for a path in metres.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct PlanView {

@@ -51,11 +51,15 @@ pub struct PlanReport {
     /// The task.
     #[serde(flatten)]
     pub task: TaskReport,
-    /// The walk over planning cells, `[x, y]` with x right and y up from the lower-left one, the start included.
+    /// The walk over planning cells, `[x, y]` with x right and y up from the lower-left one, the start included; empty for a
+    /// path in metres.
     pub cells: Vec<Cell>,
-    /// Numbers of the walk.
+    /// Corners of a path in metres, `[x, y]`; left out for a walk.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub corners_m: Vec<[f64; 2]>,
+    /// Numbers of the walk; left out for a path in metres.
     #[serde(flatten)]
-    pub walk: WalkMetrics,
+    pub walk: Option<WalkMetrics>,
     /// Numbers of the line that the robot drives.
     #[serde(flatten)]
     pub drive: DriveMetrics,
@@ -102,6 +106,7 @@ impl PlanReport {
                 &task.placement,
                 &solution.prepared,
             ),
+            corners_m: solution.path.line.iter().map(|at| [at.x, at.y]).collect(),
             cells: solution.path.cells,
             walk,
             drive,
