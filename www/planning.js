@@ -7,7 +7,7 @@
  * @typedef {object} Listeners
  * @property {(id: number, done: number, cells: import("./worker-types").WirePath, proof: Proof, film: unknown[]) => void} progress
  * @property {(id: number, cells: import("./worker-types").WirePath, seconds: number, trace: unknown, proof: Proof) => void} finished
- * @property {(id: number, proof: Proof) => void} [proven] Receives the proof of a plan already received.
+ * @property {(id: number, proof: Proof, least: Float64Array | undefined) => void} [proven] Receives what is proven of a plan already received.
  * @property {(id: number, message: string) => void} failed
  */
 
@@ -111,7 +111,7 @@ export class Planning {
     if (message.type === "proven" && id === this.#proving) {
       this.#proving = NaN;
       this.#sent = false;
-      this.#listeners.proven?.(id, message.proof);
+      this.#listeners.proven?.(id, message.proof, message.least);
     }
     if (id !== this.#busy) return;
     if (message.type === "progress") {

@@ -21,7 +21,8 @@ export type FromWorker =
   | { type: "progress"; id: number; done: number; cells: WirePath; proof: Proof | undefined; film: unknown[] | undefined }
   /** The planner's own proof; the proof in the weights of comparisons comes later. */
   | { type: "finished"; id: number; cells: WirePath; seconds: number; trace: unknown; proof: Proof | undefined }
-  | { type: "proven"; id: number; proof: Proof | undefined }
+  /** `least`: length and time of any path that sweeps as much. */
+  | { type: "proven"; id: number; proof: Proof | undefined; least: Float64Array | undefined }
   | { type: "failed"; id: number; message: string };
 
 export type FromTrial =

@@ -1,6 +1,6 @@
 // @ts-check
 // Plans and reads maps away from the page, which stays responsive; to cancel, the page ends this worker.
-import init, { Runner, TrialRunner, plan, prove, read_map } from "../workshop.js";
+import init, { Runner, TrialRunner, least, plan, prove, read_map } from "../workshop.js";
 
 /** @typedef {import("./worker-types").FromWorker | import("./worker-types").FromTrial | import("./worker-types").FromRuns | import("./worker-types").FromReader} Answer */
 
@@ -15,6 +15,11 @@ let runner;
 /** @param {Answer} message @param {ArrayBufferLike[]} [transfer] */
 function answer(message, transfer = []) {
   self.postMessage(message, { transfer: /** @type {Transferable[]} */ (transfer) });
+}
+
+/** @param {import("./worker-types").PlanRequest} request @param {import("./worker-types").WirePath} path */
+function tellProof(request, path) {
+  answer({ type: "proven", id: request.id, proof: prove(request, path), least: least(request, path) });
 }
 
 self.addEventListener("message", async (/** @type {MessageEvent<import("./worker-types").ToWorker>} */ event) => {
@@ -32,9 +37,9 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
     if (message.type === "plan") {
       const { cells, seconds, trace, proof } = plan(message.request, report);
       answer({ type: "finished", id, cells, seconds, trace, proof });
-      answer({ type: "proven", id, proof: prove(message.request, cells) });
+      tellProof(message.request, cells);
     } else if (message.type === "prove") {
-      answer({ type: "proven", id, proof: prove(message.request, message.cells) });
+      tellProof(message.request, message.cells);
     } else if (message.type === "read") {
       const map = read_map(message.request.files);
       answer({ type: "read", id, map }, [map.cells.buffer]);

@@ -192,11 +192,10 @@ impl Playground {
         Ok(())
     }
 
-    /// The worker has proven a bound of its plan.
-    pub fn plan_proven(&mut self, id: u32, proof: Option<Vec<f64>>) {
-        if let Some(proof) = proof_from_js(proof) {
-            self.session.plan_proven(id, proof);
-        }
+    /// The worker has proven bounds of its plan: its cost and the least, and the least length, m, and time, s.
+    pub fn plan_proven(&mut self, id: u32, proof: Option<Vec<f64>>, least: Option<Vec<f64>>) {
+        let least = least.and_then(|least| least.try_into().ok());
+        self.session.plan_proven(id, proof_from_js(proof), least);
     }
 
     /// The worker has failed.

@@ -148,7 +148,7 @@ impl Comparison {
     #[wasm_bindgen(unchecked_return_type = "rust.TableView")]
     pub fn table(&self, room: Option<usize>) -> Result<JsValue, JsValue> {
         let room: Option<RoomChoice> = room.and_then(|index| self.state.rooms().get(index).copied());
-        to_js(&TableView::new(&self.state.table(room), room.and_then(|room| self.state.bounds(room))))
+        to_js(&TableView::new(&self.state.table(room), room.and_then(|room| self.state.numbers(room))))
     }
 
     /// All trials as CSV.

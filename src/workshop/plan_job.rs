@@ -1,12 +1,15 @@
 //! Planning in a worker.
 
-use coverage_planners::{Bounds, Film, ProgressReport, Proof, metrics::WalkMetrics};
-use js_sys::{Function, Object, Reflect};
+use coverage_planners::{
+    Bounds, Film, ProgressReport, Proof,
+    metrics::{DriveMetrics, MetricExcess, WalkMetrics},
+};
+use js_sys::{Float64Array, Function, Object, Reflect};
 use robovac_playground::wire::{
     clock,
     frames::frames_to_js,
     proof::proof_to_js,
-    request::request_from_js,
+    request::{laid_out, request_from_js},
     walk::{path_from_js, path_to_js},
 };
 use std::ops::ControlFlow;
@@ -58,6 +61,19 @@ pub fn prove(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
     let proof = (walk.visited_cells == walk.reachable_cells)
         .then(|| Proof { cost: walk.cost() as u64, bound: Bounds::of(&job).cost as u64 });
     Ok(proof_to_js(proof))
+}
+
+/// Least length, m, and time, s, of any path that sweeps as much as a plan for that request; `undefined` for a robot that fills
+/// a cell, and if the request leaves the room out.
+#[wasm_bindgen]
+pub fn least(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
+    let Some(room) = laid_out(request)? else { return Ok(JsValue::UNDEFINED) };
+    let line = room.line(&path_from_js(path)).map_err(|e| e.to_string())?;
+    let drive = DriveMetrics::of(&room.floor, &room.robot, &line);
+    let excess = MetricExcess::of(&room.floor, &room.robot, &line, &drive);
+    Ok(excess.map_or(JsValue::UNDEFINED, |MetricExcess { bound, .. }| {
+        Float64Array::from([bound.length_m, bound.duration_s].as_slice()).into()
+    }))
 }
 
 /// Reports a planner's progress to `on_progress` regularly, and films it from the first walk with a proof on. That walk

@@ -318,7 +318,7 @@ fn late_answers_of_older_plans_are_dropped() {
     session.plan_finished(old.id, answer(vec![old.job.start]));
     assert_eq!(session.state(), SessionState::Planning);
     session.plan_progress(old.id, ProgressReport { done: 0.5, walk: &[Cell::new(0, 0)], line: &[], proof: None });
-    session.plan_proven(old.id, Proof { cost: 2, bound: 1 });
+    session.plan_proven(old.id, Some(Proof { cost: 2, bound: 1 }), None);
     assert!(session.preview().is_empty());
 }
 
@@ -361,11 +361,11 @@ fn gap_is_shown_while_planning_and_afterwards() {
     // As plans are compared is another number.
     let compared = |session: &Session| session.view().plan.unwrap().above_bound;
     assert_eq!(compared(&session), None);
-    session.plan_proven(request.id, Proof { cost: 120, bound: 100 });
+    session.plan_proven(request.id, Some(Proof { cost: 120, bound: 100 }), Some([3.0, 9.0]));
     assert_eq!((shown(&session), compared(&session)), (Some(0.1), Some(0.2)));
     // Of another plan it says nothing.
     session.plan_now(|| 0.0);
-    session.plan_proven(request.id + 1, Proof { cost: 3, bound: 1 });
+    session.plan_proven(request.id + 1, Some(Proof { cost: 3, bound: 1 }), None);
     assert_eq!(compared(&session), Some(0.2));
 }
 

@@ -1,6 +1,6 @@
 //! The list of all metrics in tables of the page, CSV files and the command line.
 
-use super::{DriveMetrics, WalkMetrics};
+use super::{DriveMetrics, MetricExcess, SweepBound, WalkMetrics};
 use crate::bounds::{Bounds, TURN_STEPS};
 use serde::{Deserialize, Serialize};
 
@@ -15,6 +15,10 @@ pub struct PlanNumbers {
     pub planning_s: f64,
     /// Lower bounds of the job, if they have been computed.
     pub bounds: Option<Bounds>,
+    /// The line above the bounds of any path, if that has been computed and the tool is a disc.
+    pub excess: Option<MetricExcess>,
+    /// Bounds of any path that sweeps 99 % of the floor, in the same cases.
+    pub least: Option<SweepBound>,
 }
 
 /// Which values of a metric are better.
@@ -137,6 +141,26 @@ pub const METRICS: &[MetricInfo] = &[
         "Driving time from start to standstill, by the robot's speeds and accelerations; it stops for every turn.",
         |n| Some(n.drive.duration_s),
     ),
+    MetricInfo {
+        rounding: Rounding::Up,
+        ..lower(
+            "excess_length",
+            "Excess length",
+            ("%", 1),
+            "Length above the proven least length of any path that sweeps as much floor, in percent of that.",
+            |n| Some(100.0 * n.excess?.above[0].max(0.0)),
+        )
+    },
+    MetricInfo {
+        rounding: Rounding::Up,
+        ..lower(
+            "excess_time",
+            "Excess time",
+            ("%", 1),
+            "Time above the proven least time of any path that sweeps as much floor, in percent of that.",
+            |n| Some(100.0 * n.excess?.above[1].max(0.0)),
+        )
+    },
     lower(
         "energy",
         "Energy",

@@ -7,7 +7,7 @@ use super::{
     trials::{TrialKey, Trials},
 };
 use crate::explore::Session;
-use coverage_planners::{Bounds, CoveragePath, PLANNERS};
+use coverage_planners::{CoveragePath, PLANNERS, metrics::PlanNumbers};
 use robovac_core::floor_plan::{ROOMS, Scenario};
 use robovac_sim::experiment::{Algorithm, Entrant, PlanOutcome, SettingsError, TrialRequest};
 use std::{
@@ -320,10 +320,10 @@ impl Comparison {
         PrintedRow::find(self.entrants[entrant].id(), room, base.cell_size)
     }
 
-    /// Lower bounds for a room, once a trial has computed them.
-    pub fn bounds(&self, room: RoomChoice) -> Option<Bounds> {
+    /// The numbers of any plan for a room, once there is one; its bounds are those of all others.
+    pub fn numbers(&self, room: RoomChoice) -> Option<&PlanNumbers> {
         let mut results = self.trials.results().filter(|(trial, _)| trial.room == room);
-        results.find_map(|(_, result)| result.as_ref().ok()?.bounds)
+        results.find_map(|(_, result)| result.as_ref().ok())
     }
 
     /// All results, for export.

@@ -2,7 +2,7 @@
 
 use super::PrintedRow;
 use coverage_planners::metrics::{Better, METRICS, MetricInfo, PlanNumbers};
-use robovac_sim::experiment::Entrant;
+use robovac_sim::experiment::{Entrant, planning::WHOLE};
 use serde::Serialize;
 
 /// Median and range of a number over several seeds.
@@ -39,9 +39,6 @@ pub struct Row {
     /// What a paper prints for this planner in this room.
     pub printed: Option<&'static PrintedRow>,
 }
-
-/// Share of the floor that a path in metres must sweep to be compared with walks over all cells: these sweep about as much.
-const WHOLE: f64 = 0.99;
 
 /// Whether a plan does all that others do.
 fn is_complete(numbers: &PlanNumbers) -> bool {

@@ -59,8 +59,7 @@ impl Arena {
     ) -> Result<PlanOutcome, TrialError> {
         let request = PlanRequest { id: 0, planner, params: params.clone(), seed, job: self.prepared.job.clone() };
         let answer = request.serve(clock, observer)?;
-        let Planned { walk, drive, planning_s, .. } = Planned::new(&self.prepared, &answer)?;
-        let numbers = PlanNumbers { walk, drive, planning_s, bounds: Some(self.bounds) };
+        let numbers = Planned::new(&self.prepared, &answer)?.numbers(&self.prepared, self.bounds);
         Ok(PlanOutcome { numbers, path: answer.path })
     }
 }

@@ -28,7 +28,7 @@ impl Session {
         let path = CoveragePath::walk(opening::from_runs(request.job.start, opening::WALK));
         let answer = PlanAnswer { path, seconds: 0.0, proof: None, trace: Vec::new() };
         self.plan_finished(request.id, answer);
-        self.plan_proven(request.id, opening::PROOF);
+        self.plan_proven(request.id, Some(opening::PROOF), Some(opening::LEAST));
         None
     }
 
@@ -93,12 +93,13 @@ impl Session {
         }
     }
 
-    /// A proof of a request's plan, in the weights of comparisons, found after planning.
-    pub fn plan_proven(&mut self, id: u32, proof: Proof) {
+    /// What was proven of a request's plan after planning: its cost in the weights of comparisons, and least length, m, and
+    /// time, s, of any path that sweeps as much.
+    pub fn plan_proven(&mut self, id: u32, proof: Option<Proof>, least: Option<[f64; 2]>) {
         if id == self.requests
             && let Some(planned) = &mut self.planned
         {
-            planned.compared = Some(proof);
+            (planned.compared, planned.least) = (proof, least);
         }
     }
 

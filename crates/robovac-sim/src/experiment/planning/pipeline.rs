@@ -7,7 +7,7 @@ use crate::{
 use coverage_planners::{
     Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
     PlannerInfo, Proof, TraceStep,
-    metrics::{DriveMetrics, PlanNumbers, WalkMetrics},
+    metrics::{DriveMetrics, MetricExcess, PlanNumbers, SweepBound, WalkMetrics},
 };
 use robovac_core::{
     coverage::{FloorError, PlanningGrid, ReachableFloor, fine_resolution},
@@ -61,6 +61,9 @@ pub struct PlanAnswer {
     pub trace: Vec<TraceStep>,
 }
 
+/// Share of the floor whose bounds stand beside plans: walks over all cells sweep about as much.
+pub const WHOLE: f64 = 0.99;
+
 /// Most free cells for which decisions are recorded: a record of a step is far larger than the step.
 pub const MOST_SEARCH_CELLS: usize = 20_000;
 
@@ -79,6 +82,8 @@ pub struct Planned {
     pub proof: Option<Proof>,
     /// Its proof in steps + 2 x quarter turns, the weights of comparisons, once available.
     pub compared: Option<Proof>,
+    /// Least length, m, and time, s, of any path that sweeps as much, once available.
+    pub least: Option<[f64; 2]>,
     /// Share of the search after which the user ended it, if so.
     pub kept_at: Option<f64>,
 }
@@ -200,14 +205,17 @@ impl Planned {
             planning_s: *seconds,
             proof: *proof,
             compared: None,
+            least: None,
             kept_at: None,
         })
     }
 
-    /// All metrics for a table, with the bounds of the job if they have been computed.
-    pub fn numbers(&self, bounds: Option<Bounds>) -> PlanNumbers {
-        let Self { walk, drive, planning_s, .. } = *self;
-        PlanNumbers { walk, drive, planning_s, bounds }
+    /// All metrics for a table, with the bounds of the job.
+    pub fn numbers(&self, prepared: &RoomSetup, bounds: Bounds) -> PlanNumbers {
+        let Self { walk, ref line, drive, planning_s, .. } = *self;
+        let excess = MetricExcess::of(&prepared.floor, &prepared.robot, line, &drive);
+        let least = SweepBound::new(&prepared.floor, &prepared.robot, WHOLE);
+        PlanNumbers { walk, drive, planning_s, bounds: Some(bounds), excess, least }
     }
 
     /// A run along the line by dead reckoning.

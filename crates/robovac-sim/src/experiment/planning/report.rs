@@ -4,7 +4,7 @@ use super::{Placement, PlanSolution, PlanningTask, RoomSetup};
 use crate::experiment::Algorithm;
 use coverage_planners::{
     Bounds,
-    metrics::{DriveMetrics, PlanNumbers, WalkMetrics},
+    metrics::{DriveMetrics, MetricExcess, PlanNumbers, WalkMetrics},
 };
 use robovac_core::{grid::Cell, registry::Params};
 use serde::Serialize;
@@ -69,6 +69,8 @@ pub struct PlanReport {
     pub bounds: Bounds,
     /// Cost of the walk above the bound, steps + 2 x quarter turns, %; `None` if the walk misses cells.
     pub above_bound_percent: Option<f64>,
+    /// Swept floor, bounds for it, and how far length and time exceed them; `None` for a robot that fills a cell.
+    pub excess: Option<MetricExcess>,
 }
 
 impl TaskReport {
@@ -96,7 +98,7 @@ impl PlanReport {
     /// The report of `solution`.
     pub fn new(task: &PlanningTask, solution: PlanSolution) -> Self {
         let bounds = Bounds::of(&solution.prepared.job);
-        let numbers = solution.planned.numbers(Some(bounds));
+        let numbers = solution.planned.numbers(&solution.prepared, bounds);
         let PlanNumbers { walk, drive, planning_s, .. } = numbers;
         Self {
             task: TaskReport::new(
@@ -113,6 +115,7 @@ impl PlanReport {
             planning_s,
             bounds,
             above_bound_percent: numbers.above_bound_percent(),
+            excess: numbers.excess,
         }
     }
 }
