@@ -73,7 +73,7 @@ pub fn laid_out(object: &JsValue) -> Result<Option<RoomSetup>, JsValue> {
         return Ok(None);
     }
     let place: SessionSnapshot = serde_wasm_bindgen::from_value(place).map_err(|e| e.to_string())?;
-    Ok(Some(place.lay_out().map_err(|e| e.to_string())?))
+    Ok(Some(place.lay_out().map_err(|e| e.to_string())?.0))
 }
 
 impl WireRequest {
