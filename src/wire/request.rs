@@ -2,12 +2,12 @@
 
 use coverage_planners::{self, CoverageJob, SLOW_CELLS};
 use js_sys::{Reflect, Uint8Array};
+use robovac_app::explore::{Session, SessionSnapshot};
 use robovac_core::{grid::Direction, registry::ParamValue};
 use robovac_core::{
     grid::{Cell, Grid},
     registry::Params,
 };
-use robovac_app::explore::{Session, SessionSnapshot};
 use robovac_sim::experiment::planning::{PlanRequest, RoomSetup};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

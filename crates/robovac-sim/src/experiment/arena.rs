@@ -2,9 +2,7 @@
 
 use crate::experiment::planning::{PlanRequest, Planned, RoomSetup};
 use coverage_planners::{Bounds, CoveragePath, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers};
-use robovac_core::{
-    coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, registry::Params, robot::RobotModel,
-};
+use robovac_core::{coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, registry::Params, robot::RobotModel};
 
 /// A room laid out for a robot, with its lower bounds: the same for all entrants.
 pub struct Arena {

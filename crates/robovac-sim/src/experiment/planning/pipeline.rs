@@ -113,11 +113,8 @@ impl RoomSetup {
     /// The line that a robot drives to follow `path`, corners in m, after checking the path.
     pub fn line(&self, path: &CoveragePath) -> Result<Arc<[Point]>, PathError> {
         path.check(&self.job)?;
-        let line = if path.is_in_metres() {
-            path.line.clone()
-        } else {
-            self.planning_grid.polyline(&self.floor, &path.cells)
-        };
+        let line =
+            if path.is_in_metres() { path.line.clone() } else { self.planning_grid.polyline(&self.floor, &path.cells) };
         Ok(line.into())
     }
 
