@@ -67,7 +67,9 @@ fn paths_touch_nothing_and_sweep_the_floor() {
     for (name, job) in jobs() {
         for info in planners() {
             let what = format!("{} in {name}", info.id);
-            let path = build(info, usize::MAX).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
+            // In a room hardly larger than the robot only a search finds the few centimetres to move.
+            let effort = if place(&job).floor.area() < 1.0 { 0 } else { usize::MAX };
+            let path = build(info, effort).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
             holds(&path, &job, &what);
             let swept = swept_share(&place(&job).floor, &path.line);
             // A disc doesn't reach into corners of cells that a robot fills.
