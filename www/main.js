@@ -154,7 +154,7 @@ async function start() {
     requestAnimationFrame(frame);
     guard(() => {
       const request = playground.take_plan_request();
-      if (request) planning.start(request);
+      if (request) planning.start({ ...request, place: playground.snapshot() });
       if (currentTab() === "explore") {
         stage.resized();
         playground.frame(now);

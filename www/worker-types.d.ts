@@ -2,7 +2,7 @@
 import type { BenchResult } from "./types";
 
 /** A planning request, the result of `take_plan_request` and the argument of `plan`. */
-export type PlanRequest = { id: number };
+export type PlanRequest = { id: number; place?: import("./types").SessionSnapshot };
 
 /** A path from a worker, x, y, x, y, ...: the cells of a walk, or the corners of a path in metres. */
 export type WirePath = Uint32Array | Float64Array;

@@ -156,7 +156,7 @@ impl Playground {
         if std::mem::take(&mut self.is_opening) && request.is_none() {
             self.session.run_ahead(OPENING_S);
         }
-        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request, &self.session))
+        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
     }
 
     /// Progress of the worker: the share done, its best path so far, the path's proof (cost and bound), and new film

@@ -1,11 +1,12 @@
 //! Mirror of the playground's session in another module.
 
+use js_sys::Reflect;
 use robovac_app::{
     connection::StartPlace,
     explore::{Session, SessionSnapshot},
 };
 use robovac_core::geometry::Pose;
-use robovac_playground::wire::{message, request, walk};
+use robovac_playground::wire::{message, request, to_js, walk};
 use robovac_sim::experiment::planning::PlanAnswer;
 use wasm_bindgen::prelude::*;
 
@@ -77,7 +78,10 @@ impl SessionMirror {
     #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
         let request = self.session.take_plan_request();
-        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request, &self.session))
+        let Some(request) = request else { return Ok(JsValue::UNDEFINED) };
+        let object = request::request_to_js(&request)?;
+        Reflect::set(&object, &"place".into(), &to_js(&self.session.whole_snapshot())?)?;
+        Ok(object)
     }
 
     /// The worker has finished. Throws a sentence for users if its plan can't be driven.

@@ -20,6 +20,10 @@ export async function fitCells({ playground, act }, percent) {
     });
     // Whatever was changed meanwhile counts.
     if (playground.link() === asked) act((p) => p.set_cell_size(metres));
+  } catch (error) {
+    act(() => {
+      throw error;
+    });
   } finally {
     worker.terminate();
     menu.disabled = false;

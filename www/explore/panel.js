@@ -14,8 +14,8 @@ import { paramField } from "../params.js";
 
 /** Parameters beyond these fold away. */
 const FEW = 2;
-/** Menu entries of planning cells that are chosen for a coverage, percent. */
-const [FIT, COVERAGES] = /** @type {const} */ (["fit ", [95, 98, 99]]);
+/** Entries of the menu of cells, percent: cells are chosen for so much coverage. */
+const COVERAGES = [95, 98, 99];
 /** Menu entry of a twin, which isn't in the catalogue. */
 const TWIN = "twin";
 
@@ -31,8 +31,7 @@ export function startPanel(app) {
   fill(select("robot"), robots.map(({ id, title }) => [id, title]));
   const cells = select("cell-size");
   const centimetres = (/** @type {number} */ size) => `${+(size * 100).toFixed(2)} cm`;
-  const fits = COVERAGES.map((percent) => /** @type {[string, string]} */ ([`${FIT}${percent}`, `for ${percent} %`]));
-  fill(cells, [...cell_sizes_m.map((size) => /** @type {[string, string]} */ ([String(size), centimetres(size)])), ...fits]);
+  fill(cells, [...cell_sizes_m, ...COVERAGES].map((size) => [String(size), size < 2 ? centimetres(size) : `for ${size} %`]));
 
   /** @param {(p: App["playground"]) => void} what */
   const change = (what) => {
@@ -50,10 +49,10 @@ export function startPanel(app) {
   bind("room", (p, id) => p.select_room(id));
   bind("algorithm", (p, id) => p.select_algorithm(id));
   bind("robot", (p, id) => (id === TWIN ? p.restore(`twin=${twin}`) : p.select_robot(id)));
-  bind("cell-size", (p, size) => {
-    if (!size.startsWith(FIT)) return p.set_cell_size(Number(size));
-    const fitted = import("./fit-cells.js").then(({ fitCells }) => fitCells(app, Number(size.slice(FIT.length))));
-    fitted.catch((error) => act(() => { throw error; })).finally(() => shown.delete(cells));
+  bind("cell-size", (p, text) => {
+    const size = Number(text);
+    if (size < 2) return p.set_cell_size(size);
+    void import("./fit-cells.js").then(({ fitCells }) => fitCells(app, size)).finally(() => shown.delete(cells));
   });
   bind("slip", (p, id) => p.set_slip(id));
   bind("noise", (p, level) => p.set_noise("all", level));
