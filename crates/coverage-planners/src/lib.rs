@@ -54,6 +54,7 @@ mod wavefront_path;
 
 pub mod lanes;
 pub mod metrics;
+pub mod smooth;
 pub mod stage;
 pub mod sweep;
 

@@ -31,6 +31,7 @@ pub use bound::MetricBound;
 pub use error::LanesError;
 pub use free_space::FreeSpace;
 pub use scan::swept_share;
+pub(crate) use scan::across;
 
 use anneal::anneal;
 use cost::MotionTimes;
