@@ -116,7 +116,7 @@ impl Best {
 
     /// Checks that it's a walk over all cells.
     fn check(&self, job: &CoverageJob) -> Result<(), Box<dyn Error>> {
-        CoveragePath { cells: self.walk.clone() }.check(job)?;
+        CoveragePath::walk(self.walk.clone()).check(job)?;
         let missed = missed(job, &self.walk);
         if missed > 0 { Err(format!("{missed} cells are missed").into()) } else { Ok(()) }
     }

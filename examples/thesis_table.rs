@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let PrintedRow { algorithm, turns, revisits, length_m, planner } = row;
         println!("| {algorithm} | {turns} | {revisits} | {length_m:.1} | {}", measured(planner)?);
     }
-    for info in PLANNERS.iter().filter(|info| TABLE_2.iter().all(|row| row.planner != info.id)) {
+    for info in PLANNERS.iter().filter(|info| !info.claims.in_metres && TABLE_2.iter().all(|row| row.planner != info.id)) {
         println!("| - | | | | {}", measured(info.id)?);
     }
     Ok(())
@@ -32,6 +32,7 @@ fn measured(id: &str) -> Result<String, Box<dyn Error>> {
     let task = PlanningTask { placement, planner, params, seed: 1 };
     let planned = task.solve(|| 0.0, None)?.planned;
     // The thesis counts a reversal as one turn.
-    let (turns, revisits) = (planned.walk.direction_changes, planned.walk.revisits);
+    let walk = planned.walk.ok_or("it isn't a walk")?;
+    let (turns, revisits) = (walk.direction_changes, walk.revisits);
     Ok(format!("{id} | {turns} | {revisits} | {:.1} |", planned.drive.length_m))
 }

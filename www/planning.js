@@ -5,9 +5,9 @@
  * @typedef {import("./worker-types").FromWorker} FromWorker
  * @typedef {import("./worker-types").Proof | undefined} Proof
  * @typedef {object} Listeners
- * @property {(id: number, done: number, cells: Uint32Array, proof: Proof, film: unknown[]) => void} progress
- * @property {(id: number, cells: Uint32Array, seconds: number, trace: unknown, proof: Proof) => void} finished
- * @property {(id: number, proof: Proof) => void} [proven] Receives the proof of a plan already received.
+ * @property {(id: number, done: number, cells: import("./worker-types").WirePath, proof: Proof, film: unknown[]) => void} progress
+ * @property {(id: number, cells: import("./worker-types").WirePath, seconds: number, trace: unknown, proof: Proof) => void} finished
+ * @property {(id: number, proof: Proof, least: Float64Array | undefined) => void} [proven] Receives what is proven of a plan already received.
  * @property {(id: number, message: string) => void} failed
  */
 
@@ -20,7 +20,7 @@ export class Planning {
   #busy;
   /** The last request. @type {import("./worker-types").PlanRequest | undefined} */
   #request;
-  /** Its best walk so far. @type {Uint32Array} */
+  /** Its best path so far. @type {import("./worker-types").WirePath} */
   #best = new Uint32Array();
   /** Id of the request that the worker is busy with, if any: the proof comes after the plan. */
   #sent = false;
@@ -111,7 +111,7 @@ export class Planning {
     if (message.type === "proven" && id === this.#proving) {
       this.#proving = NaN;
       this.#sent = false;
-      this.#listeners.proven?.(id, message.proof);
+      this.#listeners.proven?.(id, message.proof, message.least);
     }
     if (id !== this.#busy) return;
     if (message.type === "progress") {

@@ -4,26 +4,30 @@ import type { BenchResult } from "./types";
 /** A planning request, the result of `take_plan_request` and the argument of `plan`. */
 export type PlanRequest = { id: number };
 
-/** Messages to and from the planning worker. Cells are x, y, x, y, ... */
+/** A path from a worker, x, y, x, y, ...: the cells of a walk, or the corners of a path in metres. */
+export type WirePath = Uint32Array | Float64Array;
+
+/** Messages to and from the planning worker. */
 export type ToWorker =
   | { type: "init"; module: WebAssembly.Module }
   | { type: "plan"; request: PlanRequest }
-  | { type: "prove"; request: PlanRequest; cells: Uint32Array }
+  | { type: "prove"; request: PlanRequest; cells: WirePath }
   | { type: "trial"; request: { id: number } }
   | { type: "runs"; request: { id: number } }
   | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
 /** Cost of a plan, and its lower bound. */
 export type Proof = Float64Array;
 export type FromWorker =
-  | { type: "progress"; id: number; done: number; cells: Uint32Array; proof: Proof | undefined; film: unknown[] | undefined }
+  | { type: "progress"; id: number; done: number; cells: WirePath; proof: Proof | undefined; film: unknown[] | undefined }
   /** The planner's own proof; the proof in the weights of comparisons comes later. */
-  | { type: "finished"; id: number; cells: Uint32Array; seconds: number; trace: unknown; proof: Proof | undefined }
-  | { type: "proven"; id: number; proof: Proof | undefined }
+  | { type: "finished"; id: number; cells: WirePath; seconds: number; trace: unknown; proof: Proof | undefined }
+  /** `least`: length and time of any path that sweeps as much. */
+  | { type: "proven"; id: number; proof: Proof | undefined; least: Float64Array | undefined }
   | { type: "failed"; id: number; message: string };
 
 export type FromTrial =
-  | { type: "progress"; id: number; done: number; cells: Uint32Array }
-  | { type: "tried"; id: number; cells: Uint32Array; numbers: unknown }
+  | { type: "progress"; id: number; done: number; cells: WirePath }
+  | { type: "tried"; id: number; cells: WirePath; numbers: unknown }
   | { type: "failed"; id: number; message: string };
 
 /** Outcomes of runs, the argument of `MonteCarlo.batch_finished`. */

@@ -1,6 +1,6 @@
 // @ts-check
 // Plans and reads maps away from the page, which stays responsive; to cancel, the page ends this worker.
-import init, { Runner, TrialRunner, plan, prove, read_map } from "../workshop.js";
+import init, { Runner, TrialRunner, least, plan, prove, read_map } from "../workshop.js";
 
 /** @typedef {import("./worker-types").FromWorker | import("./worker-types").FromTrial | import("./worker-types").FromRuns | import("./worker-types").FromReader} Answer */
 
@@ -17,6 +17,11 @@ function answer(message, transfer = []) {
   self.postMessage(message, { transfer: /** @type {Transferable[]} */ (transfer) });
 }
 
+/** @param {import("./worker-types").PlanRequest} request @param {import("./worker-types").WirePath} path */
+function tellProof(request, path) {
+  answer({ type: "proven", id: request.id, proof: prove(request, path), least: least(request, path) });
+}
+
 self.addEventListener("message", async (/** @type {MessageEvent<import("./worker-types").ToWorker>} */ event) => {
   const message = event.data;
   if (message.type === "init") {
@@ -26,15 +31,15 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
   }
   await ready;
   const { id } = message.request;
-  /** @param {number} done @param {Uint32Array} cells @param {import("./worker-types").Proof | undefined} proof @param {unknown[] | undefined} film */
+  /** @param {number} done @param {import("./worker-types").WirePath} cells @param {import("./worker-types").Proof | undefined} proof @param {unknown[] | undefined} film */
   const report = (done, cells, proof, film) => answer({ type: "progress", id, done, cells, proof, film }, [cells.buffer]);
   try {
     if (message.type === "plan") {
       const { cells, seconds, trace, proof } = plan(message.request, report);
       answer({ type: "finished", id, cells, seconds, trace, proof });
-      answer({ type: "proven", id, proof: prove(message.request, cells) });
+      tellProof(message.request, cells);
     } else if (message.type === "prove") {
-      answer({ type: "proven", id, proof: prove(message.request, message.cells) });
+      tellProof(message.request, message.cells);
     } else if (message.type === "read") {
       const map = read_map(message.request.files);
       answer({ type: "read", id, map }, [map.cells.buffer]);

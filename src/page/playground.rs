@@ -156,22 +156,23 @@ impl Playground {
         if std::mem::take(&mut self.is_opening) && request.is_none() {
             self.session.run_ahead(OPENING_S);
         }
-        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
+        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request, &self.session))
     }
 
-    /// Progress of the worker: the share done, its best walk so far, the walk's proof (cost and bound), and new film
+    /// Progress of the worker: the share done, its best path so far, the path's proof (cost and bound), and new film
     /// frames.
     pub fn plan_progress(
         &mut self,
         id: u32,
         done: f64,
-        cells: &[u32],
+        path: &JsValue,
         proof: Option<Vec<f64>>,
         film: &Array,
     ) -> Result<(), JsValue> {
         let proof = proof_from_js(proof);
         self.session.plan_filmed(id, frames_from_js(film)?);
-        self.session.plan_progress(id, ProgressReport { done, walk: &walk::cells(cells), proof });
+        let path = walk::path_from_js(path);
+        self.session.plan_progress(id, ProgressReport { done, walk: &path.cells, line: &path.line, proof });
         Ok(())
     }
 
@@ -179,23 +180,22 @@ impl Playground {
     pub fn plan_finished(
         &mut self,
         id: u32,
-        cells: &[u32],
+        path: &JsValue,
         seconds: f64,
         trace: JsValue,
         proof: Option<Vec<f64>>,
     ) -> Result<(), JsValue> {
         let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
-        let path = CoveragePath { cells: walk::cells(cells) };
+        let path = walk::path_from_js(path);
         let proof = proof_from_js(proof);
         self.session.plan_finished(id, PlanAnswer { path, seconds, proof, trace });
         Ok(())
     }
 
-    /// The worker has proven a bound of its plan.
-    pub fn plan_proven(&mut self, id: u32, proof: Option<Vec<f64>>) {
-        if let Some(proof) = proof_from_js(proof) {
-            self.session.plan_proven(id, proof);
-        }
+    /// The worker has proven bounds of its plan: its cost and the least, and the least length, m, and time, s.
+    pub fn plan_proven(&mut self, id: u32, proof: Option<Vec<f64>>, least: Option<Vec<f64>>) {
+        let least = least.and_then(|least| least.try_into().ok());
+        self.session.plan_proven(id, proof_from_js(proof), least);
     }
 
     /// The worker has failed.

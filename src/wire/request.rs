@@ -1,13 +1,14 @@
 //! Planning request to a worker, as a plain object.
 
-use coverage_planners::{self, CoverageJob};
+use coverage_planners::{self, CoverageJob, SLOW_CELLS};
 use js_sys::{Reflect, Uint8Array};
 use robovac_core::{grid::Direction, registry::ParamValue};
 use robovac_core::{
     grid::{Cell, Grid},
     registry::Params,
 };
-use robovac_sim::experiment::planning::PlanRequest;
+use robovac_app::explore::{Session, SessionSnapshot};
+use robovac_sim::experiment::planning::{PlanRequest, RoomSetup};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use wasm_bindgen::JsValue;
@@ -26,8 +27,9 @@ struct WireRequest {
     turn_s: f64,
 }
 
-/// The request as a JavaScript object with its free cells in `free`.
-pub fn request_to_js(request: &PlanRequest) -> Result<JsValue, JsValue> {
+/// The request of a session as a JavaScript object with its free cells in `free`, and the session's snapshot in `place`, unless
+/// it would be a large drawn or loaded room for which a planner needs only the cells.
+pub fn request_to_js(request: &PlanRequest, session: &Session) -> Result<JsValue, JsValue> {
     let job = &request.job;
     let wire = WireRequest {
         id: request.id,
@@ -43,6 +45,9 @@ pub fn request_to_js(request: &PlanRequest) -> Result<JsValue, JsValue> {
     let object = crate::wire::to_js(&wire)?;
     let free: Vec<u8> = job.free.values().iter().map(|&f| u8::from(f)).collect();
     Reflect::set(&object, &"free".into(), &Uint8Array::from(free.as_slice()))?;
+    if request.planner.claims.in_metres || session.room().is_some() || job.cells() <= SLOW_CELLS {
+        Reflect::set(&object, &"place".into(), &crate::wire::to_js(&session.whole_snapshot())?)?;
+    }
     Ok(object)
 }
 
@@ -50,12 +55,25 @@ pub fn request_to_js(request: &PlanRequest) -> Result<JsValue, JsValue> {
 pub fn request_from_js(object: &JsValue) -> Result<PlanRequest, JsValue> {
     let wire: WireRequest = serde_wasm_bindgen::from_value(object.clone()).map_err(|e| e.to_string())?;
     let free = Uint8Array::new(&Reflect::get(object, &"free".into())?).to_vec();
-    let job = wire.job(&free).ok_or("the planning request has no free start")?;
     let planner =
         coverage_planners::find(&wire.planner).ok_or_else(|| format!("there is no planner \"{}\"", wire.planner))?;
     let given = wire.params.iter().map(|(id, value)| (id.as_str(), value.clone()));
     let params = Params::checked(planner.params, given).map_err(|e| e.to_string())?;
+    let job = match laid_out(object)? {
+        Some(room) if planner.claims.in_metres => room.job,
+        _ => wire.job(&free).ok_or("the planning request has no free start")?,
+    };
     Ok(PlanRequest { id: wire.id, planner, params, seed: wire.seed, job })
+}
+
+/// The room of a request, laid out for its robot, if it is there.
+pub fn laid_out(object: &JsValue) -> Result<Option<RoomSetup>, JsValue> {
+    let place = Reflect::get(object, &"place".into())?;
+    if place.is_undefined() {
+        return Ok(None);
+    }
+    let place: SessionSnapshot = serde_wasm_bindgen::from_value(place).map_err(|e| e.to_string())?;
+    Ok(Some(place.lay_out().map_err(|e| e.to_string())?))
 }
 
 impl WireRequest {

@@ -114,9 +114,9 @@ impl Comparison {
     }
 
     /// A worker has finished.
-    pub fn trial_finished(&mut self, id: u32, cells: &[u32], numbers: JsValue) -> Result<(), JsValue> {
+    pub fn trial_finished(&mut self, id: u32, path: &JsValue, numbers: JsValue) -> Result<(), JsValue> {
         let numbers: PlanNumbers = serde_wasm_bindgen::from_value(numbers).map_err(|e| e.to_string())?;
-        self.state.trial_finished(id, Ok(PlanOutcome { numbers, cells: walk::cells(cells) }));
+        self.state.trial_finished(id, Ok(PlanOutcome { numbers, path: walk::path_from_js(path) }));
         Ok(())
     }
 
@@ -148,7 +148,7 @@ impl Comparison {
     #[wasm_bindgen(unchecked_return_type = "rust.TableView")]
     pub fn table(&self, room: Option<usize>) -> Result<JsValue, JsValue> {
         let room: Option<RoomChoice> = room.and_then(|index| self.state.rooms().get(index).copied());
-        to_js(&TableView::new(&self.state.table(room), room.and_then(|room| self.state.bounds(room))))
+        to_js(&TableView::new(&self.state.table(room), room.and_then(|room| self.state.numbers(room))))
     }
 
     /// All trials as CSV.

@@ -1,13 +1,16 @@
 //! Planning in a worker.
 
-use coverage_planners::{Bounds, CoveragePath, Film, ProgressReport, Proof, metrics::WalkMetrics};
-use js_sys::{Function, Object, Reflect};
+use coverage_planners::{
+    Bounds, Film, ProgressReport, Proof,
+    metrics::{DriveMetrics, MetricExcess, WalkMetrics},
+};
+use js_sys::{Float64Array, Function, Object, Reflect};
 use robovac_playground::wire::{
     clock,
     frames::frames_to_js,
     proof::proof_to_js,
-    request::request_from_js,
-    walk::{self, flat},
+    request::{laid_out, request_from_js},
+    walk::{path_from_js, path_to_js},
 };
 use std::ops::ControlFlow;
 use wasm_bindgen::prelude::*;
@@ -20,7 +23,7 @@ const TELLING: f64 = 10.0;
 /// Plans a request of `Playground.take_plan_request`. To be called in a worker, as it blocks until it is done.
 ///
 /// `on_progress(done, cells, proof, film)` is called some twenty times a second and, if filmed, at the end, with the
-/// share done, 0 to 1, the best walk so far as x, y, x, y, ..., its proof, `[cost, bound]` or `undefined`, and the
+/// share done, 0 to 1, the best path so far (see [`path_to_js`]), its proof, `[cost, bound]` or `undefined`, and the
 /// array of film frames since the last call. Returns `{ cells, seconds, trace, proof }`; throws a message if the
 /// request is not valid.
 #[wasm_bindgen]
@@ -33,12 +36,12 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     if let Some(mut film) = film.or_else(|| request.film()) {
         tell(
             on_progress,
-            &ProgressReport { done: 1.0, walk: &answer.path.cells, proof: answer.proof },
+            &ProgressReport { done: 1.0, walk: &answer.path.cells, line: &answer.path.line, proof: answer.proof },
             Some(&mut film),
         );
     }
     let result = Object::new();
-    Reflect::set(&result, &"cells".into(), &flat(&answer.path.cells))?;
+    Reflect::set(&result, &"cells".into(), &path_to_js(&answer.path.cells, &answer.path.line))?;
     Reflect::set(&result, &"seconds".into(), &answer.seconds.into())?;
     Reflect::set(&result, &"trace".into(), &robovac_playground::wire::to_js(&answer.trace)?)?;
     Reflect::set(&result, &"proof".into(), &proof_to_js(answer.proof))?;
@@ -46,14 +49,31 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
 }
 
 /// The proof of a planner's walk for that request, in steps + 2 x quarter turns; `undefined` if it misses cells, as the
-/// bound doesn't apply then. Takes as long as [`Bounds::of`].
+/// bound doesn't apply then, and for a path in metres. Takes as long as [`Bounds::of`].
 #[wasm_bindgen]
-pub fn prove(request: &JsValue, cells: &[u32]) -> Result<JsValue, JsValue> {
+pub fn prove(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
+    let path = path_from_js(path);
+    if path.is_in_metres() {
+        return Ok(JsValue::UNDEFINED);
+    }
     let job = request_from_js(request)?.job;
-    let walk = WalkMetrics::of(&job, &CoveragePath { cells: walk::cells(cells) });
+    let walk = WalkMetrics::of(&job, &path);
     let proof = (walk.visited_cells == walk.reachable_cells)
         .then(|| Proof { cost: walk.cost() as u64, bound: Bounds::of(&job).cost as u64 });
     Ok(proof_to_js(proof))
+}
+
+/// Least length, m, and time, s, of any path that sweeps as much as a plan for that request; `undefined` for a robot that fills
+/// a cell, and if the request leaves the room out.
+#[wasm_bindgen]
+pub fn least(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
+    let Some(room) = laid_out(request)? else { return Ok(JsValue::UNDEFINED) };
+    let line = room.line(&path_from_js(path)).map_err(|e| e.to_string())?;
+    let drive = DriveMetrics::of(&room.floor, &room.robot, &line);
+    let excess = MetricExcess::of(&room.floor, &room.robot, &line, &drive);
+    Ok(excess.map_or(JsValue::UNDEFINED, |MetricExcess { bound, .. }| {
+        Float64Array::from([bound.length_m, bound.duration_s].as_slice()).into()
+    }))
 }
 
 /// Reports a planner's progress to `on_progress` regularly, and films it from the first walk with a proof on. That walk
@@ -66,7 +86,7 @@ pub(super) fn reporter(
     let mut next = clock() + REPORT_EVERY_MS;
     let mut is_proven = false;
     move |report| {
-        let is_first = report.proof.is_some() && !is_proven;
+        let is_first = (report.proof.is_some() || !report.line.is_empty()) && !is_proven;
         let now = clock();
         if is_first || now >= next {
             // With its proof it could be kept, but it has no film yet.
@@ -87,8 +107,9 @@ pub(super) fn reporter(
 }
 
 /// Calls the listener, whose errors don't stop the planner.
-fn tell(on_progress: &Function, ProgressReport { done, walk, proof }: &ProgressReport<'_>, film: Option<&mut Film>) {
+fn tell(on_progress: &Function, report: &ProgressReport<'_>, film: Option<&mut Film>) {
+    let ProgressReport { done, walk, line, proof } = *report;
     let frames = film.map_or_else(Vec::new, Film::take_frames);
     let frames = frames_to_js(&frames).unwrap_or_default();
-    let _ = on_progress.call4(&JsValue::NULL, &(*done).into(), &flat(walk), &proof_to_js(*proof), &frames);
+    let _ = on_progress.call4(&JsValue::NULL, &done.into(), &path_to_js(walk, line), &proof_to_js(proof), &frames);
 }

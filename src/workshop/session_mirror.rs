@@ -1,6 +1,5 @@
 //! Mirror of the playground's session in another module.
 
-use coverage_planners::CoveragePath;
 use robovac_app::{
     connection::StartPlace,
     explore::{Session, SessionSnapshot},
@@ -78,12 +77,12 @@ impl SessionMirror {
     #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
         let request = self.session.take_plan_request();
-        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
+        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request, &self.session))
     }
 
     /// The worker has finished. Throws a sentence for users if its plan can't be driven.
-    pub fn plan_finished(&mut self, id: u32, cells: &[u32], seconds: f64) -> Result<(), JsValue> {
-        let path = CoveragePath { cells: walk::cells(cells) };
+    pub fn plan_finished(&mut self, id: u32, path: &JsValue, seconds: f64) -> Result<(), JsValue> {
+        let path = walk::path_from_js(path);
         self.session.plan_finished(id, PlanAnswer { path, seconds, proof: None, trace: Vec::new() });
         if self.session.planned().is_some() { Ok(()) } else { Err(self.session.view().message.into()) }
     }

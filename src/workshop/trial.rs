@@ -2,7 +2,7 @@
 
 use super::plan_job::reporter;
 use js_sys::{Function, Object, Reflect};
-use robovac_playground::wire::{clock, to_js, walk::flat};
+use robovac_playground::wire::{clock, to_js, walk::path_to_js};
 use robovac_sim::experiment::{Arena, TrialRequest};
 use wasm_bindgen::prelude::*;
 
@@ -34,7 +34,7 @@ impl TrialRunner {
         let mut observe = reporter(on_progress, &mut film, || None);
         let outcome = request.run(arena, || clock() / 1000.0, Some(&mut observe))?;
         let result = Object::new();
-        Reflect::set(&result, &"cells".into(), &flat(&outcome.cells))?;
+        Reflect::set(&result, &"cells".into(), &path_to_js(&outcome.path.cells, &outcome.path.line))?;
         Reflect::set(&result, &"numbers".into(), &to_js(&outcome.numbers)?)?;
         Ok(result.into())
     }

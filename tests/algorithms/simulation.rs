@@ -126,7 +126,7 @@ fn mowing(planning_grid: &PlanningGrid) -> CoveragePath {
         }
         cells.extend(row);
     }
-    CoveragePath { cells }
+    CoveragePath::walk(cells)
 }
 
 fn follow(setup: &RunSetup, planning_grid: &PlanningGrid, path: &CoveragePath) -> Run {

@@ -104,7 +104,7 @@ fn ride_over_a_bad_line() {
     assert_eq!(format!("{digest:016x}"), "479bbf48f4627f31");
 }
 
-/// Every planner finds the same walk on both sides: no float of a planner may depend on the machine.
+/// Every planner finds the same path on both sides: no float of a planner may depend on the machine.
 ///
 /// `UPDATE=1 cargo test --test both_sides walks` writes the digests, for a new planner or after an intended change.
 #[wasm_bindgen_test(unsupported = test)]
@@ -117,16 +117,18 @@ fn walks_of_all_planners() {
             session.restore(&format!("room={room}&planner={}&robot=roomba600&seed=5", info.id)).unwrap();
             let mut request = session.take_plan_request().unwrap();
             // Those that go on as long as one lets them are let for a moment: browsers don't wait for tests.
-            if let Some(effort) = info.effort().filter(|_| info.is_anytime()) {
+            if let Some(effort) = info.effort().filter(|_| info.is_anytime() || info.claims.in_metres) {
                 request.params.set(info.params, effort.id, ParamValue::Number(0.1)).unwrap();
             }
             let path = request.serve(|| 0.0, None).unwrap().path;
-            // FNV-1a over the cells.
-            let bytes = path.cells.iter().flat_map(|cell| [cell.x.to_le_bytes(), cell.y.to_le_bytes()]).flatten();
+            // FNV-1a over the cells, or over the corners of a path in metres.
+            let cells = path.cells.iter().flat_map(|cell| [cell.x.to_le_bytes(), cell.y.to_le_bytes()]).flatten();
+            let corners = path.line.iter().flat_map(|at| [at.x.to_le_bytes(), at.y.to_le_bytes()]).flatten();
+            let bytes = cells.chain(corners);
             let digest = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
                 (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
             });
-            digests.extend([info.id, " ", room, &format!(" {} {digest:016x}\n", path.cells.len())]);
+            digests.extend([info.id, " ", room, &format!(" {} {digest:016x}\n", path.cells.len() + path.line.len())]);
         }
     }
     #[cfg(not(target_arch = "wasm32"))]

@@ -7,7 +7,7 @@ use robovac_app::explore::{Session, opening};
 use robovac_core::floor_plan::ROOMS;
 use robovac_sim::experiment::{
     Settings,
-    planning::{PlanRequest, RoomSetup},
+    planning::{PlanAnswer, PlanRequest, Planned, RoomSetup},
 };
 
 /// The opening scene's request, as any other would be made.
@@ -46,9 +46,17 @@ fn kept_plan_is_the_planners_own() {
 #[test]
 fn kept_plan_is_as_good_as_it_says() {
     let job = request().job;
-    let path = CoveragePath { cells: opening::from_runs(job.start, opening::WALK) };
+    let path = CoveragePath::walk(opening::from_runs(job.start, opening::WALK));
     let cost = WalkMetrics::of(&job, &path).cost() as u64;
     assert_eq!(opening::PROOF, Proof { cost, bound: Bounds::of(&job).cost as u64 }, "opening.rs tells something else");
+    let place = job.place.as_deref().unwrap();
+    let prepared = RoomSetup::new(&(ROOMS[0].build)(), &place.robot, Settings::new().cell_size, None).unwrap();
+    let answer = PlanAnswer { path, seconds: 0.0, proof: None, trace: Vec::new() };
+    let numbers = Planned::new(&prepared, &answer).unwrap().numbers(&prepared, Bounds::of(&job));
+    let bound = numbers.excess.unwrap().bound;
+    let is_near = |told: f64, found: f64| (told - found).abs() < 0.05;
+    let [metres, seconds] = opening::LEAST;
+    assert!(is_near(metres, bound.length_m) && is_near(seconds, bound.duration_s), "opening.rs should tell {bound:?}");
     // It is available at once, without a worker.
     let mut session = Session::new();
     assert!(session.take_plan_request().is_none());

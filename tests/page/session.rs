@@ -51,7 +51,7 @@ fn every_room_is_cleaned_to_the_end() {
         session.plan_now(|| 0.0);
         assert!(session.planned().is_some(), "{}: {}", room.id, session.view().message);
         let planned = session.planned().unwrap().clone();
-        assert_eq!(planned.walk.visited_cells, planned.walk.reachable_cells, "{}", room.id);
+        assert!(planned.walk.unwrap().is_complete(), "{}", room.id);
         finish(&mut session);
         let view = session.view();
         assert_eq!(session.state(), SessionState::Finished, "{}", room.id);
@@ -129,17 +129,17 @@ fn wall_is_drawn_planned_around_and_undone() {
     let mut session = opened();
     session.select_room("empty").unwrap();
     session.plan_now(|| 0.0);
-    let before = session.planned().unwrap().walk.reachable_cells;
+    let before = session.planned().unwrap().walk.unwrap().reachable_cells;
     session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
     session.go_on_stroke(Point::new(3.0, 2.5));
     session.end_stroke();
     assert_eq!(session.state(), SessionState::Planning);
     session.plan_now(|| 0.0);
-    assert!(session.planned().unwrap().walk.reachable_cells < before);
+    assert!(session.planned().unwrap().walk.unwrap().reachable_cells < before);
     assert_eq!(session.view().room.id, "");
     session.undo();
     session.plan_now(|| 0.0);
-    assert_eq!((session.planned().unwrap().walk.reachable_cells, session.view().room.id), (before, "empty"));
+    assert_eq!((session.planned().unwrap().walk.unwrap().reachable_cells, session.view().room.id), (before, "empty"));
     assert!(session.view().can.redo);
 }
 
@@ -306,7 +306,7 @@ fn scenario_with_a_seed_that_no_link_can_hold_is_refused() {
 }
 
 fn answer(cells: Vec<Cell>) -> PlanAnswer {
-    PlanAnswer { path: CoveragePath { cells }, seconds: 0.1, proof: None, trace: Vec::new() }
+    PlanAnswer { path: CoveragePath::walk(cells), seconds: 0.1, proof: None, trace: Vec::new() }
 }
 
 #[test]
@@ -317,8 +317,8 @@ fn late_answers_of_older_plans_are_dropped() {
     session.select_room("empty").unwrap();
     session.plan_finished(old.id, answer(vec![old.job.start]));
     assert_eq!(session.state(), SessionState::Planning);
-    session.plan_progress(old.id, ProgressReport { done: 0.5, walk: &[Cell::new(0, 0)], proof: None });
-    session.plan_proven(old.id, Proof { cost: 2, bound: 1 });
+    session.plan_progress(old.id, ProgressReport { done: 0.5, walk: &[Cell::new(0, 0)], line: &[], proof: None });
+    session.plan_proven(old.id, Some(Proof { cost: 2, bound: 1 }), None);
     assert!(session.preview().is_empty());
 }
 
@@ -352,7 +352,7 @@ fn gap_is_shown_while_planning_and_afterwards() {
     let shown = |session: &Session| session.view().plan.unwrap().gap;
     assert_eq!(shown(&session), None);
     let proof = Some(Proof { cost: 110, bound: 100 });
-    session.plan_progress(request.id, ProgressReport { done: 0.5, walk: &[request.job.start], proof });
+    session.plan_progress(request.id, ProgressReport { done: 0.5, walk: &[request.job.start], line: &[], proof });
     assert_eq!(shown(&session), Some(0.1));
     let mut answer = request.serve(|| 0.0, None).unwrap();
     answer.proof = proof;
@@ -361,11 +361,11 @@ fn gap_is_shown_while_planning_and_afterwards() {
     // As plans are compared is another number.
     let compared = |session: &Session| session.view().plan.unwrap().above_bound;
     assert_eq!(compared(&session), None);
-    session.plan_proven(request.id, Proof { cost: 120, bound: 100 });
+    session.plan_proven(request.id, Some(Proof { cost: 120, bound: 100 }), Some([3.0, 9.0]));
     assert_eq!((shown(&session), compared(&session)), (Some(0.1), Some(0.2)));
     // Of another plan it says nothing.
     session.plan_now(|| 0.0);
-    session.plan_proven(request.id + 1, Proof { cost: 3, bound: 1 });
+    session.plan_proven(request.id + 1, Some(Proof { cost: 3, bound: 1 }), None);
     assert_eq!(compared(&session), Some(0.2));
 }
 
@@ -502,7 +502,7 @@ fn plan_that_is_kept_early_has_a_film_and_says_so() {
     assert!(request.serve(|| 0.0, Some(&mut watch)).is_err());
     let (done, walk, proof) = last.unwrap();
     session.plan_filmed(request.id, film.take_frames());
-    session.plan_progress(request.id, ProgressReport { done, walk: &walk, proof: Some(proof) });
+    session.plan_progress(request.id, ProgressReport { done, walk: &walk, line: &[], proof: Some(proof) });
     session.keep_plan(1.5);
     let plan = session.view().plan.unwrap();
     assert_eq!((plan.kept_at, plan.planning_s), (Some(done), Some(1.5)));
@@ -520,7 +520,7 @@ fn cancelled_walk_is_no_longer_drawn() {
     session.select_room("lshape").unwrap();
     let request = session.take_plan_request().unwrap();
     let (start, other) = (request.job.start, Cell::new(request.job.start.x + 1, request.job.start.y));
-    session.plan_progress(request.id, ProgressReport { done: 0.5, walk: &[start, other], proof: None });
+    session.plan_progress(request.id, ProgressReport { done: 0.5, walk: &[start, other], line: &[], proof: None });
     let drawn = session.scene().planned_version;
     assert_eq!(session.scene().preview.len(), 2);
     session.cancel_plan();
@@ -533,7 +533,7 @@ fn half_a_walk_is_not_kept() {
     session.select_room("empty").unwrap();
     session.configure(|s| s.select_algorithm("snake")).unwrap();
     let request = session.take_plan_request().unwrap();
-    session.plan_progress(request.id, ProgressReport { done: 0.5, walk: &[request.job.start], proof: None });
+    session.plan_progress(request.id, ProgressReport { done: 0.5, walk: &[request.job.start], line: &[], proof: None });
     assert!(session.view().can.cancel && !session.view().can.keep);
     session.keep_plan(1.0);
     assert_eq!((session.state(), session.planned().is_some()), (SessionState::Failed, false));
@@ -570,7 +570,7 @@ fn search_of_the_snake_follows_the_robot() {
     session.pause();
     // A decision at every step of the walk, each where the one before has led to.
     let steps = session.search().unwrap().steps().to_vec();
-    assert_eq!(steps.len(), session.planned().unwrap().walk.steps);
+    assert_eq!(steps.len(), session.planned().unwrap().walk.unwrap().steps);
     for (i, pair) in steps.windows(2).enumerate() {
         assert_eq!((pair[0].step, pair[0].at.step(pair[0].towards)), (i, pair[1].at));
     }
@@ -620,9 +620,10 @@ fn search_says_why_a_walk_ends_early() {
         session.frame(1.0, &mut || true);
     }
     let planned = session.planned().unwrap();
-    assert!(planned.walk.visited_cells < planned.walk.reachable_cells);
+    let walk = planned.walk.unwrap();
+    assert!(!walk.is_complete());
     let ending = session.search().unwrap().ending().expect("it ends early");
-    assert_eq!((ending.step, &session.view().search.text), (planned.walk.steps, &format!("{}.", ending.note)));
+    assert_eq!((ending.step, &session.view().search.text), (walk.steps, &format!("{}.", ending.note)));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 import { drawCharts } from "./charts.js";
 import { button, byId, changed, fill, make, select, setText } from "../dom.js";
 import { swatch } from "./entrants.js";
-import { count, shown, unitOf } from "../format.js";
+import { clock, count, metres, percent, shown, unitOf } from "../format.js";
 import { cueScroll } from "./scroll-cue.js";
 
 /**
@@ -70,9 +70,10 @@ function note({ seeds, entrants }, together) {
 }
 
 /** @param {Table} table */
-function proven({ bounds }) {
+function proven({ bounds, least }) {
+  const metric = least ? ` Any path that sweeps ${percent(least.coverage, 0)} % needs at least ${metres(least.length_m)} m and ${clock(least.duration_s)}.` : "";
   if (!bounds) return "";
-  return `Proven: no walk over these cells has fewer than ${count(bounds.steps)} steps or ${count(bounds.turns)} quarter turns, or steps + 2 × turns below ${count(bounds.cost)}.`;
+  return `Proven: no walk over these cells has fewer than ${count(bounds.steps)} steps or ${count(bounds.turns)} quarter turns, or steps + 2 × turns below ${count(bounds.cost)}.${metric}`;
 }
 
 /** @param {Table} table */

@@ -1,14 +1,14 @@
 // @ts-check
 // The numbers beside the floor: of the plan, and of the run so far. Those that Compare has, too, look and read the same.
 import { byId, make, setAttribute, setHidden, setText } from "../dom.js";
-import { count, isClock, percent, shareAbove, shown, smallLength, took } from "../format.js";
+import { clock, count, isClock, metres, percent, shareAbove, shown, smallLength, took } from "../format.js";
 
 /**
  * @typedef {import("../types").PageView} View
  * @typedef {import("../types").PlanView} Plan
  * @typedef {{ plan?: (p: Plan) => string, run?: (v: View) => string, when?: (v: View) => boolean }} Texts
  * @typedef {{ label: string, tip: string | ((v: View) => string) } & Texts} Line
- * @typedef {{ metric: string, label?: string, more?: string, plan?: (p: Plan) => number | null, run?: (v: View) => number }} MetricLine
+ * @typedef {{ metric: string, label?: string, more?: string, plan?: (p: Plan) => number | null, beyond?: (p: Plan) => string, run?: (v: View) => number, when?: (v: View) => boolean }} MetricLine
  * A metric of the tables, which says what it is called, how it is shown and what it means.
  */
 
@@ -26,15 +26,27 @@ const RUN = [
 
 /** @type {(Line | MetricLine)[]} */
 const PLAN = [
-  { label: "Cells visited", tip: "Cells of the planning grid that the plan visits, out of those reachable from the start.", plan: (p) => `${count(p.visited_cells)} of ${count(p.reachable_cells)}` },
-  { metric: "steps", plan: (p) => p.steps },
-  { metric: "revisits", plan: (p) => p.revisits },
-  { metric: "turns", plan: (p) => p.turns },
-  { metric: "above_bound", more: "It is computed after planning; a plan that misses cells has none.", plan: (p) => (p.above_bound === null ? null : 100 * p.above_bound) },
+  { label: "Cells visited", when: isWalk, tip: "Cells of the planning grid that the plan visits, out of those reachable from the start.", plan: (p) => `${count(p.visited_cells)} of ${count(p.reachable_cells)}` },
+  { metric: "excess_length", plan: (p) => above(p.length_m, p.least?.[0]), beyond: (p) => (p.least ? ` over ${metres(p.least[0])} m` : "") },
+  { metric: "excess_time", plan: (p) => above(p.duration_s, p.least?.[1]), beyond: (p) => (p.least ? ` over ${clock(p.least[1])}` : "") },
+  { metric: "steps", when: isWalk, plan: (p) => p.steps },
+  { metric: "revisits", when: isWalk, plan: (p) => p.revisits },
+  { metric: "turns", when: isWalk, plan: (p) => p.turns },
+  { metric: "above_bound", when: isWalk, more: "It is computed after planning; a plan that misses cells has none.", plan: (p) => (p.above_bound === null ? null : 100 * p.above_bound) },
   { label: "Optimality gap", tip: ownGap, plan: (p) => (p.gap === 0 ? "proven optimal" : shareAbove(p.gap ?? 0)), when: (v) => typeof v.plan?.gap === "number" },
   { label: "Kept early", tip: "The search was stopped early and its best plan kept: time spent, and progress at that moment.", plan: (p) => `after ${took(p.planning_s ?? 0)}, ${percent(p.kept_at ?? 0, 0)} % of the search`, when: (v) => typeof v.plan?.kept_at === "number" },
   { label: "Planned in", tip: "Planning time on this computer. The opening scene's plan is preloaded.", plan: (p) => (p.planning_s === null ? "preloaded" : took(p.planning_s)) },
 ];
+
+/** Whether the plan is a walk over cells, not a path in metres. @param {View} view */
+function isWalk({ plan }) {
+  return !plan || plan.reachable_cells > 0 || plan.length_m === 0;
+}
+
+/** Percent above the least, if that is known. @param {number} value @param {number | undefined} least */
+function above(value, least) {
+  return least ? Math.max(0, 100 * (value / least - 1)) : null;
+}
 
 /** Explanation of the gap that a planner proves. @param {View} view */
 function ownGap({ plan }) {
@@ -44,7 +56,7 @@ function ownGap({ plan }) {
 }
 
 /** @param {MetricLine} line @param {import("../types").MetricInfo[]} metrics @returns {Line} */
-function lineOf({ metric: id, label, more, plan, run }, metrics) {
+function lineOf({ metric: id, label, more, plan, beyond, run, when }, metrics) {
   const metric = metrics.find((known) => known.id === id);
   if (!metric) throw new Error(`no metric is called "${id}"`);
   const unit = !metric.unit || isClock(metric) ? "" : metric.unit === "°" ? "°" : ` ${metric.unit}`;
@@ -55,8 +67,9 @@ function lineOf({ metric: id, label, more, plan, run }, metrics) {
   return {
     label: label ?? metric.label,
     tip: more ? `${metric.definition} ${more}` : metric.definition,
-    plan: plan && ((p) => text(plan(p))),
+    plan: plan && ((p) => text(plan(p)) + (beyond?.(p) ?? "")),
     run: run && ((v) => text(run(v))),
+    when,
   };
 }
 
@@ -79,7 +92,7 @@ export function startNumbers({ catalogue }) {
   byId("metrics-plan").append(...PLAN.map((line) => row(line, true)));
 
   return (view) => {
-    const known = view.plan && view.plan.steps > 0 ? view.plan : null;
+    const known = view.plan && view.plan.length_m > 0 ? view.plan : null;
     for (const { of, plan, run, line } of rows) {
       if (typeof of.tip !== "string") setAttribute(line, "data-tip", of.tip(view));
       if (of.when) setHidden(line, !of.when(view));

@@ -37,7 +37,7 @@ impl Planner for DepthFirst {
             }
             walk.push(at);
         }
-        Ok(CoveragePath { cells: walk })
+        Ok(CoveragePath::walk(walk))
     }
 }
 

@@ -60,6 +60,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complete: true,
         deterministic: true,
         fast: true,
+        in_metres: false,
         traces: false,
         search: Search::Limited { effort: "effort" },
     },
@@ -154,7 +155,7 @@ impl Planner for Boustrophedon {
                 best = Some(walk);
             }
         }
-        Ok(CoveragePath { cells: best.unwrap_or_default() })
+        Ok(CoveragePath::walk(best.unwrap_or_default()))
     }
 }
 

@@ -57,6 +57,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complete: true,
         deterministic: true,
         fast: true,
+        in_metres: false,
         traces: false,
         search: Search::Limited { effort: "effort" },
     },
@@ -143,6 +144,6 @@ impl Planner for BoustrophedonCells {
             in_vain = if is_better { 0 } else { in_vain + 1 };
             (lanes, tour) = strokes(&job.free, &tours.best);
         }
-        Ok(CoveragePath { cells: tours.best })
+        Ok(CoveragePath::walk(tours.best))
     }
 }

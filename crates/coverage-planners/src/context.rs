@@ -2,6 +2,7 @@
 
 use super::{Proof, TraceStep};
 use robovac_core::{
+    geometry::Point,
     grid::Cell,
     rng::{Rng, seeded},
 };
@@ -16,6 +17,9 @@ pub enum PlanError {
     /// The planner isn't in the registry.
     #[error("the planner isn't in the registry")]
     Unlisted,
+    /// The planner plans in metres and the job has no place.
+    #[error("the planner plans in metres: it needs the floor that the cells lie on")]
+    NoFloor,
 }
 
 /// Handed to a planner for one run.
@@ -33,8 +37,10 @@ pub struct PlanContext<'a> {
 pub struct ProgressReport<'a> {
     /// Share of the work that is done, 0 to 1.
     pub done: f64,
-    /// The best walk so far; empty before the first.
+    /// The best walk so far; empty before the first, and for a planner in metres.
     pub walk: &'a [Cell],
+    /// The best path in metres so far; empty before the first, and for walks.
+    pub line: &'a [Point],
     /// Proven quality of that walk.
     pub proof: Option<Proof>,
 }
@@ -81,7 +87,15 @@ impl<'a> PlanContext<'a> {
 
     /// Reports progress, 0 to 1, and the best walk so far. To be called every few milliseconds.
     pub fn checkpoint(&mut self, done: f64, walk: &[Cell]) -> Result<(), PlanError> {
-        let report = ProgressReport { done, walk, proof: self.proof };
+        self.report(ProgressReport { done, walk, line: &[], proof: self.proof })
+    }
+
+    /// The same for a path in metres.
+    pub fn checkpoint_in_metres(&mut self, done: f64, line: &[Point]) -> Result<(), PlanError> {
+        self.report(ProgressReport { done, walk: &[], line, proof: self.proof })
+    }
+
+    fn report(&mut self, report: ProgressReport<'_>) -> Result<(), PlanError> {
         match self.observer.as_mut().map(|observe| observe(report)) {
             Some(ControlFlow::Break(())) => Err(PlanError::Cancelled),
             _ => Ok(()),

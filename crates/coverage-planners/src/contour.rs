@@ -62,7 +62,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "A slanted wall is a staircase of cells, and every ring repeats all of its steps.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, traces: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: false, search: Search::None },
     params: &[ParamSpec {
         id: "order",
         label: "Order",
@@ -120,7 +120,7 @@ impl Planner for Contour {
         }
         let before = if ctx.is_observed() { walk.clone() } else { Vec::new() };
         shortcut(job, costs, &mut transit, &mut walk, |done| ctx.checkpoint(DRIVEN + (1.0 - DRIVEN) * done, &before))?;
-        Ok(CoveragePath { cells: walk })
+        Ok(CoveragePath::walk(walk))
     }
 }
 

@@ -100,7 +100,7 @@ mod tests {
         for i in 0..improvements {
             cost -= won(i);
             let walk = [Cell::new(i, 0)];
-            let report = ProgressReport { done: 0.0, walk: &walk, proof: Some(Proof { cost, bound: 1 }) };
+            let report = ProgressReport { done: 0.0, walk: &walk, line: &[], proof: Some(Proof { cost, bound: 1 }) };
             film.take(&ProgressReport { proof: None, ..report });
             film.take(&report);
             film.take(&report);
@@ -127,7 +127,7 @@ mod tests {
         let mut film = Film::default();
         let walk = [Cell::new(0, 0)];
         for bound in [1, 5, 5, 7] {
-            film.take(&ProgressReport { done: 0.0, walk: &walk, proof: Some(Proof { cost: 9, bound }) });
+            film.take(&ProgressReport { done: 0.0, walk: &walk, line: &[], proof: Some(Proof { cost: 9, bound }) });
         }
         let frames = film.take_frames();
         assert_eq!(frames.len(), 1);
@@ -135,7 +135,7 @@ mod tests {
         // Frames that were handed on meanwhile come again, and are merged there.
         let mut there = Film::default();
         there.add(frames[0].clone());
-        film.take(&ProgressReport { done: 0.0, walk: &walk, proof: Some(Proof { cost: 9, bound: 8 }) });
+        film.take(&ProgressReport { done: 0.0, walk: &walk, line: &[], proof: Some(Proof { cost: 9, bound: 8 }) });
         for frame in film.take_frames() {
             there.add(frame);
         }

@@ -68,6 +68,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complete: true,
         deterministic: false,
         fast: false,
+        in_metres: false,
         traces: false,
         search: Search::Limited { effort: "generations" },
     },
@@ -189,7 +190,7 @@ impl Planner for Genetic {
                 break;
             }
         }
-        Ok(CoveragePath { cells: best.walk })
+        Ok(CoveragePath::walk(best.walk))
     }
 }
 

@@ -64,6 +64,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complete: true,
         deterministic: true,
         fast: false,
+        in_metres: false,
         traces: false,
         search: Search::Limited { effort: "effort" },
     },
@@ -161,7 +162,7 @@ impl Planner for GridTsp {
             tours.ctx.checkpoint(between([TIGHTENED, 1.0], done), walk)
         })?;
         tours.offer(walk, [1.0, 1.0])?;
-        Ok(CoveragePath { cells: tours.best })
+        Ok(CoveragePath::walk(tours.best))
     }
 }
 

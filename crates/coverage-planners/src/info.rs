@@ -33,6 +33,8 @@ pub struct PlannerClaims {
     pub deterministic: bool,
     /// Plans a million cells in about a second; others are meant for rooms of up to [`SLOW_CELLS`].
     pub fast: bool,
+    /// Plans a path in metres and needs the job's place; others walk from cell to cell.
+    pub in_metres: bool,
     /// Explains every step by [`PlanContext::trace`](super::PlanContext::trace).
     pub traces: bool,
     /// Whether it searches for a better walk than its first one.

@@ -5,6 +5,7 @@ use robovac_core::{
     grid::{Cell, Direction, Grid, reachable},
     robot::RobotModel,
 };
+use std::sync::Arc;
 
 /// A grid to be covered from a start.
 #[derive(Debug, Clone)]
@@ -19,14 +20,25 @@ pub struct CoverageJob {
     pub step_s: f64,
     /// Time of a quarter turn, with braking and speeding up, s.
     pub turn_s: f64,
+    /// The floor and the robot, for planners in metres; `None` for a bare grid.
+    pub place: Option<Arc<JobPlace>>,
+}
+
+/// A robot on its floor.
+#[derive(Debug, Clone)]
+pub struct JobPlace {
+    /// The floor, with the robot's start.
+    pub floor: Arc<ReachableFloor>,
+    /// The robot.
+    pub robot: RobotModel,
 }
 
 impl CoverageJob {
-    /// A job on a bare grid, with the time of a step as the unit and a quarter turn as long as two.
+    /// A job on a bare grid, for planners that walk from cell to cell, with the time of a step as the unit and a quarter turn as long as two.
     ///
     /// Cells that aren't connected with `start` are left out; `None` if `start` isn't free.
     pub fn new(free: &Grid<bool>, start: Cell, heading: Direction) -> Option<Self> {
-        free.is_set(start).then(|| Self { free: reachable(free, start), start, heading, step_s: 1.0, turn_s: 2.0 })
+        free.is_set(start).then(|| Self { free: reachable(free, start), start, heading, step_s: 1.0, turn_s: 2.0, place: None })
     }
 
     /// The job of covering `planning_grid` with `robot`.
@@ -38,7 +50,13 @@ impl CoverageJob {
             heading: Direction::nearest(floor.start.heading),
             step_s: planning_grid.cell_size / robot.cruise_speed,
             turn_s: quarter + robot.cruise_speed / robot.acceleration,
+            place: None,
         }
+    }
+
+    /// The same job for planners in metres, too.
+    pub fn in_place(self, floor: &Arc<ReachableFloor>, robot: &RobotModel) -> Self {
+        Self { place: Some(Arc::new(JobPlace { floor: Arc::clone(floor), robot: robot.clone() })), ..self }
     }
 
     /// Number of cells to be covered.

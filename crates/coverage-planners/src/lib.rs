@@ -2,7 +2,8 @@
 //!
 //! For covering a grid with a robot, and for comparing a new planner with established ones. A planner gets a
 //! [`CoverageJob`], a grid of free cells that are all connected with the start, and returns a [`CoveragePath`] that
-//! visits them.
+//! visits them. Planners in metres, such as [`lanes`], need the floor that the grid lies on, too, and return straight
+//! pieces.
 //!
 //! ```
 //! use coverage_planners::{Bounds, CoverageJob, Params, PlanContext, find, metrics::WalkMetrics};
@@ -21,7 +22,7 @@
 //!
 //! - [`PLANNERS`]: the registry, and [`find`] by id
 //! - [`metrics`]: steps, turns, revisits, driven metres and seconds; [`Bounds`]: proven lower bounds
-//! - [`stage`]: parts to build planners from; [`sweep`]: a planner in metres, for a body of any outline
+//! - [`stage`]: parts to build planners from; [`sweep`]: another planner in metres, for a body of any outline
 //!
 //! A planner outside this crate implements [`Planner`]; the example `own_planner` has one. To add one to the registry, write
 //! its file with the constants `INFO` (a [`PlannerInfo`]) and `BUILD` (a [`BuildPlanner`]) and list it below; menus,
@@ -62,15 +63,15 @@ pub use bounds::{Bounds, Relaxation, TURN_STEPS};
 pub use context::{Observer, PlanContext, PlanError, ProgressReport, StepTracer};
 pub use film::{Film, FilmFrame, MOST_FILMED_CELLS};
 pub use info::{PlannerClaims, PlannerInfo, SLOW_CELLS, Search};
-pub use job::CoverageJob;
+pub use job::{CoverageJob, JobPlace};
 pub use objective::{Finish, Objective, Proof};
 pub use path::{CoveragePath, PathError};
 pub use robovac_core::registry::{Example, Explainer, ParamError, ParamKind, ParamSpec, ParamValue, Params};
 pub use trace::{THE_END, TraceStep};
 
-/// An algorithm that finds a walk over all free cells.
+/// An algorithm that finds a walk over all free cells, or a path in metres over their floor.
 pub trait Planner {
-    /// Plans a walk from `job.start`. Must return [`PlanError::Cancelled`] soon after the context reports a
+    /// Plans a path from `job.start`. Must return [`PlanError::Cancelled`] soon after the context reports a
     /// cancellation.
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError>;
 
@@ -119,6 +120,7 @@ registry! {
     near_optimal,
     energy,
     neural,
+    lanes,
 }
 
 impl PlannerInfo {

@@ -65,7 +65,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example { room: "maze", why: "Uncleaned floor on many sides pulls the robot back and forth." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: false, traces: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: false, in_metres: false, traces: false, search: Search::None },
     params: &[
         ParamSpec {
             id: "straight",
@@ -224,7 +224,7 @@ impl Planner for Neural {
             }
             heading = heading.left();
         }
-        Ok(CoveragePath { cells: best })
+        Ok(CoveragePath::walk(best))
     }
 }
 

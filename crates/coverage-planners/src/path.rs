@@ -1,16 +1,22 @@
 //! Result of a planner.
 
 use super::CoverageJob;
-use robovac_core::grid::{Cell, Direction, Grid, picture};
+use robovac_core::{
+    geometry::Point,
+    grid::{Cell, Direction, Grid, picture},
+};
 
-/// A walk over free cells: starts in the job's start, every two consecutive cells are 4-neighbours.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+/// A walk over free cells: starts in the job's start, every two consecutive cells are 4-neighbours. Or a path in metres:
+/// straight pieces that begin at the robot's start and keep its body off all obstacles.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct CoveragePath {
-    /// The cells in the order in which they are visited, the start included.
+    /// The cells of a walk in the order in which they are visited, the start included; empty for a path in metres.
     pub cells: Vec<Cell>,
+    /// Corners of a path in metres, the start included, m; empty for a walk.
+    pub line: Vec<Point>,
 }
 
-/// Violations of a walk's rules; a planner that causes one has a bug.
+/// Violations of a path's rules; a planner that causes one has a bug.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum PathError {
     /// The walk is empty or starts elsewhere.
@@ -22,11 +28,47 @@ pub enum PathError {
     /// A cell isn't free.
     #[error("step {0} leads into {1}, which isn't free")]
     Blocked(usize, Cell),
+    /// A path in metres for a job that is only a grid.
+    #[error("a path in metres needs the floor that the cells lie on")]
+    NoFloor,
+    /// It doesn't begin where the robot stands.
+    #[error("the path doesn't begin at the robot's start")]
+    WrongBegin,
+    /// At a corner, or on the way to it, the robot would touch an obstacle.
+    #[error("the robot touches an obstacle on its way to corner {0}")]
+    Touches(usize),
 }
 
+/// What rounding may take off a distance, m.
+const ROUNDING: f64 = 1e-6;
+
 impl CoveragePath {
-    /// Checks that the walk can be driven.
+    /// A walk over cells.
+    pub fn walk(cells: Vec<Cell>) -> Self {
+        Self { cells, line: Vec::new() }
+    }
+
+    /// A path in metres.
+    pub fn in_metres(line: Vec<Point>) -> Self {
+        Self { cells: Vec::new(), line }
+    }
+
+    /// Whether it is a path in metres.
+    pub fn is_in_metres(&self) -> bool {
+        !self.line.is_empty()
+    }
+
+    /// Checks that it can be driven: for a path in metres, that its corners keep the body off all obstacles. That its
+    /// pieces do is checked by [`lanes::FreeSpace`](super::lanes::FreeSpace).
     pub fn check(&self, job: &CoverageJob) -> Result<(), PathError> {
+        if self.is_in_metres() {
+            let floor = &job.place.as_ref().ok_or(PathError::NoFloor)?.floor;
+            let has_room = |at: &Point| floor.limits().has_room(*at, floor.limits().body_radius - ROUNDING);
+            if (self.line[0] - floor.start.position()).norm() > ROUNDING {
+                return Err(PathError::WrongBegin);
+            }
+            return self.line.iter().position(|at| !has_room(at)).map_or(Ok(()), |i| Err(PathError::Touches(i)));
+        }
         if self.cells.first() != Some(&job.start) {
             return Err(PathError::WrongStart(job.start));
         }

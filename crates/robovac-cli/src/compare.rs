@@ -183,7 +183,18 @@ fn entrants(names: &[String]) -> Result<Vec<Entrant>, Failure> {
 }
 
 /// Metrics that a table on a terminal has room for.
-const SHOWN: [&str; 8] = ["coverage", "above_bound", "length", "duration", "turns", "steps", "revisits", "planning"];
+const SHOWN: [&str; 10] = [
+    "coverage",
+    "above_bound",
+    "length",
+    "duration",
+    "excess_length",
+    "excess_time",
+    "turns",
+    "steps",
+    "revisits",
+    "planning",
+];
 
 /// A Markdown table for each room.
 fn tables(

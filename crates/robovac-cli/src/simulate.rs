@@ -4,7 +4,7 @@ use super::{
     conditions::ConditionsArguments,
     failure::Failure,
     output, plan,
-    task::{self, ParamArguments, PlacementArguments},
+    task::{self, CoverageArguments, ParamArguments, PlacementArguments},
     twin,
 };
 use robovac_core::{floor_plan::ScenarioPose, robot::OdometryModel};
@@ -28,6 +28,8 @@ const MOST_TIME_S: f64 = 1800.0;
 pub struct Arguments {
     #[command(flatten)]
     placement: PlacementArguments,
+    #[command(flatten)]
+    coverage: CoverageArguments,
     #[command(flatten)]
     algorithm: AlgorithmArguments,
     #[command(flatten)]
@@ -123,7 +125,9 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let conditions = arguments.conditions.over(conditions);
     let (prepared, mut run) = match algorithm {
         Algorithm::Planner(planner) => {
-            let task = PlanningTask { placement: placement.clone(), planner, params: params.clone(), seed };
+            let mut task = PlanningTask { placement: placement.clone(), planner, params: params.clone(), seed };
+            arguments.coverage.fit_cells(&mut task)?;
+            placement.clone_from(&task.placement);
             let begin = Instant::now();
             let solution = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
             let run = solution.planned.run(&solution.prepared, conditions, odometry, seed);

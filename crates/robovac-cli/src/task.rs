@@ -7,8 +7,9 @@ use robovac_core::{
 };
 use robovac_sim::experiment::{
     Algorithm,
-    planning::{Placement, TaskReport, choose_robot},
+    planning::{Placement, PlanningTask, TaskReport, choose_robot},
 };
+use std::ops::ControlFlow;
 
 /// Room, robot and start.
 #[derive(clap::Args)]
@@ -27,6 +28,14 @@ pub struct PlacementArguments {
     /// Planning cell size in metres [default: the map's cell size for the robot "cell", else chosen for the robot]
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     cell: Option<f64>,
+}
+
+/// Cells chosen for a coverage.
+#[derive(clap::Args)]
+pub struct CoverageArguments {
+    /// Choose the planning cells with which the planner sweeps so much of the reachable floor in the least time
+    #[arg(long, value_name = "PERCENT", value_parser = parse_percent, conflicts_with = "cell")]
+    coverage: Option<f64>,
 }
 
 /// Parameters and seed of one algorithm.
@@ -48,6 +57,28 @@ impl PlacementArguments {
         let (robot, cell_size) =
             choose_robot(robot, &plan, self.cell).ok_or_else(|| Failure::unknown("robot", robot, "robots"))?;
         Ok(Placement { plan, robot, cell_size, start: self.start, heading_deg: self.heading })
+    }
+}
+
+impl CoverageArguments {
+    /// Sets the task's planning cells, if they are to be chosen for a coverage. The start in cells is one of the default cells.
+    pub fn fit_cells(&self, task: &mut PlanningTask) -> Result<(), Failure> {
+        let Some(percent) = self.coverage else { return Ok(()) };
+        let room = task.placement.prepare()?;
+        let share = percent / 100.0;
+        let fitted =
+            room.fit_cells(task.planner, &task.params, task.seed, share, &mut |_| ControlFlow::Continue(()));
+        let Some(fitted) = fitted else {
+            let way = match () {
+                () if task.planner.claims.in_metres => "the planner needs no cells; use --param coverage=PERCENT",
+                () => "the robot \"cell\" fills its cells; choose another with --robot",
+            };
+            return Err(Failure::usage(format!("--coverage: {way}")));
+        };
+        task.placement.cell_size = fitted.cell_size;
+        // The same place in other cells.
+        task.placement.start = task.placement.start.map(|_| Cell::at(room.floor.start.position(), fitted.cell_size));
+        Ok(())
     }
 }
 
@@ -80,6 +111,11 @@ pub fn summary(algorithm: Algorithm, placement: &Placement, report: &TaskReport)
         report.start,
         report.heading_deg,
     )
+}
+
+fn parse_percent(text: &str) -> Result<f64, String> {
+    let percent = text.parse().ok().filter(|percent: &f64| (0.0..=100.0).contains(percent));
+    percent.ok_or_else(|| "give a number from 0 to 100, e.g. 99".to_owned())
 }
 
 fn parse_cell(text: &str) -> Result<Cell, String> {

@@ -1,8 +1,8 @@
-//! What every planner of the registry must do in every room.
+//! What every planner of the registry that walks from cell to cell must do in every room; [`super::in_metres`] has the others.
 
-use super::support::{LARGE, Scenario, build, scenarios};
+use super::support::{LARGE, Scenario, build, scenarios, walking};
 use coverage_planners::{
-    CoverageJob, CoveragePath, PLANNERS, PlanContext, PlanError, PlannerInfo, ProgressReport, SLOW_CELLS,
+    CoverageJob, CoveragePath, PlanContext, PlanError, PlannerInfo, ProgressReport, SLOW_CELLS,
     metrics::WalkMetrics,
 };
 use robovac_core::{
@@ -51,25 +51,25 @@ fn walks_hold(planners: &[&PlannerInfo], step: usize) {
 #[test]
 fn walks_can_be_driven_and_cover_what_they_claim() {
     // From every start, with some of the headings.
-    walks_hold(&PLANNERS.iter().step_by(2).copied().collect::<Vec<_>>(), 3);
+    walks_hold(&walking().step_by(2).collect::<Vec<_>>(), 3);
 }
 
 // slow: the contract, the other planners in every room
 #[test]
 fn walks_of_the_other_planners_can_be_driven_and_cover_what_they_claim() {
-    walks_hold(&PLANNERS.iter().skip(1).step_by(2).copied().collect::<Vec<_>>(), 3);
+    walks_hold(&walking().skip(1).step_by(2).collect::<Vec<_>>(), 3);
 }
 
 #[test]
 #[ignore = "soak: every start with every heading"]
 fn walks_from_everywhere_can_be_driven_and_cover_what_they_claim() {
-    walks_hold(PLANNERS, 1);
+    walks_hold(&walking().collect::<Vec<_>>(), 1);
 }
 
 /// In rooms whose whole grids have fewer than `most` cells, with full effort up to `full_effort` cells.
 fn seed_determines_walks(most: usize, full_effort: usize) {
     for scenario in scenarios().iter().filter(|s| s.free.len() < most) {
-        for (info, job) in PLANNERS.iter().filter_map(|info| Some((info, scenario.jobs().next()?))) {
+        for (info, job) in walking().filter_map(|info| Some((info, scenario.jobs().next()?))) {
             let what = describe(info, scenario, &job);
             let size = if job.cells() <= full_effort { 0 } else { usize::MAX };
             let plan = |seed| build(info, size).plan(&job, &mut PlanContext::new(seed)).expect("nobody cancels");
@@ -97,7 +97,7 @@ fn seed_determines_the_walk_of_full_effort() {
 /// In rooms whose whole grids have fewer than so many cells.
 fn every_choice_holds(most: usize) {
     let rooms = scenarios();
-    for info in PLANNERS {
+    for info in walking() {
         for spec in info.params {
             let values: Vec<ParamValue> = match spec.kind {
                 ParamKind::Number { min, max, .. } => vec![ParamValue::Number(min), ParamValue::Number(max)],
@@ -146,7 +146,7 @@ fn tiny_rooms_and_impossible_times_are_planned() {
             let job = CoverageJob::new(&free, top_left, heading).expect("the start is free");
             for (step_s, turn_s) in times.into_iter().flat_map(|step_s| times.map(|turn_s| (step_s, turn_s))) {
                 let job = CoverageJob { step_s, turn_s, ..job.clone() };
-                for info in PLANNERS {
+                for info in walking() {
                     let what = format!("{} with {step_s} s and {turn_s} s facing {heading:?} in\n{picture}", info.id);
                     let path = build(info, LARGE + 1).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
                     path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
@@ -162,7 +162,7 @@ fn tiny_rooms_and_impossible_times_are_planned() {
 fn cancelling_is_honoured_at_the_first_checkpoint() {
     let free = robovac_core::floor_plan::generate::random_hall(200, 200, 1);
     let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
-    for info in PLANNERS {
+    for info in walking() {
         let mut calls = 0;
         let mut observer = |_: ProgressReport<'_>| {
             calls += 1;
@@ -177,7 +177,7 @@ fn cancelling_is_honoured_at_the_first_checkpoint() {
 // slow: every planner with full effort, twice, in a hall
 #[test]
 fn reports_show_progress_and_walks_that_can_be_driven() {
-    for info in PLANNERS {
+    for info in walking() {
         let side = if info.claims.fast { 200 } else { 40 };
         let free = robovac_core::floor_plan::generate::random_hall(side, side, 1);
         let job = CoverageJob::new(&free, Cell::new(0, 0), Direction::Right).expect("the start is free");
@@ -187,7 +187,7 @@ fn reports_show_progress_and_walks_that_can_be_driven() {
             assert!((last..=1.0).contains(&done), "{} reports {done} after {last}", info.id);
             last = done;
             if !so_far.is_empty() {
-                let walk = CoveragePath { cells: so_far.to_vec() };
+                let walk = CoveragePath::walk(so_far.to_vec());
                 walk.check(&job).unwrap_or_else(|error| panic!("{} reports a walk: {error}", info.id));
             }
             ControlFlow::Continue(())

@@ -4,6 +4,7 @@ mod bounds;
 mod contract;
 mod explainer;
 mod golden;
+mod in_metres;
 mod near_optimal;
 mod papers;
 mod peers;

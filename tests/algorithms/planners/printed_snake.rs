@@ -435,7 +435,7 @@ fn printed_program_cleans_our_room_of_table_2() {
     let (walk, end) = Program::main(&free);
     let info = find("snake").expect("the planner exists");
     let text = info.build(&Params::defaults(info.params)).plan(&job(&free), &mut PlanContext::new(0));
-    assert_eq!((end, Ok(CoveragePath { cells: walk })), (End::All, text));
+    assert_eq!((end, Ok(CoveragePath::walk(walk))), (End::All, text));
 }
 
 /// A square room with some blocks or with clutter; all its free cells are connected with the top-left one.

@@ -1,7 +1,7 @@
-//! Properties of every planner in random rooms.
+//! Properties of every planner that walks from cell to cell, in random rooms.
 
-use super::support::build;
-use coverage_planners::{CoverageJob, PLANNERS, PlanContext, metrics::WalkMetrics};
+use super::support::{build, walking};
+use coverage_planners::{CoverageJob, PlanContext, metrics::WalkMetrics};
 use proptest::prelude::*;
 use robovac_core::grid::{Direction, Grid};
 
@@ -24,7 +24,7 @@ fn walks_hold(cases: u32) {
     let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
     proptest!(config, |(job in job(), turn_s in 0.0..10.0_f64)| {
         let job = CoverageJob { turn_s, ..job };
-        for info in PLANNERS {
+        for info in walking() {
             let path = build(info, job.cells()).plan(&job, &mut PlanContext::new(0)).expect("nobody cancels");
             prop_assert_eq!(path.check(&job), Ok(()), "{}", info.id);
             let metrics = WalkMetrics::of(&job, &path);

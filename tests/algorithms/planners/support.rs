@@ -1,6 +1,6 @@
 //! Rooms that the tests of planners share.
 
-use coverage_planners::{CoverageJob, Planner, PlannerInfo};
+use coverage_planners::{CoverageJob, PLANNERS, Planner, PlannerInfo};
 use robovac_core::{
     floor_plan::{
         ROOMS,
@@ -16,6 +16,11 @@ use std::{fs, path::PathBuf};
 /// Free cells from which on tests don't look for something better: what holds at the least effort and with full effort in
 /// small rooms is worth more than the minutes.
 pub const LARGE: usize = 120;
+
+/// The planners that walk from cell to cell; others plan in metres.
+pub fn walking() -> impl Iterator<Item = &'static PlannerInfo> + Clone {
+    PLANNERS.iter().copied().filter(|info| !info.claims.in_metres)
+}
 
 /// The planner with its default parameters, with the least effort for a large room.
 pub fn build(info: &PlannerInfo, cells: usize) -> Box<dyn Planner> {

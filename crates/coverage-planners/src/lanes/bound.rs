@@ -1,6 +1,11 @@
 //! What any path must travel at least, and for how long.
 
-use robovac_core::{coverage::ReachableFloor, geometry::Vector, math, robot::RobotModel};
+use robovac_core::{
+    coverage::ReachableFloor,
+    geometry::Vector,
+    math,
+    robot::{RobotModel, WheelLayout},
+};
 use serde::{Deserialize, Serialize};
 
 /// Length over which turning is counted, in diameters of the room: the best of the proof, to two digits.
@@ -42,7 +47,7 @@ impl MetricBound {
     ///
     /// *Time.* No straight piece is longer than d. The time for a piece from rest to rest is a concave function of its length and 0
     /// at 0, so pieces that add up to L take least if as many as possible have length d and one has the rest. Turns by t take
-    /// t / (turn rate) at least.
+    /// t / (turn rate) at least. An omnidirectional robot needn't turn.
     pub fn of_area(area: f64, diameter: f64, robot: &RobotModel) -> Self {
         let width = robot.tool_width;
         let length = ((area - 0.25 * math::PI * width * width) / width).max(0.0);
@@ -56,7 +61,8 @@ impl MetricBound {
         let turn = 2.0 * math::atan2((STRETCH * STRETCH - 1.0).sqrt(), 1.0);
         let turning = stretches * turn;
         let driving = pieces * robot.straight_time(diameter) + robot.straight_time(rest);
-        Self { length_m: length, turning_rad: turning, duration_s: driving + turning / robot.turn_rate() }
+        let turns = if robot.wheels == WheelLayout::Omnidirectional { 0.0 } else { turning / robot.turn_rate() };
+        Self { length_m: length, turning_rad: turning, duration_s: driving + turns }
     }
 
     /// How far a path's length, m, and time, s, exceed the bounds, as shares: 0.2 for a fifth; 0 where the bound is 0.

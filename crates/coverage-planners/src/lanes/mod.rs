@@ -1,6 +1,6 @@
 //! A coverage path in metres: lanes in the free space of a disc, improved as one line.
 //!
-//! The planners of the registry walk from cell to cell. This one needs no cells: it knows the exact distance of every
+//! Other planners of the registry walk from cell to cell. This one needs no cells: it knows the exact distance of every
 //! straight piece from walls and furniture, lays lanes as far apart as the tool allows, and lets a search shift, drop and
 //! reconnect them until the robot needs as little time as it can find for the required share of the floor.
 //!
@@ -24,12 +24,15 @@ mod layout;
 mod moves;
 mod nearby;
 mod order;
+mod planner;
 mod raster;
 mod scan;
 
 pub use bound::MetricBound;
 pub use error::LanesError;
 pub use free_space::FreeSpace;
+pub(crate) use planner::BUILD;
+pub use planner::INFO;
 pub use scan::swept_share;
 pub(crate) use scan::across;
 

@@ -1,20 +1,24 @@
 //! The list of all metrics in tables of the page, CSV files and the command line.
 
-use super::{DriveMetrics, WalkMetrics};
+use super::{DriveMetrics, MetricExcess, SweepBound, WalkMetrics};
 use crate::bounds::{Bounds, TURN_STEPS};
 use serde::{Deserialize, Serialize};
 
 /// All measurements of a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PlanNumbers {
-    /// Numbers of the walk on the planning grid.
-    pub walk: WalkMetrics,
+    /// Numbers of the walk on the planning grid; `None` for a path in metres.
+    pub walk: Option<WalkMetrics>,
     /// Numbers of the line that the robot drives.
     pub drive: DriveMetrics,
     /// Planning time, s.
     pub planning_s: f64,
     /// Lower bounds of the job, if they have been computed.
     pub bounds: Option<Bounds>,
+    /// The line above the bounds of any path, if that has been computed and the tool is a disc.
+    pub excess: Option<MetricExcess>,
+    /// Bounds of any path that sweeps 99 % of the floor, in the same cases.
+    pub least: Option<SweepBound>,
 }
 
 /// Which values of a metric are better.
@@ -64,7 +68,7 @@ pub struct MetricInfo {
 }
 
 impl MetricInfo {
-    /// Its value in `numbers`, in its unit; `None` if it hasn't been computed.
+    /// Its value in `numbers`, in its unit; `None` if it hasn't been computed, or isn't defined for a path in metres.
     pub fn value(&self, numbers: &PlanNumbers) -> Option<f64> {
         (self.value)(numbers)
     }
@@ -88,10 +92,10 @@ const ROUNDING_ERROR: f64 = 1e-6;
 
 impl PlanNumbers {
     /// Cost of the walk (steps + 2 x quarter turns) above the lower bound, % of the bound; 0 if no walk is better.
-    /// `None` if the bound hasn't been computed, or if the walk misses cells and so isn't subject to it.
+    /// `None` if the bound hasn't been computed, or if the walk misses cells or is none and so isn't subject to it.
     pub fn above_bound_percent(&self) -> Option<f64> {
-        let bounds = self.bounds.filter(|_| self.walk.visited_cells == self.walk.reachable_cells)?;
-        let (cost, least) = (self.walk.cost() as f64, bounds.cost as f64);
+        let walk = self.walk.filter(WalkMetrics::is_complete)?;
+        let (cost, least) = (walk.cost() as f64, self.bounds?.cost as f64);
         Some(if least > 0.0 { 100.0 * (cost - least) / least } else { 0.0 })
     }
 }
@@ -137,6 +141,26 @@ pub const METRICS: &[MetricInfo] = &[
         "Driving time from start to standstill, by the robot's speeds and accelerations; it stops for every turn.",
         |n| Some(n.drive.duration_s),
     ),
+    MetricInfo {
+        rounding: Rounding::Up,
+        ..lower(
+            "excess_length",
+            "Excess length",
+            ("%", 1),
+            "Length above the proven least length of any path that sweeps as much floor, in percent of that.",
+            |n| Some(100.0 * n.excess?.above[0].max(0.0)),
+        )
+    },
+    MetricInfo {
+        rounding: Rounding::Up,
+        ..lower(
+            "excess_time",
+            "Excess time",
+            ("%", 1),
+            "Time above the proven least time of any path that sweeps as much floor, in percent of that.",
+            |n| Some(100.0 * n.excess?.above[1].max(0.0)),
+        )
+    },
     lower(
         "energy",
         "Energy",
@@ -150,7 +174,7 @@ pub const METRICS: &[MetricInfo] = &[
         ("", 0),
         "Turns by 90° between steps of the walk; a reversal counts as two. The turn before the first step isn't \
          counted.",
-        |n| Some(n.walk.turns as f64),
+        |n| Some(n.walk?.turns as f64),
     ),
     lower(
         "direction_changes",
@@ -158,7 +182,7 @@ pub const METRICS: &[MetricInfo] = &[
         ("", 0),
         "Steps of the walk that lead in another direction than the one before. A reversal counts as one, as in Emu & \
          Obaida's thesis.",
-        |n| Some(n.walk.direction_changes as f64),
+        |n| Some(n.walk?.direction_changes as f64),
     ),
     lower(
         "turning",
@@ -167,16 +191,16 @@ pub const METRICS: &[MetricInfo] = &[
         "Sum of all turning angles along the path, including the turn at the start.",
         |n| Some(n.drive.turning_deg),
     ),
-    lower("steps", "Steps", ("", 0), "Steps of the walk between planning cells.", |n| Some(n.walk.steps as f64)),
+    lower("steps", "Steps", ("", 0), "Steps of the walk between planning cells.", |n| Some(n.walk?.steps as f64)),
     lower(
         "revisits",
         "Revisits",
         ("", 0),
         "Visits to cells beyond the first visit to each: driving that cleans nothing new.",
-        |n| Some(n.walk.revisits as f64),
+        |n| Some(n.walk?.revisits as f64),
     ),
     lower("revisited_cells", "Revisited cells", ("", 0), "Cells visited more than once.", |n| {
-        Some(n.walk.revisited_cells as f64)
+        Some(n.walk?.revisited_cells as f64)
     }),
     lower(
         "overlap",

@@ -26,6 +26,11 @@ pub struct WalkMetrics {
 }
 
 impl WalkMetrics {
+    /// Whether the walk visits every cell that it can reach.
+    pub fn is_complete(&self) -> bool {
+        self.visited_cells == self.reachable_cells
+    }
+
     /// The metrics of `path`.
     pub fn of(job: &CoverageJob, path: &CoveragePath) -> Self {
         let visits = path.visits(job);
@@ -68,7 +73,7 @@ mod tests {
     fn reversal_counts_two_and_the_start_is_apart() {
         let job = CoverageJob::new(&Grid::filled(3, 2, true), Cell::new(0, 0), Direction::Up).unwrap();
         let cells = [(0, 0), (1, 0), (2, 0), (1, 0), (1, 1), (1, 0)].map(|(x, y)| Cell::new(x, y));
-        let metrics = WalkMetrics::of(&job, &CoveragePath { cells: cells.to_vec() });
+        let metrics = WalkMetrics::of(&job, &CoveragePath::walk(cells.to_vec()));
         let expected = WalkMetrics {
             reachable_cells: 6,
             visited_cells: 4,

@@ -77,6 +77,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complete: true,
         deterministic: false,
         fast: false,
+        in_metres: false,
         traces: false,
         search: Search::Anytime { effort: "effort", turn: "turn" },
     },
@@ -142,7 +143,7 @@ impl Planner for NearOptimal {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         if job.cells() < 2 {
             ctx.proof = Some(Proof { cost: 0, bound: 0 });
-            return Ok(CoveragePath { cells: vec![job.start] });
+            return Ok(CoveragePath::walk(vec![job.start]));
         }
         let job = &self.weighed(job);
         let costs = Costs::of(job);
@@ -183,7 +184,7 @@ impl Planner for NearOptimal {
             }
         }
         ctx.proof = Some(work.proof());
-        Ok(CoveragePath { cells: work.walk() })
+        Ok(CoveragePath::walk(work.walk()))
     }
 
     fn begins_with(&self, job: &CoverageJob) -> (CoverageJob, &'static [&'static PlannerInfo]) {

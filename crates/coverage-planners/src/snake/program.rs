@@ -124,7 +124,7 @@ impl Planner for SnakeByProgram {
             Stop::End(ending) => ending,
             Stop::Cancelled(error) => return Err(error),
         };
-        Ok(CoveragePath { cells: program.finish(ending) })
+        Ok(CoveragePath::walk(program.finish(ending)))
     }
 
     fn is_complete(&self) -> bool {

@@ -106,7 +106,7 @@ impl Planner for SnakeByText {
                 (phase, budget) = (SnakePhase::Straight, None);
             }
         }
-        Ok(CoveragePath { cells: walk })
+        Ok(CoveragePath::walk(walk))
     }
 }
 

@@ -395,12 +395,12 @@ mod tests {
             for _ in 0..20_000 {
                 state.try_move(rng.random(), MoveKinds::Both, 20);
                 state.store(&mut walk);
-                let path = crate::CoveragePath { cells: walk.clone() };
+                let path = crate::CoveragePath::walk(walk.clone());
                 assert_eq!(path.check(&job), Ok(()));
                 assert_eq!(cost(&walk), before + state.cost);
                 least = least.min(cost(&walk));
             }
-            let path = crate::CoveragePath { cells: walk };
+            let path = crate::CoveragePath::walk(walk);
             let visits = path.visits(&job);
             assert!(job.free.iter().all(|(cell, &f)| !f || visits[cell] > 0));
             assert!(job.cells() < 9 || least < before * 3 / 4, "{least} of {before}");

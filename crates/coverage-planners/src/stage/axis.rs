@@ -28,6 +28,7 @@ pub fn swap_axes(job: &CoverageJob) -> CoverageJob {
         free: swap_grid(&job.free),
         start: swap_cell(job.start),
         heading: swap_direction(job.heading),
+        place: None,
         ..*job
     }
 }

@@ -69,6 +69,6 @@ impl<'j> BestOf<'j> {
 
     /// The cheapest walk.
     pub fn finish(self) -> CoveragePath {
-        CoveragePath { cells: self.best }
+        CoveragePath::walk(self.best)
     }
 }

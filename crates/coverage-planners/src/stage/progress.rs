@@ -117,7 +117,7 @@ impl<'j> CoverageProgress<'j> {
 
     /// The walk.
     pub fn into_path(self) -> CoveragePath {
-        CoveragePath { cells: self.walk }
+        CoveragePath::walk(self.walk)
     }
 }
 

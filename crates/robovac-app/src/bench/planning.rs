@@ -13,11 +13,11 @@ use robovac_sim::{Run, STEP_S, montecarlo::RunsRequest};
 /// Steps of the simulator's case: half an hour, less than the flat takes.
 const SIMULATED_STEPS: u32 = 120_000;
 
-/// Every planner on 100 x 100 cells and the fast ones on 1000 x 1000; the opening scene, and one of many runs.
+/// Every planner of walks on 100 x 100 cells and the fast ones on 1000 x 1000; the opening scene, and one of many runs.
 pub fn planning(bench: &mut Bench<'_>) {
     for side in [bench.size(100, 30), bench.size(1000, 300)] {
         let Some(job) = hall(side) else { continue };
-        for info in PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS) {
+        for info in PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS && !info.claims.in_metres) {
             let planner = info.build(&Params::defaults(info.params));
             let name = format!("plan {} {side} x {side}", info.id);
             bench.take(&name, &mut || drop(planner.plan(&job, &mut PlanContext::new(1))), None);

@@ -7,7 +7,7 @@ use super::{
     trials::{TrialKey, Trials},
 };
 use crate::explore::Session;
-use coverage_planners::{Bounds, CoveragePath, PLANNERS};
+use coverage_planners::{CoveragePath, PLANNERS, metrics::PlanNumbers};
 use robovac_core::floor_plan::{ROOMS, Scenario};
 use robovac_sim::experiment::{Algorithm, Entrant, PlanOutcome, SettingsError, TrialRequest};
 use std::{
@@ -19,7 +19,7 @@ use std::{
 pub const MOST_SEEDS: u32 = 20;
 /// Planners that are selected at first.
 const FIRST: [&str; 4] = ["boustrophedon", "snake", "spiral_stc", "wavefront_path"];
-/// Most cells of all walks kept for the race together, 8 bytes each.
+/// Most cells of all paths kept for the race together, 8 bytes each.
 const MOST_KEPT_CELLS: usize = 8_000_000;
 
 /// The entrants of a comparison and their results.
@@ -221,9 +221,9 @@ impl Comparison {
     /// A worker is done.
     pub fn trial_finished(&mut self, id: u32, result: Result<PlanOutcome, String>) {
         let Some((trial, key)) = self.trials.end(id) else { return };
-        let result = result.map(|PlanOutcome { numbers, cells }| {
+        let result = result.map(|PlanOutcome { numbers, path }| {
             if self.base.as_ref().is_some_and(|base| base.seed == trial.seed) {
-                self.keep(&key, CoveragePath { cells });
+                self.keep(&key, path);
             }
             numbers
         });
@@ -232,17 +232,17 @@ impl Comparison {
         self.enter_race();
     }
 
-    /// Keeps a walk for the race.
+    /// Keeps a path for the race.
     fn keep(&mut self, key: &TrialKey, path: CoveragePath) {
         let kept =
-            |paths: &BTreeMap<TrialKey, CoveragePath>| paths.values().map(|path| path.cells.len()).sum::<usize>();
-        if kept(&self.paths) + path.cells.len() > MOST_KEPT_CELLS {
+            |paths: &BTreeMap<TrialKey, CoveragePath>| paths.values().map(size).sum::<usize>();
+        if kept(&self.paths) + size(&path) > MOST_KEPT_CELLS {
             // For other rooms the walk is planned again if needed.
             let here = self.place(self.here());
             self.trials.retain(|key| key.starts_with(&here) || !self.paths.contains_key(key));
             self.paths.retain(|key, _| key.starts_with(&here));
         }
-        if kept(&self.paths) + path.cells.len() <= MOST_KEPT_CELLS {
+        if kept(&self.paths) + size(&path) <= MOST_KEPT_CELLS {
             self.paths.insert(key.clone(), path);
         }
     }
@@ -320,10 +320,10 @@ impl Comparison {
         PrintedRow::find(self.entrants[entrant].id(), room, base.cell_size)
     }
 
-    /// Lower bounds for a room, once a trial has computed them.
-    pub fn bounds(&self, room: RoomChoice) -> Option<Bounds> {
+    /// The numbers of any plan for a room, once there is one; its bounds are those of all others.
+    pub fn numbers(&self, room: RoomChoice) -> Option<&PlanNumbers> {
         let mut results = self.trials.results().filter(|(trial, _)| trial.room == room);
-        results.find_map(|(_, result)| result.as_ref().ok()?.bounds)
+        results.find_map(|(_, result)| result.as_ref().ok())
     }
 
     /// All results, for export.
@@ -401,6 +401,11 @@ impl Comparison {
         }
         self.race = Some(race);
     }
+}
+
+/// Length of a path in cells of as much memory.
+fn size(path: &CoveragePath) -> usize {
+    path.cells.len() + 2 * path.line.len()
 }
 
 fn key(place: &str, entrant: &str, seed: u64) -> TrialKey {

@@ -291,10 +291,9 @@ impl Race {
         }
     }
 
-    /// The line of a walk; `None` if it can't be driven.
+    /// The line of a path; `None` if it can't be driven.
     pub fn line(&self, path: &CoveragePath) -> Option<Arc<[Point]>> {
-        path.check(&self.prepared.job).ok()?;
-        Some(self.prepared.planning_grid.polyline(&self.prepared.floor, &path.cells).into())
+        self.prepared.line(path).ok()
     }
 }
 

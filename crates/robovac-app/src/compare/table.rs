@@ -2,7 +2,7 @@
 
 use super::PrintedRow;
 use coverage_planners::metrics::{Better, METRICS, MetricInfo, PlanNumbers};
-use robovac_sim::experiment::Entrant;
+use robovac_sim::experiment::{Entrant, planning::WHOLE};
 use serde::Serialize;
 
 /// Median and range of a number over several seeds.
@@ -33,10 +33,16 @@ pub struct Row {
     pub missing: usize,
     /// The message of the first failed trial.
     pub failure: Option<String>,
-    /// Whether all walks visit all cells; others cost less for doing less, so they are the best in nothing but coverage.
+    /// Whether all walks visit all cells and all paths in metres sweep [`WHOLE`]; others cost less for doing less, so they
+    /// are the best in nothing but coverage.
     pub is_complete: bool,
     /// What a paper prints for this planner in this room.
     pub printed: Option<&'static PrintedRow>,
+}
+
+/// Whether a plan does all that others do.
+fn is_complete(numbers: &PlanNumbers) -> bool {
+    numbers.walk.map_or(numbers.drive.coverage >= WHOLE, |walk| walk.is_complete())
 }
 
 /// The table of planners by metrics.
@@ -72,7 +78,7 @@ impl Row {
             trials: rooms.iter().map(Vec::len).sum(),
             missing: rooms.iter().filter(|trials| trials.is_empty()).count(),
             failure,
-            is_complete: rooms.iter().flatten().all(|n| n.walk.visited_cells == n.walk.reachable_cells),
+            is_complete: rooms.iter().flatten().all(is_complete),
             printed: None,
         }
     }

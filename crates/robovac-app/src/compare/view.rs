@@ -4,7 +4,7 @@ use super::{Comparison, ComparisonTable, MedianAndRange, Race, RoomSet, TrialPro
 use crate::explore::SessionState;
 use coverage_planners::{
     Bounds,
-    metrics::{METRICS, MetricInfo},
+    metrics::{METRICS, MetricInfo, PlanNumbers, SweepBound},
 };
 use robovac_core::registry::Params;
 use serde::Serialize;
@@ -123,6 +123,7 @@ pub struct TableView {
     metrics: &'static [MetricInfo],
     /// Of a single room.
     bounds: Option<Bounds>,
+    least: Option<SweepBound>,
     rows: Vec<RowView>,
 }
 
@@ -143,7 +144,7 @@ struct RowView {
 
 impl TableView {
     /// `table`, with the bounds of its only room.
-    pub fn new(table: &ComparisonTable, bounds: Option<Bounds>) -> Self {
+    pub fn new(table: &ComparisonTable, numbers: Option<&PlanNumbers>) -> Self {
         let rows = table.rows.iter().map(|row| RowView {
             entrant: row.index,
             trials: row.trials,
@@ -153,6 +154,7 @@ impl TableView {
             best: (0..METRICS.len()).map(|column| table.is_best(row, column)).collect(),
             printed: METRICS.iter().map(|metric| row.printed?.value(metric.id)).collect(),
         });
-        Self { metrics: METRICS, bounds, rows: rows.collect() }
+        let (bounds, least) = numbers.map_or((None, None), |numbers| (numbers.bounds, numbers.least));
+        Self { metrics: METRICS, bounds, least, rows: rows.collect() }
     }
 }

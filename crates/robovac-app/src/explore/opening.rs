@@ -12,6 +12,9 @@ pub const WALK: &str = include_str!("opening.txt");
 /// Its proof, in steps + 2 x quarter turns.
 pub const PROOF: Proof = Proof { cost: 4618, bound: 4037 };
 
+/// Least length, m, and time, s, of any path that sweeps as much, see [`MetricExcess`](coverage_planners::metrics::MetricExcess).
+pub const LEAST: [f64; 2] = [0.0, 0.0];
+
 const LETTERS: [(char, Direction); 4] =
     [('R', Direction::Right), ('U', Direction::Up), ('L', Direction::Left), ('D', Direction::Down)];
 

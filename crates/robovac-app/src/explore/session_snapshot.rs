@@ -3,10 +3,11 @@
 use super::{Session, session::known_room};
 use crate::{ScenarioChoices, ScenarioError};
 use robovac_core::{
-    floor_plan::{MapError, Scenario},
+    coverage::FloorError,
+    floor_plan::{FloorPlan, MapError, Scenario},
     geometry::Pose,
 };
-use robovac_sim::experiment::{Algorithm, SettingsError};
+use robovac_sim::experiment::{Algorithm, Settings, SettingsError, planning::RoomSetup};
 use serde::{Deserialize, Serialize};
 
 /// The model of robots that can be connected.
@@ -42,9 +43,38 @@ pub enum FollowError {
     /// A choice doesn't exist.
     #[error(transparent)]
     Choice(#[from] ScenarioError),
+    /// There is no room.
+    #[error("there is no room")]
+    NoRoom,
+    /// The robot can't be placed in the room.
+    #[error(transparent)]
+    Floor(#[from] FloorError),
 }
 
 impl SessionSnapshot {
+    /// The room laid out for the robot, as the session has it.
+    pub fn lay_out(&self) -> Result<RoomSetup, FollowError> {
+        let settings = self.choices.settings(&Settings::default())?;
+        let (plan, _) = self.room()?.ok_or(FollowError::NoRoom)?;
+        Ok(RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, self.start())?)
+    }
+
+    /// The room, with its id if it is built in; `None` if the snapshot leaves it out.
+    fn room(&self) -> Result<Option<(FloorPlan, Option<&'static str>)>, FollowError> {
+        Ok(match (&self.room, &self.own) {
+            (Some(id), _) => {
+                let room = known_room(id)?;
+                Some(((room.build)(), Some(room.id)))
+            }
+            (None, Some(own)) => Some((own.plan("the room")?, None)),
+            (None, None) => None,
+        })
+    }
+
+    fn start(&self) -> Option<Pose> {
+        self.start.map(|[x, y, heading]| Pose::new(x, y, heading))
+    }
+
     /// The same for a connected robot driven by `algorithm`; with default parameters if it is another algorithm.
     pub fn for_connection(mut self, algorithm: &str) -> Result<Self, SettingsError> {
         let choices = &mut self.choices;
@@ -79,19 +109,16 @@ impl Session {
         }
     }
 
+    /// The same with an own room.
+    pub fn whole_snapshot(&self) -> SessionSnapshot {
+        let own = self.room().is_none().then(|| self.own_room());
+        SessionSnapshot { own, ..self.snapshot() }
+    }
+
     /// Takes over the state of `snapshot`. Changes nothing on an error.
     pub fn follow(&mut self, snapshot: &SessionSnapshot) -> Result<(), FollowError> {
         let settings = snapshot.choices.settings(&self.settings().defaults())?;
-        let start = snapshot.start.map(|[x, y, heading]| Pose::new(x, y, heading));
-        let room = match (&snapshot.room, &snapshot.own) {
-            (Some(id), _) => {
-                let room = known_room(id)?;
-                Some(((room.build)(), Some(room.id)))
-            }
-            (None, Some(own)) => Some((own.plan("the room")?, None)),
-            (None, None) => None,
-        };
-        self.replace(settings, room, start);
+        self.replace(settings, snapshot.room()?, snapshot.start());
         Ok(())
     }
 }

@@ -202,7 +202,7 @@ pub struct RoomView {
     pub left_out_m2: f64,
 }
 
-/// The plan in numbers; those of walk and drive are 0 while planning.
+/// The plan in numbers; those of walk and drive are 0 while planning, those of the walk also for a path in metres.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct PlanView {
@@ -224,6 +224,8 @@ pub struct PlanView {
     /// The same in steps + 2 x quarter turns, as in comparisons; `None` until it is proven, or if the walk misses
     /// cells.
     pub above_bound: Option<f64>,
+    /// Least length, m, and time, s, of any path that sweeps as much; `None` until it is computed.
+    pub least: Option<[f64; 2]>,
     /// Steps that a quarter turn counts as in `gap`.
     pub turn_weight: Option<f64>,
     /// Whether that is the robot's time for one.

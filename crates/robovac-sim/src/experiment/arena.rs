@@ -1,9 +1,9 @@
 //! One planner in one room: the unit of every comparison.
 
 use crate::experiment::planning::{PlanRequest, Planned, RoomSetup};
-use coverage_planners::{Bounds, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers};
+use coverage_planners::{Bounds, CoveragePath, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers};
 use robovac_core::{
-    coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, grid::Cell, registry::Params, robot::RobotModel,
+    coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, registry::Params, robot::RobotModel,
 };
 
 /// A room laid out for a robot, with its lower bounds: the same for all entrants.
@@ -17,8 +17,8 @@ pub struct Arena {
 pub struct PlanOutcome {
     /// Its numbers.
     pub numbers: PlanNumbers,
-    /// Its walk.
-    pub cells: Vec<Cell>,
+    /// Its path.
+    pub path: CoveragePath,
 }
 
 /// Reasons for a trial without a result.
@@ -59,8 +59,7 @@ impl Arena {
     ) -> Result<PlanOutcome, TrialError> {
         let request = PlanRequest { id: 0, planner, params: params.clone(), seed, job: self.prepared.job.clone() };
         let answer = request.serve(clock, observer)?;
-        let Planned { walk, drive, planning_s, .. } = Planned::new(&self.prepared, &answer)?;
-        let numbers = PlanNumbers { walk, drive, planning_s, bounds: Some(self.bounds) };
-        Ok(PlanOutcome { numbers, cells: answer.path.cells })
+        let numbers = Planned::new(&self.prepared, &answer)?.numbers(&self.prepared, self.bounds);
+        Ok(PlanOutcome { numbers, path: answer.path })
     }
 }

@@ -8,7 +8,7 @@ mod snapshot;
 use crate::explore::{Action, Brush, Editor, PlanSearch, SessionState, Showing};
 use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
 use crate::{Import, ImportError, ScenarioChoices, ScenarioError};
-use coverage_planners::{Film, Proof};
+use coverage_planners::{CoveragePath, Film, Proof};
 use robovac_core::{
     floor_plan::{self, FloorPlan, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
@@ -79,8 +79,8 @@ struct Planning {
     request: Option<PlanRequest>,
     id: u32,
     progress: f64,
-    /// The best walk so far, and its line.
-    walk: Vec<Cell>,
+    /// The best path so far, and its line.
+    path: CoveragePath,
     preview: Vec<Point>,
     /// Its proof.
     proof: Option<Proof>,

@@ -25,10 +25,10 @@ impl Session {
         if !self.is_opening {
             return Some(request);
         }
-        let path = CoveragePath { cells: opening::from_runs(request.job.start, opening::WALK) };
+        let path = CoveragePath::walk(opening::from_runs(request.job.start, opening::WALK));
         let answer = PlanAnswer { path, seconds: 0.0, proof: None, trace: Vec::new() };
         self.plan_finished(request.id, answer);
-        self.plan_proven(request.id, opening::PROOF);
+        self.plan_proven(request.id, Some(opening::PROOF), Some(opening::LEAST));
         None
     }
 
@@ -48,18 +48,17 @@ impl Session {
                 self.plan_finished(request.id, answer);
             }
             Err(PlanError::Cancelled) => self.cancel_plan(),
-            Err(error @ PlanError::Unlisted) => self.plan_failed(request.id, &error.to_string()),
+            Err(error @ (PlanError::Unlisted | PlanError::NoFloor)) => self.plan_failed(request.id, &error.to_string()),
         }
     }
 
-    /// Progress of a planner: its share done, its best walk so far, and the proof.
-    pub fn plan_progress(&mut self, id: u32, ProgressReport { done, walk, proof }: ProgressReport<'_>) {
+    /// Progress of a planner: its share done, its best path so far, and the proof.
+    pub fn plan_progress(&mut self, id: u32, ProgressReport { done, walk, line, proof }: ProgressReport<'_>) {
         let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) else { return };
         (planning.progress, planning.proof) = (done, proof);
-        planning.walk.clear();
-        planning.walk.extend_from_slice(walk);
+        planning.path = CoveragePath { cells: walk.to_vec(), line: line.to_vec() };
         if let Some(prepared) = &self.prepared {
-            planning.preview = prepared.planning_grid.anchors(walk);
+            planning.preview = if line.is_empty() { prepared.planning_grid.anchors(walk) } else { line.to_vec() };
             self.previews += 1;
         }
     }
@@ -73,33 +72,34 @@ impl Session {
         }
     }
 
-    /// Whether the running planner can be stopped with a walk that cleans everything: only such planners report a
-    /// proof.
+    /// Whether the running planner can be stopped with a path that cleans all that it shall: walks of such planners have a
+    /// proof, and every path in metres is one.
     pub(super) fn can_keep(&self) -> bool {
         let is_anytime = self.settings.algorithm.planner().is_some_and(PlannerInfo::is_anytime);
-        is_anytime && self.planning.as_ref().is_some_and(|planning| planning.proof.is_some())
+        let is_kept = |planning: &Planning| is_anytime && planning.proof.is_some() || planning.path.is_in_metres();
+        self.planning.as_ref().is_some_and(is_kept)
     }
 
     /// Ends planning with the best walk so far, `seconds` after the planner began. Cancels if there is none.
     pub fn keep_plan(&mut self, seconds: f64) {
         let Some(planning) = self.planning.as_mut() else { return };
-        let (id, proof, cells, done) = (planning.id, planning.proof, planning.walk.clone(), planning.progress);
+        let (id, proof, path, done) = (planning.id, planning.proof, planning.path.clone(), planning.progress);
         if !self.can_keep() {
             return self.cancel_plan();
         }
-        let path = CoveragePath { cells };
         self.plan_finished(id, PlanAnswer { path, seconds, proof, trace: Vec::new() });
         if let Some(planned) = &mut self.planned {
             planned.kept_at = Some(done);
         }
     }
 
-    /// A proof of a request's plan, in the weights of comparisons, found after planning.
-    pub fn plan_proven(&mut self, id: u32, proof: Proof) {
+    /// What was proven of a request's plan after planning: its cost in the weights of comparisons, and least length, m, and
+    /// time, s, of any path that sweeps as much.
+    pub fn plan_proven(&mut self, id: u32, proof: Option<Proof>, least: Option<[f64; 2]>) {
         if id == self.requests
             && let Some(planned) = &mut self.planned
         {
-            planned.compared = Some(proof);
+            (planned.compared, planned.least) = (proof, least);
         }
     }
 
@@ -113,7 +113,7 @@ impl Session {
                 let Settings { conditions, odometry, seed, .. } = self.settings;
                 self.recording = Some(RunRecording::new(planned.run(prepared, conditions, odometry, seed)));
                 let PlanAnswer { path, trace, proof, .. } = answer;
-                planning.film.take(&ProgressReport { done: 1.0, walk: &path.cells, proof });
+                planning.film.take(&ProgressReport { done: 1.0, walk: &path.cells, line: &[], proof });
                 self.film = Showing::new(&planning.film.take_frames(), &prepared.planning_grid, self.holds_films);
                 self.search = (!trace.is_empty()).then(|| PlanSearch::new(prepared, &planned, &path.cells, trace));
                 let coverage = planned.drive.coverage;
@@ -199,13 +199,13 @@ impl Session {
                     Algorithm::Planner(planner) => {
                         let (params, job) = (params.clone(), prepared.job.clone());
                         let request = Some(PlanRequest { id: self.requests, planner, params, seed, job });
-                        let (walk, preview) = (Vec::new(), Vec::new());
+                        let (path, preview) = (CoveragePath::default(), Vec::new());
                         let id = self.requests;
                         self.planning = Some(Planning {
                             request,
                             id,
                             progress: 0.0,
-                            walk,
+                            path,
                             preview,
                             proof: None,
                             film: Film::default(),

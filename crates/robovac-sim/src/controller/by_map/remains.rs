@@ -175,6 +175,7 @@ impl Remains {
             heading: Direction::nearest(heading),
             step_s: self.planning_grid.cell_size / robot.cruise_speed,
             turn_s: robot.turn_time(math::FRAC_PI_2) + robot.cruise_speed / robot.acceleration,
+            place: None,
         }
     }
 

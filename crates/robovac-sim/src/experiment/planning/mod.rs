@@ -4,11 +4,13 @@
 //! in a worker; the command line has a start in planning cells and plans at once ([`PlanningTask`]).
 
 mod error;
+mod fit_cells;
 mod pipeline;
 mod report;
 mod task;
 
 pub use error::PlanningError;
-pub use pipeline::{MOST_SEARCH_CELLS, PlanAnswer, PlanRequest, Planned, RoomSetup};
+pub use fit_cells::FittedCells;
+pub use pipeline::{MOST_SEARCH_CELLS, WHOLE, PlanAnswer, PlanRequest, Planned, RoomSetup};
 pub use report::{PlanReport, RoomReport, TaskReport};
 pub use task::{CELL_ROBOT, Placement, PlanSolution, PlanningTask, choose_robot};

@@ -7,7 +7,7 @@ use crate::{
 use coverage_planners::{
     Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
     PlannerInfo, Proof, TraceStep,
-    metrics::{DriveMetrics, PlanNumbers, WalkMetrics},
+    metrics::{DriveMetrics, MetricExcess, PlanNumbers, SweepBound, WalkMetrics},
 };
 use robovac_core::{
     coverage::{FloorError, PlanningGrid, ReachableFloor, fine_resolution},
@@ -51,7 +51,7 @@ pub struct PlanRequest {
 /// Result of a planner.
 #[derive(Debug, Clone)]
 pub struct PlanAnswer {
-    /// The walk.
+    /// The walk, or the path in metres.
     pub path: CoveragePath,
     /// Planning time, s.
     pub seconds: f64,
@@ -61,6 +61,9 @@ pub struct PlanAnswer {
     pub trace: Vec<TraceStep>,
 }
 
+/// Share of the floor whose bounds stand beside plans: walks over all cells sweep about as much.
+pub const WHOLE: f64 = 0.99;
+
 /// Most free cells for which decisions are recorded: a record of a step is far larger than the step.
 pub const MOST_SEARCH_CELLS: usize = 20_000;
 
@@ -69,8 +72,8 @@ pub const MOST_SEARCH_CELLS: usize = 20_000;
 pub struct Planned {
     /// Corners of the line to be driven, m.
     pub line: Arc<[Point]>,
-    /// Numbers of the walk on the planning grid.
-    pub walk: WalkMetrics,
+    /// Numbers of the walk on the planning grid; `None` for a path in metres.
+    pub walk: Option<WalkMetrics>,
     /// Numbers of the line driven without noise.
     pub drive: DriveMetrics,
     /// Planning time, s.
@@ -79,6 +82,8 @@ pub struct Planned {
     pub proof: Option<Proof>,
     /// Its proof in steps + 2 x quarter turns, the weights of comparisons, once available.
     pub compared: Option<Proof>,
+    /// Least length, m, and time, s, of any path that sweeps as much, once available.
+    pub least: Option<[f64; 2]>,
     /// Share of the search after which the user ended it, if so.
     pub kept_at: Option<f64>,
 }
@@ -97,13 +102,25 @@ impl RoomSetup {
     /// Lays planning cells of `cell_size` metres over the floor that `robot` can reach in `plan`.
     pub fn on(plan: &FloorPlan, floor: ReachableFloor, robot: &RobotModel, cell_size: f64) -> Self {
         let planning_grid = PlanningGrid::new(&floor, cell_size);
-        let job = CoverageJob::on_planning_grid(&planning_grid, &floor, robot);
+        let floor = Arc::new(floor);
+        let job = CoverageJob::on_planning_grid(&planning_grid, &floor, robot).in_place(&floor, robot);
         let world = Arc::new(World::new(plan));
-        Self { floor: Arc::new(floor), planning_grid: Arc::new(planning_grid), job, world, robot: robot.clone() }
+        Self { floor, planning_grid: Arc::new(planning_grid), job, world, robot: robot.clone() }
     }
 }
 
 impl RoomSetup {
+    /// The line that a robot drives to follow `path`, corners in m, after checking the path.
+    pub fn line(&self, path: &CoveragePath) -> Result<Arc<[Point]>, PathError> {
+        path.check(&self.job)?;
+        let line = if path.is_in_metres() {
+            path.line.clone()
+        } else {
+            self.planning_grid.polyline(&self.floor, &path.cells)
+        };
+        Ok(line.into())
+    }
+
     /// The setup of a run on this floor.
     pub fn setup(&self, conditions: Conditions, seed: u64) -> RunSetup {
         let Self { floor, world, robot, .. } = self;
@@ -177,26 +194,28 @@ impl PlanRequest {
 }
 
 impl Planned {
-    /// Checks a walk and computes its line and metrics.
+    /// Checks a walk or a path in metres, and computes its line and metrics.
     pub fn new(prepared: &RoomSetup, answer: &PlanAnswer) -> Result<Self, PathError> {
         let PlanAnswer { path, seconds, proof, .. } = answer;
-        path.check(&prepared.job)?;
-        let line: Arc<[Point]> = prepared.planning_grid.polyline(&prepared.floor, &path.cells).into();
+        let line = prepared.line(path)?;
         Ok(Self {
-            walk: WalkMetrics::of(&prepared.job, path),
+            walk: (!path.is_in_metres()).then(|| WalkMetrics::of(&prepared.job, path)),
             drive: DriveMetrics::of(&prepared.floor, &prepared.robot, &line),
             line,
             planning_s: *seconds,
             proof: *proof,
             compared: None,
+            least: None,
             kept_at: None,
         })
     }
 
-    /// All metrics for a table, with the bounds of the job if they have been computed.
-    pub fn numbers(&self, bounds: Option<Bounds>) -> PlanNumbers {
-        let Self { walk, drive, planning_s, .. } = *self;
-        PlanNumbers { walk, drive, planning_s, bounds }
+    /// All metrics for a table, with the bounds of the job.
+    pub fn numbers(&self, prepared: &RoomSetup, bounds: Bounds) -> PlanNumbers {
+        let Self { walk, ref line, drive, planning_s, .. } = *self;
+        let excess = MetricExcess::of(&prepared.floor, &prepared.robot, line, &drive);
+        let least = SweepBound::new(&prepared.floor, &prepared.robot, WHOLE);
+        PlanNumbers { walk, drive, planning_s, bounds: Some(bounds), excess, least }
     }
 
     /// A run along the line by dead reckoning.

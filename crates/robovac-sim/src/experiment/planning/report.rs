@@ -4,7 +4,7 @@ use super::{Placement, PlanSolution, PlanningTask, RoomSetup};
 use crate::experiment::Algorithm;
 use coverage_planners::{
     Bounds,
-    metrics::{DriveMetrics, PlanNumbers, WalkMetrics},
+    metrics::{DriveMetrics, MetricExcess, PlanNumbers, WalkMetrics},
 };
 use robovac_core::{grid::Cell, registry::Params};
 use serde::Serialize;
@@ -51,11 +51,15 @@ pub struct PlanReport {
     /// The task.
     #[serde(flatten)]
     pub task: TaskReport,
-    /// The walk over planning cells, `[x, y]` with x right and y up from the lower-left one, the start included.
+    /// The walk over planning cells, `[x, y]` with x right and y up from the lower-left one, the start included; empty for a
+    /// path in metres.
     pub cells: Vec<Cell>,
-    /// Numbers of the walk.
+    /// Corners of a path in metres, `[x, y]`; left out for a walk.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub corners_m: Vec<[f64; 2]>,
+    /// Numbers of the walk; left out for a path in metres.
     #[serde(flatten)]
-    pub walk: WalkMetrics,
+    pub walk: Option<WalkMetrics>,
     /// Numbers of the line that the robot drives.
     #[serde(flatten)]
     pub drive: DriveMetrics,
@@ -65,6 +69,8 @@ pub struct PlanReport {
     pub bounds: Bounds,
     /// Cost of the walk above the bound, steps + 2 x quarter turns, %; `None` if the walk misses cells.
     pub above_bound_percent: Option<f64>,
+    /// Swept floor, bounds for it, and how far length and time exceed them; `None` for a robot that fills a cell.
+    pub excess: Option<MetricExcess>,
 }
 
 impl TaskReport {
@@ -92,7 +98,7 @@ impl PlanReport {
     /// The report of `solution`.
     pub fn new(task: &PlanningTask, solution: PlanSolution) -> Self {
         let bounds = Bounds::of(&solution.prepared.job);
-        let numbers = solution.planned.numbers(Some(bounds));
+        let numbers = solution.planned.numbers(&solution.prepared, bounds);
         let PlanNumbers { walk, drive, planning_s, .. } = numbers;
         Self {
             task: TaskReport::new(
@@ -102,12 +108,14 @@ impl PlanReport {
                 &task.placement,
                 &solution.prepared,
             ),
+            corners_m: solution.path.line.iter().map(|at| [at.x, at.y]).collect(),
             cells: solution.path.cells,
             walk,
             drive,
             planning_s,
             bounds,
             above_bound_percent: numbers.above_bound_percent(),
+            excess: numbers.excess,
         }
     }
 }
