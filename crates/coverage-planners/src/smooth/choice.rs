@@ -16,8 +16,14 @@ const PRICES: [f64; 9] = [0.0, 1e-4, 2e-4, 4e-4, 8e-4, 1.6e-3, 3.2e-3, 6.4e-3, f
 /// The shape of every corner of `line` such that at most `budget` m² of the floor are left out.
 ///
 /// First come curves that leave out nothing, as other parts of the line sweep there, too; then those that leave out little for
-/// the time that they save, at rising prices.
-pub(super) fn choose(line: &[Point], units: &[Unit], counts: &mut SweptCounts<'_>, budget: f64) -> Vec<Rounding> {
+/// the time that they save, at rising prices. Each curve counts as leaving out `unseen` samples more than it does.
+pub(super) fn choose(
+    line: &[Point],
+    units: &[Unit],
+    counts: &mut SweptCounts<'_>,
+    budget: f64,
+    unseen: i64,
+) -> Vec<Rounding> {
     let mut roundings = vec![Rounding::Stop; line.len()];
     for piece in between(line, units) {
         let runs = counts.runs(&piece);
@@ -27,7 +33,7 @@ pub(super) fn choose(line: &[Point], units: &[Unit], counts: &mut SweptCounts<'_
     let mut left = (budget / counts.area_of_sample()) as i64;
     for price in PRICES {
         for (unit, state) in units.iter().zip(&mut states) {
-            left -= state.improve(line, unit, counts, price, left);
+            left -= state.improve(line, unit, counts, (price, left, unseen));
         }
     }
     for (unit, state) in units.iter().zip(&states) {
@@ -86,15 +92,22 @@ impl State {
 
     /// Takes a way that saves more time, if there is one that leaves out no more floor than its time is worth at `price` m²/s and
     /// than `left` samples. Returns how many samples more are left out.
-    fn improve(&mut self, line: &[Point], unit: &Unit, counts: &mut SweptCounts<'_>, price: f64, left: i64) -> i64 {
+    fn improve(
+        &mut self,
+        line: &[Point],
+        unit: &Unit,
+        counts: &mut SweptCounts<'_>,
+        (price, left, unseen): (f64, i64, i64),
+    ) -> i64 {
         let saved = self.taken.map_or(0.0, |way| unit.ways[way].gain_s);
         let better = unit.ways.iter().enumerate().take_while(|(_, way)| way.gain_s > saved);
         for (number, way) in better {
             let runs = counts.runs(&points(line, unit, Some(way)));
-            counts.take(&self.runs);
             let gained = counts.with(&runs, 0);
+            counts.take(&self.runs);
             counts.add(&runs);
-            let lost = counts.with(&self.runs, 0) - gained;
+            let unseen = if self.taken.is_none() { unseen } else { 0 };
+            let lost = counts.with(&self.runs, 0) - gained + unseen;
             if lost <= left.max(0) && lost as f64 * counts.area_of_sample() <= price * (way.gain_s - saved) {
                 (self.taken, self.runs) = (Some(number), runs);
                 return lost;

@@ -20,8 +20,9 @@ use robovac_core::{
 use swept::SweptCounts;
 use units::units;
 
-/// Times that the choice is made again with half of the floor to leave out, if the exact measure finds that it was too much.
-const ROUNDS: u32 = 3;
+/// Samples that each curve counts as leaving out in addition, from try to try: what falls between samples isn't counted, and the
+/// exact measure can find that it was too much.
+const UNSEEN: [i64; 4] = [0, 1, 3, 8];
 /// Accuracy of the exact measure, as a share.
 const ACCURACY: f64 = 1e-4;
 
@@ -47,8 +48,6 @@ impl Default for SmoothSetup {
 pub struct SmoothPath {
     /// Poses and speeds.
     pub trajectory: Trajectory,
-    /// The way of the middle between the wheels, points in metres.
-    pub points: Vec<Point>,
     /// The share of the floor that it sweeps, 0 to 1, by [`swept_share`].
     pub coverage: f64,
     /// The same with stops at all corners.
@@ -78,27 +77,23 @@ pub fn smooth(floor: &ReachableFloor, line: &[Point], limits: &DriveLimits, setu
     let corners = turns.iter().filter(|turn| **turn != 0.0).count();
     let stopped_coverage = swept_share(floor, line);
     let units = units(floor, line, limits, setup);
-    let mut budget = setup.loss.max(0.0) * floor.area();
+    let budget = setup.loss.max(0.0) * floor.area();
     let mut best = None;
-    for _ in 0..ROUNDS {
-        let roundings = choose(line, &units, &mut SweptCounts::new(floor), budget);
+    for unseen in UNSEEN {
+        let roundings = choose(line, &units, &mut SweptCounts::new(floor), budget, unseen);
         let rounded = RoundedLine::new(line, heading, &roundings);
-        let points = rounded.points();
-        let coverage = swept_share(floor, &points);
-        budget *= 0.5;
+        let coverage = swept_share(floor, &rounded.points());
+        eprintln!("DBG unseen {unseen} units {} ways {} rounded {} coverage {coverage} stopped {stopped_coverage} budget {budget}", units.len(), units.iter().map(|u| u.ways.len()).sum::<usize>(), roundings.iter().filter(|r| **r != Rounding::Stop).count());
         if coverage >= stopped_coverage - setup.loss - ACCURACY {
-            best = Some((rounded, points, coverage, roundings));
+            best = Some((rounded, coverage, roundings));
             break;
         }
     }
-    let (rounded, points, coverage, roundings) = best.unwrap_or_else(|| {
-        let stopping = RoundedLine::new(line, heading, &[]);
-        (stopping, line.clone(), stopped_coverage, Vec::new())
-    });
+    let (rounded, coverage, roundings) =
+        best.unwrap_or_else(|| (RoundedLine::new(line, heading, &[]), stopped_coverage, Vec::new()));
     let is_rounded = |rounding: &&Rounding| **rounding != Rounding::Stop;
     SmoothPath {
         trajectory: Trajectory::new(&rounded, limits),
-        points,
         coverage,
         stopped_coverage,
         corners,

@@ -5,7 +5,7 @@ use super::{
     profile::{squares, time},
     round::Part,
 };
-use crate::geometry::Pose;
+use crate::geometry::{Point, Pose, Vector, difference};
 
 /// A moment of a trajectory.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,6 +110,28 @@ impl Trajectory {
         self.turning_s
     }
 
+    /// The way of the middle between the wheels, points in metres: what the tool sweeps along.
+    pub fn points(&self) -> Vec<Point> {
+        let mut points: Vec<Point> = Vec::with_capacity(self.knots.len());
+        for point in self.knots.iter().map(|knot| knot.pose.position()) {
+            // Points on a straight piece aren't needed.
+            if let [.., before, last] = points[..] {
+                let (a, b): (Vector, Vector) = (last - before, point - last);
+                if a.perp(&b).abs() < 1e-12 && a.dot(&b) >= 0.0 {
+                    points.pop();
+                }
+            }
+            points.push(point);
+        }
+        points
+    }
+
+    /// Sum of all turns, in curves and on the spot, rad.
+    pub fn turned_rad(&self) -> f64 {
+        let turned = |pair: &[Knot]| difference(pair[0].pose.heading, pair[1].pose.heading).abs();
+        self.knots.windows(2).map(turned).sum()
+    }
+
     /// Length, m.
     pub fn length_m(&self) -> f64 {
         self.now().1
@@ -120,7 +142,6 @@ impl Trajectory {
 mod tests {
     use super::*;
     use crate::{
-        geometry::{Point, difference},
         math,
         rng::seeded,
         robot::model,
@@ -199,14 +220,16 @@ mod tests {
 
     #[test]
     fn without_rounding_the_time_is_that_of_stop_turn_go() {
-        let (robot, limits) = (model("roomba600").unwrap(), limits());
+        let robot = model("roomba600").unwrap();
+        let limits = DriveLimits { acceleration: robot.acceleration, ..limits() };
         let line = [[0.0, 0.0], [3.0, 0.0], [3.0, 0.12], [0.5, 0.12]].map(|[x, y]| Point::new(x, y));
         let trajectory = Trajectory::new(&RoundedLine::new(&line, 0.0, &[]), &limits);
         let straight: f64 = [3.0, 0.12, 2.5].map(|m| robot.straight_time(m)).iter().sum();
         let expected = straight + 2.0 * limits.turn_time(math::FRAC_PI_2);
         assert!((trajectory.duration_s() - expected).abs() < 1e-3 * expected, "{} {expected}", trajectory.duration_s());
         assert!((trajectory.length_m() - 5.62).abs() < 1e-9);
-        assert_eq!(Trajectory::of_knots(trajectory.knots().to_vec()), trajectory);
+        let told = Trajectory::of_knots(trajectory.knots().to_vec());
+        assert!((told.turning_s() - trajectory.turning_s()).abs() < 1e-9 && told.knots() == trajectory.knots());
     }
 
     /// Nothing faster: at every moment a wheel is at a limit, or the middle at its top speed.

@@ -20,6 +20,8 @@ const MOST_STEER: f64 = 1.5;
 const LOST: [f64; 2] = [0.03, 0.5];
 /// The same for going over to the trajectory on a straight piece.
 const ON_PATH: [f64; 2] = [0.01, 0.05];
+/// Least speed of wheels before an end, m/s: motor controllers don't keep slower ones.
+const LEAST_SPEED: f64 = 0.015;
 /// Time that a knot may take beyond three times its own, s.
 const PATIENCE: f64 = 3.0;
 
@@ -39,9 +41,11 @@ pub struct FollowSmoothly {
     /// Index of the knot that was passed last.
     at: usize,
     is_tracking: bool,
-    /// The last commanded speed, m/s, and wheel speed in a turn.
+    /// About the present speed, m/s, and wheel speed in a turn: the last commanded ones, as far as the wheels can follow.
     speed: f64,
     spin: f64,
+    /// The last estimate: unchanged if the wheels are at rest.
+    last: Pose,
     /// Seconds left to reach the next knot.
     patience: f64,
 }
@@ -52,7 +56,6 @@ impl FollowSmoothly {
         let limits = DriveLimits::of(robot)?;
         let is_tracking = trajectory.knots().len() > 1;
         Some(Self {
-            inner,
             trajectory,
             limits,
             top_wheel_speed: robot.max_wheel_speed,
@@ -60,7 +63,9 @@ impl FollowSmoothly {
             is_tracking,
             speed: 0.0,
             spin: 0.0,
+            last: inner.pose(),
             patience: PATIENCE,
+            inner,
         })
     }
 
@@ -111,6 +116,7 @@ impl FollowSmoothly {
     /// Gives the trajectory up for now: stops, and drives to the next corner.
     fn leave(&mut self) {
         self.is_tracking = false;
+        eprintln!("DBG leave at {:?} {} {:?}", self.stretch().map(|s| s[1].corner), self.patience, self.inner.pose());
         if let Some([_, b]) = self.stretch() {
             let corner = self.corner_ahead(b, self.inner.pose());
             self.inner.take_over_at_rest(corner);
@@ -141,17 +147,41 @@ impl FollowSmoothly {
                 }
                 continue;
             }
-            let chord: Vector = b.pose.position() - a.pose.position();
-            let done = (pose.position() - a.pose.position()).dot(&chord) / chord.norm_squared();
+            let done = self.share(pose, [a, b]);
             let margin = if b.speed == 0.0 { CLOSE_ENOUGH / length } else { 0.0 };
-            if done >= 1.0 - margin {
-                self.pass();
-                continue;
+            if done < 1.0 - margin {
+                return self.go(pose, [a, b], done.max(0.0), dt_s);
             }
-            return self.go(pose, [a, b], done.max(0.0), dt_s);
+            if b.speed == 0.0 && !self.has_stopped(dt_s) {
+                return Drive::STOP;
+            }
+            self.pass();
         }
         self.inner.finish();
         Drive::STOP
+    }
+
+    /// The share of the way between two knots at which the least wheel travel takes the robot to the path: in tight curves its
+    /// heading tells more than its place.
+    fn share(&self, pose: Pose, [a, b]: [Knot; 2]) -> f64 {
+        let (way, turn): (Vector, f64) =
+            (b.pose.position() - a.pose.position(), difference(a.pose.heading, b.pose.heading));
+        let (come, turned) = (pose.position() - a.pose.position(), difference(a.pose.heading, pose.heading));
+        let square = self.limits.half_base * self.limits.half_base;
+        (come.dot(&way) + square * turned * turn) / (way.norm_squared() + square * turn * turn)
+    }
+
+    /// Whether the wheels are at rest: what one does before would carry the robot off the path, as wheels that accelerate as fast
+    /// as they can don't make up for it.
+    fn has_stopped(&mut self, dt_s: f64) -> bool {
+        self.command([0.0; 2], dt_s);
+        self.speed == 0.0 && self.spin == 0.0 && self.last == self.inner.pose()
+    }
+
+    /// Keeps track of the speeds that the wheels can have after a command for a speed and a wheel speed in a turn.
+    fn command(&mut self, [speed, spin]: [f64; 2], dt_s: f64) {
+        let slower = |now: f64| now - self.limits.acceleration * dt_s;
+        (self.speed, self.spin) = (speed.max(slower(self.speed)), spin.max(slower(self.spin)));
     }
 
     /// Turns on the spot; `None` when done.
@@ -164,15 +194,13 @@ impl FollowSmoothly {
         }
         let travel = self.limits.half_base * left.abs();
         if travel < CLOSE_ENOUGH {
-            self.spin = 0.0;
-            return None;
+            return if self.has_stopped(dt_s) { None } else { Some(Drive::STOP) };
         }
-        // The speed from which it can stop there, one step ahead.
+        // The speed from which it can stop there, one step later.
         let next = self.spin + self.limits.acceleration * dt_s;
-        let ahead = (travel - next * dt_s).max(0.0);
-        let wheel = (2.0 * self.limits.acceleration * ahead).sqrt().min(self.limits.wheel_speed).min(next);
-        let wheel = wheel.max(0.5 * self.limits.acceleration * dt_s);
-        (self.spin, self.speed) = (wheel, 0.0);
+        let fastest = |speed: f64| (2.0 * self.limits.acceleration * (travel - speed * dt_s).max(0.0)).sqrt();
+        let wheel = fastest(next).max(fastest(self.spin)).min(self.limits.wheel_speed).min(next).max(LEAST_SPEED);
+        self.command([0.0, wheel], dt_s);
         Some(Drive::wheels(-wheel * left.signum(), wheel * left.signum()))
     }
 
@@ -190,11 +218,13 @@ impl FollowSmoothly {
         }
         // Speeds are reached one step later.
         let next = self.speed + self.limits.acceleration * dt_s;
-        let (speed, curvature) = self.ahead(mixed(a.distance_m, b.distance_m) + next * dt_s);
-        let speed = speed.min(next);
+        let way = mixed(a.distance_m, b.distance_m);
+        let [(faster, curvature), (slower, _)] = [next, self.speed].map(|speed| self.ahead(way + speed * dt_s));
+        let least = LEAST_SPEED / (1.0 + self.limits.half_base * curvature.abs());
+        let speed = faster.max(slower).min(next).max(least);
         let correction = -STEER[0] * beside - STEER[1] * askew;
         let turn_rate = speed * curvature + (speed * correction).clamp(-MOST_STEER, MOST_STEER);
-        (self.speed, self.spin) = (speed, 0.0);
+        self.command([speed, 0.0], dt_s);
         let drive = Drive::from_twist(speed, turn_rate, 2.0 * self.limits.half_base);
         let fastest = drive.left.abs().max(drive.right.abs());
         if fastest > self.top_wheel_speed { drive.times(self.top_wheel_speed / fastest) } else { drive }
@@ -251,7 +281,9 @@ impl Controller for FollowSmoothly {
     fn step(&mut self, sensed: &SensorReadings, dt_s: f64) -> Drive {
         if self.is_tracking && !self.is_interrupted(sensed) {
             self.inner.watch_pose(sensed);
-            return self.track(dt_s);
+            let drive = self.track(dt_s);
+            self.last = self.inner.pose();
+            return drive;
         }
         let drive = self.inner.step(sensed, dt_s);
         self.rejoin(drive);

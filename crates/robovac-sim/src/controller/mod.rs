@@ -32,6 +32,7 @@ pub use follow_smoothly::FollowSmoothly;
 pub use info::{BehaviourClaims, BehaviourInfo, Setup};
 pub use intent::Intent;
 pub use timing::Timing;
+pub(crate) use parts::safe_speed;
 
 use crate::mapping::Mapper;
 use robovac_core::{
