@@ -83,7 +83,6 @@ pub fn smooth(floor: &ReachableFloor, line: &[Point], limits: &DriveLimits, setu
         let roundings = choose(line, &units, &mut SweptCounts::new(floor), budget, unseen);
         let rounded = RoundedLine::new(line, heading, &roundings);
         let coverage = swept_share(floor, &rounded.points());
-        eprintln!("DBG unseen {unseen} units {} ways {} rounded {} coverage {coverage} stopped {stopped_coverage} budget {budget}", units.len(), units.iter().map(|u| u.ways.len()).sum::<usize>(), roundings.iter().filter(|r| **r != Rounding::Stop).count());
         if coverage >= stopped_coverage - setup.loss - ACCURACY {
             best = Some((rounded, coverage, roundings));
             break;

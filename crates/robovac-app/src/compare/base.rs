@@ -46,7 +46,6 @@ impl ComparisonBase {
             setup: RaceSetup {
                 conditions: settings.conditions,
                 odometry: settings.odometry,
-                smooth: settings.smooth,
                 seed: settings.seed,
                 speed: speed.unwrap_or(SPEED),
             },
@@ -77,7 +76,6 @@ impl ComparisonBase {
             RoomChoice::Own => format!("{OWN}{}", self.snapshot.room_version),
         };
         let twin = self.twin.map(|twin| format!(" {twin}")).unwrap_or_default();
-        let smooth = if self.setup.smooth { " smooth" } else { "" };
-        format!("{room} {start:?} {} {}{twin}{smooth}", self.robot, self.cell_size)
+        format!("{room} {start:?} {} {}{twin}", self.robot, self.cell_size)
     }
 }

@@ -2,32 +2,28 @@
 
 use super::{Controller, FollowPath};
 use robovac_core::{
-    geometry::{Pose, Vector, difference},
-    math,
+    geometry::{Pose, difference},
     robot::{Drive, RobotModel, SensorReadings},
     trajectory::{DriveLimits, Knot, Trajectory},
 };
 use std::sync::Arc;
 
-/// A run from rest to rest, or a turn, counts as done when this much wheel travel is left, m.
-const CLOSE_ENOUGH: f64 = 0.001;
-/// Correction of the curvature per metre beside the path, 1/m², and per radian off its heading, 1/m: the robot is back on the
-/// path after about 0.3 m, without swinging (critical damping).
-const STEER: [f64; 2] = [60.0, 15.5];
+/// Correction of the speed per metre behind, 1/s; of the turn rate per metre driven and metre beside, 1/m², and per radian, 1/s.
+const GAINS: [f64; 3] = [3.0, 60.0, 5.0];
 /// Most correction of the turn rate, rad/s.
-const MOST_STEER: f64 = 1.5;
-/// Farthest beside the path, m, and off its heading, rad, before it stops and turns to the next corner.
-const LOST: [f64; 2] = [0.03, 0.5];
-/// The same for going over to the trajectory on a straight piece.
-const ON_PATH: [f64; 2] = [0.01, 0.05];
-/// Least speed of wheels before an end, m/s: motor controllers don't keep slower ones.
-const LEAST_SPEED: f64 = 0.015;
-/// Time that a knot may take beyond three times its own, s.
-const PATIENCE: f64 = 3.0;
+const MOST_STEER: f64 = 2.0;
+/// How far behind the clock slows down, m, and how much farther it stands still.
+const BEHIND: [f64; 2] = [0.02, 0.01];
+/// Farthest behind or ahead, m, beside, m, and off the heading, rad; beyond, it stops and turns to the next corner.
+const LOST: [f64; 3] = [0.04, 0.03, 0.7];
+/// The same for going over to the trajectory on a straight piece: beside, m, off the heading, rad, and speed, m/s.
+const ON_PATH: [f64; 3] = [0.01, 0.05, 0.06];
+/// Way back from an edge or an obstacle that is certain in a curve, m.
+const KNOWN_IN_CURVE: f64 = 0.04;
 
-/// Follows a trajectory: the curvature and speed of the nearest point of the path, and a correction by the distance and heading
-/// from it (after Kanayama et al., A stable tracking control method for an autonomous mobile robot, ICRA 1990, with the speed as
-/// a function of the way instead of the time).
+/// Follows a trajectory: speeds and turn rates as planned, with a correction by the place and heading where the robot should be
+/// (Kanayama et al., A stable tracking control method for an autonomous mobile robot, ICRA 1990). The clock waits for a robot
+/// that falls behind.
 ///
 /// Bumps, edges and whatever else takes it off the path are left to a [`FollowPath`] on the same line, until this drives
 /// straight along a piece of the trajectory again.
@@ -38,34 +34,34 @@ pub struct FollowSmoothly {
     trajectory: Arc<Trajectory>,
     limits: DriveLimits,
     top_wheel_speed: f64,
-    /// Index of the knot that was passed last.
+    /// Where the robot should be: time since the trajectory's start, s, and index of the knot that was passed last.
+    time_s: f64,
     at: usize,
     is_tracking: bool,
-    /// About the present speed, m/s, and wheel speed in a turn: the last commanded ones, as far as the wheels can follow.
-    speed: f64,
-    spin: f64,
-    /// The last estimate: unchanged if the wheels are at rest.
+    /// The last estimate.
     last: Pose,
-    /// Seconds left to reach the next knot.
-    patience: f64,
+}
+
+/// What a trajectory wants at a moment.
+struct Wanted {
+    pose: Pose,
+    speed: f64,
+    turn_rate: f64,
 }
 
 impl FollowSmoothly {
     /// Follows `trajectory`, which rounds corners of the line of `inner`. `None` for a robot that isn't a differential drive.
     pub fn new(robot: &RobotModel, inner: FollowPath, trajectory: Arc<Trajectory>) -> Option<Self> {
         let limits = DriveLimits::of(robot)?;
-        let is_tracking = trajectory.knots().len() > 1;
         Some(Self {
+            is_tracking: trajectory.knots().len() > 1,
+            last: inner.pose(),
+            inner,
             trajectory,
             limits,
             top_wheel_speed: robot.max_wheel_speed,
+            time_s: 0.0,
             at: 0,
-            is_tracking,
-            speed: 0.0,
-            spin: 0.0,
-            last: inner.pose(),
-            patience: PATIENCE,
-            inner,
         })
     }
 
@@ -89,169 +85,121 @@ impl FollowSmoothly {
         let heading = is_turn.then_some(b.pose.heading);
         // The way back is along the heading: in a curve, only a little of it is the way that it has come.
         let pose = self.inner.pose();
-        let known = if a.curvature == 0.0 && b.curvature == 0.0 { self.straight_behind(pose) } else { 0.04 };
+        let is_straight = a.curvature == 0.0 && b.curvature == 0.0;
+        let known = if is_straight { self.straight_behind(pose) } else { KNOWN_IN_CURVE };
         let began = pose.position() - pose.direction() * known;
-        let corner = self.corner_ahead(b, pose);
+        let corner = self.corner_ahead(pose);
         self.inner.take_over(corner, began, heading);
         true
     }
 
-    /// Length of the straight way that it has come, m, as far as it matters.
+    /// Length of the straight way that it has come, m.
     fn straight_behind(&self, pose: Pose) -> f64 {
-        let knots = &self.trajectory.knots()[..=self.at];
-        let first = knots.iter().rev().take_while(|knot| knot.curvature == 0.0 && difference(knot.pose.heading, pose.heading).abs() < 0.2);
-        first.map(|knot| (knot.pose.position() - pose.position()).norm()).fold(0.0, f64::max)
+        let is_along = |knot: &&Knot| {
+            knot.curvature == 0.0 && difference(knot.pose.heading, pose.heading).abs() < ON_PATH[1] + LOST[1]
+        };
+        let knots = self.trajectory.knots()[..=self.at].iter().rev().take_while(is_along);
+        knots.map(|knot| (knot.pose.position() - pose.position()).norm()).fold(0.0, f64::max)
     }
 
     /// Number of the corner to drive to: in the second half of a curve the one after it.
-    fn corner_ahead(&self, knot: Knot, pose: Pose) -> usize {
-        let knots = self.trajectory.knots();
-        let curve = knots[self.at..].iter().take_while(|next| next.corner == knot.corner);
-        let is_leaving = knot.curvature != 0.0
-            && curve.clone().all(|next| next.curvature.abs() <= knot.curvature.abs())
-            && curve.last().is_some_and(|end| difference(pose.heading, end.pose.heading).abs() < 1.0);
-        knot.corner + usize::from(is_leaving)
+    fn corner_ahead(&self, pose: Pose) -> usize {
+        let knots = &self.trajectory.knots()[self.at..];
+        let Some(next) = knots.get(1) else { return 0 };
+        let mut curve = knots.iter().filter(|knot| knot.corner == next.corner).map(|knot| knot.curvature.abs());
+        let end = knots.iter().take_while(|knot| knot.corner == next.corner).last();
+        let is_leaving = next.curvature != 0.0
+            && curve.all(|other| other <= next.curvature.abs())
+            && end.is_some_and(|end| difference(pose.heading, end.pose.heading).abs() < 1.0);
+        next.corner + usize::from(is_leaving)
     }
 
     /// Gives the trajectory up for now: stops, and drives to the next corner.
-    fn leave(&mut self) {
+    fn leave(&mut self) -> Drive {
         self.is_tracking = false;
-        eprintln!("DBG leave at {:?} {} {:?}", self.stretch().map(|s| s[1].corner), self.patience, self.inner.pose());
-        if let Some([_, b]) = self.stretch() {
-            let corner = self.corner_ahead(b, self.inner.pose());
-            self.inner.take_over_at_rest(corner);
-        }
-    }
-
-    fn pass(&mut self) {
-        self.at += 1;
-        if let Some([a, b]) = self.stretch() {
-            self.patience = PATIENCE + 3.0 * (b.time_s - a.time_s);
-        }
+        let corner = self.corner_ahead(self.inner.pose());
+        self.inner.take_over_at_rest(corner);
+        Drive::STOP
     }
 
     /// One step along the trajectory.
     fn track(&mut self, dt_s: f64) -> Drive {
-        self.patience -= dt_s;
-        if self.patience < 0.0 {
-            self.leave();
-            return Drive::STOP;
-        }
         let pose = self.inner.pose();
-        while let Some([a, b]) = self.stretch() {
-            let length = b.distance_m - a.distance_m;
-            if length <= 0.0 {
-                match self.turn(pose, [a, b], dt_s) {
-                    Some(drive) => return drive,
-                    None => self.pass(),
-                }
-                continue;
-            }
-            let done = self.share(pose, [a, b]);
-            let margin = if b.speed == 0.0 { CLOSE_ENOUGH / length } else { 0.0 };
-            if done < 1.0 - margin {
-                return self.go(pose, [a, b], done.max(0.0), dt_s);
-            }
-            if b.speed == 0.0 && !self.has_stopped(dt_s) {
-                return Drive::STOP;
-            }
-            self.pass();
+        let (_, now) = self.wanted(self.time_s);
+        let behind = now.pose.position() - pose.position();
+        let ahead = pose.direction();
+        let (along, beside) = (ahead.dot(&behind), ahead.perp(&behind));
+        let askew = difference(pose.heading, now.pose.heading);
+        if along.abs() > LOST[0] || beside.abs() > LOST[1] || askew.abs() > LOST[2] {
+            return self.leave();
         }
-        self.inner.finish();
-        Drive::STOP
-    }
-
-    /// The share of the way between two knots at which the least wheel travel takes the robot to the path: in tight curves its
-    /// heading tells more than its place.
-    fn share(&self, pose: Pose, [a, b]: [Knot; 2]) -> f64 {
-        let (way, turn): (Vector, f64) =
-            (b.pose.position() - a.pose.position(), difference(a.pose.heading, b.pose.heading));
-        let (come, turned) = (pose.position() - a.pose.position(), difference(a.pose.heading, pose.heading));
-        let square = self.limits.half_base * self.limits.half_base;
-        (come.dot(&way) + square * turned * turn) / (way.norm_squared() + square * turn * turn)
-    }
-
-    /// Whether the wheels are at rest: what one does before would carry the robot off the path, as wheels that accelerate as fast
-    /// as they can don't make up for it.
-    fn has_stopped(&mut self, dt_s: f64) -> bool {
-        self.command([0.0; 2], dt_s);
-        self.speed == 0.0 && self.spin == 0.0 && self.last == self.inner.pose()
-    }
-
-    /// Keeps track of the speeds that the wheels can have after a command for a speed and a wheel speed in a turn.
-    fn command(&mut self, [speed, spin]: [f64; 2], dt_s: f64) {
-        let slower = |now: f64| now - self.limits.acceleration * dt_s;
-        (self.speed, self.spin) = (speed.max(slower(self.speed)), spin.max(slower(self.spin)));
-    }
-
-    /// Turns on the spot; `None` when done.
-    fn turn(&mut self, pose: Pose, [a, b]: [Knot; 2], dt_s: f64) -> Option<Drive> {
-        let whole = difference(a.pose.heading, b.pose.heading);
-        let mut left = difference(pose.heading, b.pose.heading);
-        if whole.abs() > 2.0 && left * whole < 0.0 && left.abs() > 2.0 {
-            // A reversal has begun on the other side of half a turn.
-            left += math::TAU.copysign(whole);
-        }
-        let travel = self.limits.half_base * left.abs();
-        if travel < CLOSE_ENOUGH {
-            return if self.has_stopped(dt_s) { None } else { Some(Drive::STOP) };
-        }
-        // The speed from which it can stop there, one step later.
-        let next = self.spin + self.limits.acceleration * dt_s;
-        let fastest = |speed: f64| (2.0 * self.limits.acceleration * (travel - speed * dt_s).max(0.0)).sqrt();
-        let wheel = fastest(next).max(fastest(self.spin)).min(self.limits.wheel_speed).min(next).max(LEAST_SPEED);
-        self.command([0.0, wheel], dt_s);
-        Some(Drive::wheels(-wheel * left.signum(), wheel * left.signum()))
-    }
-
-    /// Drives on, `done` of the way between two knots.
-    fn go(&mut self, pose: Pose, [a, b]: [Knot; 2], done: f64, dt_s: f64) -> Drive {
-        let mixed = |from: f64, to: f64| from + (to - from) * done;
-        let heading = a.pose.heading + done * difference(a.pose.heading, b.pose.heading);
-        let nearest = a.pose.position() + (b.pose.position() - a.pose.position()) * done;
-        let (sin, cos) = math::sin_cos(heading);
-        let beside = Vector::new(cos, sin).perp(&(pose.position() - nearest));
-        let askew = difference(heading, pose.heading);
-        if beside.abs() > LOST[0] || askew.abs() > LOST[1] {
-            self.leave();
+        self.time_s += dt_s * (1.0 - (along - BEHIND[0]) / BEHIND[1]).clamp(0.0, 1.0);
+        // Speeds are reached one step later.
+        let (at, next) = self.wanted(self.time_s);
+        self.at = at;
+        if self.time_s >= self.trajectory.duration_s() {
+            self.inner.finish();
             return Drive::STOP;
         }
-        // Speeds are reached one step later.
-        let next = self.speed + self.limits.acceleration * dt_s;
-        let way = mixed(a.distance_m, b.distance_m);
-        let [(faster, curvature), (slower, _)] = [next, self.speed].map(|speed| self.ahead(way + speed * dt_s));
-        let least = LEAST_SPEED / (1.0 + self.limits.half_base * curvature.abs());
-        let speed = faster.max(slower).min(next).max(least);
-        let correction = -STEER[0] * beside - STEER[1] * askew;
-        let turn_rate = speed * curvature + (speed * correction).clamp(-MOST_STEER, MOST_STEER);
-        self.command([speed, 0.0], dt_s);
+        let speed = next.speed + GAINS[0] * along;
+        let steer = GAINS[1] * next.speed * beside + GAINS[2] * askew;
+        let turn_rate = next.turn_rate + steer.clamp(-MOST_STEER, MOST_STEER);
         let drive = Drive::from_twist(speed, turn_rate, 2.0 * self.limits.half_base);
         let fastest = drive.left.abs().max(drive.right.abs());
         if fastest > self.top_wheel_speed { drive.times(self.top_wheel_speed / fastest) } else { drive }
     }
 
-    /// Speed and curvature at a way from the start, m, at most the end of this run.
-    fn ahead(&self, way: f64) -> (f64, f64) {
-        let knots = &self.trajectory.knots()[self.at..];
-        for pair in knots.windows(2) {
-            let [a, b] = [pair[0], pair[1]];
-            let length = b.distance_m - a.distance_m;
-            if length <= 0.0 {
-                break;
-            }
-            if way < b.distance_m {
-                let done = ((way - a.distance_m) / length).clamp(0.0, 1.0);
-                let square = a.speed * a.speed + (b.speed * b.speed - a.speed * a.speed) * done;
-                return (square.sqrt(), a.curvature + (b.curvature - a.curvature) * done);
-            }
+    /// Index of the knot before a time at or after the present one, and what the trajectory wants then.
+    fn wanted(&self, time_s: f64) -> (usize, Wanted) {
+        let knots = self.trajectory.knots();
+        let mut at = self.at;
+        while at + 2 < knots.len() && knots[at + 1].time_s <= time_s {
+            at += 1;
         }
-        (0.0, 0.0)
+        let [a, b] = [knots[at], knots[(at + 1).min(knots.len() - 1)]];
+        let lasts = b.time_s - a.time_s;
+        let since = (time_s - a.time_s).clamp(0.0, lasts);
+        let turn = difference(a.pose.heading, b.pose.heading);
+        let length = b.distance_m - a.distance_m;
+        if lasts <= 0.0 {
+            return (at, Wanted { pose: b.pose, speed: b.speed, turn_rate: 0.0 });
+        }
+        if length <= 0.0 {
+            let (share, rate) = self.turned(turn, since, lasts);
+            let pose = Pose::new(a.pose.x, a.pose.y, a.pose.heading + share * turn);
+            return (at, Wanted { pose, speed: 0.0, turn_rate: rate });
+        }
+        // Constant acceleration; the curvature is linear in the way.
+        let acceleration = (b.speed - a.speed) / lasts;
+        let speed = a.speed + acceleration * since;
+        let done = (0.5 * (a.speed + speed) * since / length).clamp(0.0, 1.0);
+        let place = a.pose.position() + (b.pose.position() - a.pose.position()) * done;
+        let curvature = a.curvature + (b.curvature - a.curvature) * done;
+        let turned = done * length * 0.5 * (a.curvature + curvature);
+        let pose = Pose::new(place.x, place.y, a.pose.heading + turned);
+        (at, Wanted { pose, speed, turn_rate: speed * curvature })
     }
 
-    /// Takes the trajectory up again if the robot drives along one of its straight pieces.
-    fn rejoin(&mut self, drive: Drive) {
+    /// The share of a turn on the spot by `turn` that is done after `since` of `lasts` seconds, and the turn rate.
+    fn turned(&self, turn: f64, since: f64, lasts: f64) -> (f64, f64) {
+        let DriveLimits { wheel_speed, acceleration, half_base, .. } = self.limits;
+        let ramp = (wheel_speed / acceleration).min(0.5 * lasts);
+        let way = |time: f64| match time {
+            _ if time < ramp => 0.5 * acceleration * time * time,
+            _ => 0.5 * acceleration * ramp * ramp + acceleration * ramp * (time - ramp),
+        };
+        let whole = 2.0 * way(0.5 * lasts);
+        let is_first_half = since < 0.5 * lasts;
+        let done = if is_first_half { way(since) } else { whole - way(lasts - since) };
+        let wheel = acceleration * since.min(lasts - since).min(ramp);
+        (if whole > 0.0 { done / whole } else { 1.0 }, (wheel / half_base).copysign(turn))
+    }
+
+    /// Takes the trajectory up again if the robot drives along one of its straight pieces, as fast as planned.
+    fn rejoin(&mut self, dt_s: f64) {
         let Some(corner) = self.inner.straight_to() else { return };
-        let (pose, speed) = (self.inner.pose(), 0.5 * (drive.left + drive.right));
+        let pose = self.inner.pose();
+        let speed = (pose.position() - self.last.position()).norm() / dt_s;
         let knots = self.trajectory.knots();
         let first = knots.partition_point(|knot| knot.corner < corner);
         let pieces = knots.windows(2).enumerate().skip(first.saturating_sub(1));
@@ -265,28 +213,30 @@ impl FollowSmoothly {
             let along = a.pose.direction();
             let (done, beside) = (from.dot(&along), along.perp(&from));
             let askew = difference(a.pose.heading, pose.heading);
-            if (0.0..length).contains(&done) && beside.abs() < ON_PATH[0] && askew.abs() < ON_PATH[1] {
-                let square = a.speed * a.speed + (b.speed * b.speed - a.speed * a.speed) * done / length;
-                if speed * speed <= square + 1e-6 {
-                    (self.at, self.is_tracking, self.speed) = (index, true, speed);
-                    self.patience = PATIENCE + 3.0 * (b.time_s - a.time_s);
-                }
-                return;
+            if !(0.0..length).contains(&done) || beside.abs() > ON_PATH[0] || askew.abs() > ON_PATH[1] {
+                continue;
             }
+            let planned = (a.speed * a.speed + (b.speed * b.speed - a.speed * a.speed) * done / length).sqrt();
+            if (planned - speed).abs() < ON_PATH[2] && planned > 0.0 {
+                (self.at, self.is_tracking) = (index, true);
+                self.time_s = a.time_s + 2.0 * done / (a.speed + planned);
+            }
+            return;
         }
     }
 }
 
 impl Controller for FollowSmoothly {
     fn step(&mut self, sensed: &SensorReadings, dt_s: f64) -> Drive {
-        if self.is_tracking && !self.is_interrupted(sensed) {
+        let drive = if self.is_tracking && !self.is_interrupted(sensed) {
             self.inner.watch_pose(sensed);
-            let drive = self.track(dt_s);
-            self.last = self.inner.pose();
-            return drive;
-        }
-        let drive = self.inner.step(sensed, dt_s);
-        self.rejoin(drive);
+            self.track(dt_s)
+        } else {
+            let drive = self.inner.step(sensed, dt_s);
+            self.rejoin(dt_s);
+            drive
+        };
+        self.last = self.inner.pose();
         drive
     }
 

@@ -53,11 +53,7 @@ fn drive(run: &mut Run, trajectory: &Trajectory) -> f64 {
         run.step();
         assert!(run.time_s() < 7200.0, "it gets to the end");
         if run.steps().is_multiple_of(5) {
-            let now = beside(&points, run.estimate().unwrap().position());
-            if now > 0.004 && now > farthest + 0.001 {
-                println!("DBG {now:.4} at {:.2} s, pose {}, est {}, corner {:?} of {} bumps {} {}", run.time_s(), run.pose(), run.estimate().unwrap(), run.corner(), points.len(), run.bumps(), run.activity());
-            }
-            farthest = farthest.max(now);
+            farthest = farthest.max(beside(&points, run.estimate().unwrap().position()));
         }
     }
     farthest
@@ -74,15 +70,6 @@ fn rounded_corners_touch_nothing_and_keep_the_floor_swept() {
             let path = smooth(&room, &plan.line);
             let points = path.trajectory.points();
             let name = format!("{planner} by {robot}, seed {seed}");
-            println!(
-                "{name}: {} of {} rounded, {:.1} s instead of {:.1} s, {:.3} % instead of {:.3} %",
-                path.rounded,
-                path.corners,
-                path.trajectory.duration_s(),
-                plan.drive.duration_s,
-                100.0 * path.coverage,
-                100.0 * path.stopped_coverage
-            );
             assert!(path.trajectory.duration_s() < plan.drive.duration_s, "{name}");
             assert!(path.rounded > 0, "{name}");
             let swept = [&points[..], &plan.line].map(|line| swept_share(&room.floor, line));
@@ -93,9 +80,8 @@ fn rounded_corners_touch_nothing_and_keep_the_floor_swept() {
                 let cut = beside(&plan.line, at);
                 assert!(cut <= setup.cut + 1e-6, "{name}: {cut} m from the line");
                 if knots[0].curvature != 0.0 {
-                    let half = 0.5 * (knots[1].distance_m - knots[0].distance_m);
                     let reach = limits.body_radius + setup.clearance - 1e-3;
-                    assert!(limits.nearest(at, reach).is_none(), "{name}: less than 2 mm of room at {at}, {half}");
+                    assert!(limits.nearest(at, reach).is_none(), "{name}: less than 2 mm of room at {at}");
                 }
             }
             for &corner in plan.line.iter() {
@@ -115,9 +101,8 @@ fn a_run_takes_the_planned_time_and_keeps_to_the_path() {
         let mut run = plan.run(&room, Conditions::default(), OdometryModel::Arc, 1);
         let farthest = drive(&mut run, &trajectory);
         let ratio = run.time_s() / plan.drive.duration_s;
-        println!("{planner}: {:.1} s, {ratio:.4} of the plan, {farthest:.4} m off, {} bumps", run.time_s(), run.bumps());
-        assert!((ratio - 1.0).abs() < 0.03, "{planner}: {ratio}");
-        assert!(farthest < 0.01 && run.bumps() == 0, "{planner}: {farthest} m, {} bumps", run.bumps());
+        assert!((ratio - 1.0).abs() < 0.01, "{planner}: {ratio}");
+        assert!(farthest < 0.005 && run.bumps() == 0, "{planner}: {farthest} m, {} bumps", run.bumps());
         assert!(run.coverage() > plan.drive.coverage - 0.002, "{planner}: {} {}", run.coverage(), plan.drive.coverage);
     }
 }
@@ -134,11 +119,9 @@ fn slipping_and_quantised_wheels_keep_to_the_path_by_the_estimate() {
         while !stopping.is_finished() {
             stopping.step();
         }
-        println!("stopping: {:.1} s, {:.3}, {} bumps", stopping.time_s(), stopping.coverage(), stopping.bumps());
         let mut run = plan.run(&room, conditions, OdometryModel::Arc, 5);
         let farthest = drive(&mut run, &trajectory);
-        println!("{slip:?} {quantised}: {:.1} s, {farthest:.4} m off, {} bumps", run.time_s(), run.bumps());
-        // After a bump it is led past the obstacle by stops and turns.
+        // Slip ends in bumps, and after a bump it is led past the obstacle by stops and turns.
         assert!(run.bumps() > 0 || farthest < 0.03, "{slip:?} {quantised}: {farthest} m");
         assert!(run.coverage() > stopping.coverage() - 0.05, "{} {}", run.coverage(), stopping.coverage());
     }

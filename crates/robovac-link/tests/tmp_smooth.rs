@@ -1,0 +1,4 @@
+#[path = "../../../tests/robot/connection/wire.rs"]
+mod wire;
+#[path = "../../../tests/robot/connection/rides.rs"]
+mod rides;
