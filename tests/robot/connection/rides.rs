@@ -107,7 +107,6 @@ fn smooth_over_the_line(plan: &FloorPlan) -> [f64; 2] {
 fn rounded_corners_take_as_long_over_the_line_as_in_the_simulator() {
     let plan = random_flat(1, 1, 1);
     let [took, simulated] = smooth_over_the_line(&plan);
-    println!("{took} {simulated}");
     assert!(took < 1.03 * simulated, "{took} s instead of {simulated} s");
 }
 
