@@ -75,9 +75,8 @@ mod tests {
         let plan = Sketch::open(6.0, 1.0, 0.05).start(0.5, 0.5, 0.0).finish("", "");
         let floor = ReachableFloor::new(&plan, robot, None).unwrap();
         let line = [0.5, 5.5, 0.5].map(|x| Point::new(x, 0.5));
-        let excess = |line: &[Point]| {
-            MetricExcess::of(&floor, robot, line, &DriveMetrics::of(&floor, robot, line)).unwrap()
-        };
+        let excess =
+            |line: &[Point]| MetricExcess::of(&floor, robot, line, &DriveMetrics::of(&floor, robot, line)).unwrap();
         let (once, twice) = (excess(&line[..2]), excess(&line));
         assert!((once.swept * floor.area() - (5.0 * 0.17 + 0.0227)).abs() < 1e-3);
         assert!((once.bound.length_m - 5.0).abs() < 0.01 && once.above[0].abs() < 0.002, "{once:?}");

@@ -62,7 +62,9 @@ pub struct SmoothPath {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum SmoothError {
     /// A robot that moves in every direction doesn't turn at corners.
-    #[error("{0} can't round corners: it moves in every direction without turning. Choose a robot with two driven wheels")]
+    #[error(
+        "{0} can't round corners: it moves in every direction without turning. Choose a robot with two driven wheels"
+    )]
     NotDifferential(&'static str),
 }
 

@@ -177,7 +177,6 @@ impl RoundedLine {
             .map(|i| {
                 let rounding = roundings.get(i).copied().unwrap_or_default();
                 let shape = match rounding {
-                    Rounding::Stop => None,
                     Rounding::Alone(tangent) => CornerShape::alone(turns[i], tangent),
                     Rounding::First if i + 1 < line.len() => {
                         CornerShape::u_turn([turns[i], turns[i + 1]], length(i)).map(|[first, _]| first)
@@ -185,7 +184,7 @@ impl RoundedLine {
                     Rounding::Second if i > 0 => {
                         CornerShape::u_turn([turns[i - 1], turns[i]], length(i - 1)).map(|[_, second]| second)
                     }
-                    Rounding::First | Rounding::Second => None,
+                    Rounding::Stop | Rounding::First | Rounding::Second => None,
                 };
                 shape.map(|shape| (shape, rounding))
             })

@@ -31,8 +31,8 @@ pub use follow_path::FollowPath;
 pub use follow_smoothly::FollowSmoothly;
 pub use info::{BehaviourClaims, BehaviourInfo, Setup};
 pub use intent::Intent;
-pub use timing::Timing;
 pub(crate) use parts::safe_speed;
+pub use timing::Timing;
 
 use crate::mapping::Mapper;
 use robovac_core::{

@@ -117,11 +117,8 @@ impl RoomSetup {
     /// The line that a robot drives to follow `path`, corners in m, after checking the path.
     pub fn line(&self, path: &CoveragePath) -> Result<Arc<[Point]>, PathError> {
         path.check(&self.job)?;
-        let line = if path.is_in_metres() {
-            path.line.clone()
-        } else {
-            self.planning_grid.polyline(&self.floor, &path.cells)
-        };
+        let line =
+            if path.is_in_metres() { path.line.clone() } else { self.planning_grid.polyline(&self.floor, &path.cells) };
         Ok(line.into())
     }
 
@@ -200,9 +197,10 @@ pub struct Driven {
 impl Driven {
     /// What drives it: `follower`, which follows the line, or its trajectory if there is one and `robot` can.
     pub fn controller(&self, robot: &RobotModel, follower: FollowPath) -> Box<dyn Controller> {
-        let smooth = self.smooth.as_ref().and_then(|trajectory| {
-            FollowSmoothly::new(robot, follower.clone(), Arc::clone(trajectory))
-        });
+        let smooth = self
+            .smooth
+            .as_ref()
+            .and_then(|trajectory| FollowSmoothly::new(robot, follower.clone(), Arc::clone(trajectory)));
         smooth.map_or_else(|| Box::new(follower) as Box<dyn Controller>, |smooth| Box::new(smooth))
     }
 }
