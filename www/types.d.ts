@@ -660,7 +660,7 @@ export type Params = { [key in string]: ParamValue };
 /** A personality, for menus. */
 export type PersonalityView = { id: string, title: string, summary: string, };
 
-/** The plan in numbers; those of walk and drive are 0 while planning. */
+/** The plan in numbers; those of walk and drive are 0 while planning, those of the walk also for a path in metres. */
 export type PlanView = {
 /** Whether the planner is running. */
 running: boolean,
@@ -674,6 +674,8 @@ gap: number | null,
 /** The same in steps + 2 x quarter turns, as in comparisons; `None` until it is proven, or if the walk misses
  * cells. */
 above_bound: number | null,
+/** Least length, m, and time, s, of any path that sweeps as much; `None` until it is computed. */
+least: [number, number] | null,
 /** Steps that a quarter turn counts as in `gap`. */
 turn_weight: number | null,
 /** Whether that is the robot's time for one. */
@@ -1061,7 +1063,18 @@ bumps: Band,
 /** Falls of all runs together. */
 falls: number,
 /** Remaining share of the dirt, 0 to 1; `None` if there was none. */
-dirt_left: Band | null, };
+dirt_left: Band | null,
+/** How far distance and time exceed the least of any run that sweeps as much, as shares; `None` if there is none for a run. */
+excess: [Band, Band] | null, };
+
+/** What any path needs that sweeps so much of a floor. */
+export type SweepBound = {
+/** Share of the floor, 0 to 1. */
+coverage: number,
+/** Length, m. */
+length_m: number,
+/** Time by the robot's motion model, s. */
+duration_s: number, };
 
 /** Results of a sweep. */
 export type SweepView = {
@@ -1093,7 +1106,7 @@ scan_width: number, };
 /** A table of numbers. */
 export type TableView = { metrics: Array<MetricInfo>,
 /** Of a single room. */
-bounds: Bounds | null, rows: Array<RowView>, };
+bounds: Bounds | null, least: SweepBound | null, rows: Array<RowView>, };
 
 /** Time at which runs reached a share of the floor.
  *

@@ -14,6 +14,7 @@ export type ToWorker =
   | { type: "prove"; request: PlanRequest; cells: WirePath }
   | { type: "trial"; request: { id: number } }
   | { type: "runs"; request: { id: number } }
+  | { type: "fit"; request: { id: number; snapshot: import("./types").SessionSnapshot; percent: number } }
   | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
 /** Cost of a plan, and its lower bound. */
 export type Proof = Float64Array;
@@ -37,6 +38,9 @@ export type FromRuns = { type: "ran"; id: number; outcomes: Float64Array } | { t
 export type ReadMap = { name: string; width: number; cells: Uint8Array };
 
 export type FromReader = { type: "read"; id: number; map: ReadMap } | { type: "failed"; id: number; message: string };
+
+/** Planning cells for a coverage. */
+export type FromFit = { type: "fitted"; id: number; metres: number } | { type: "failed"; id: number; message: string };
 
 /** Messages of the benchmark's worker. */
 export type FromBench =

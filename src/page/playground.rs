@@ -3,7 +3,7 @@
 mod hand;
 
 use self::hand::Carried;
-use coverage_planners::{CoveragePath, ProgressReport, TraceStep};
+use coverage_planners::{ProgressReport, TraceStep};
 use js_sys::{Array, Float64Array};
 use robovac_app::{
     RobotView, Scene, Viewport,

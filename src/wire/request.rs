@@ -2,12 +2,12 @@
 
 use coverage_planners::{self, CoverageJob, SLOW_CELLS};
 use js_sys::{Reflect, Uint8Array};
+use robovac_app::explore::{Session, SessionSnapshot};
 use robovac_core::{grid::Direction, registry::ParamValue};
 use robovac_core::{
     grid::{Cell, Grid},
     registry::Params,
 };
-use robovac_app::explore::{Session, SessionSnapshot};
 use robovac_sim::experiment::planning::{PlanRequest, RoomSetup};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -73,7 +73,7 @@ pub fn laid_out(object: &JsValue) -> Result<Option<RoomSetup>, JsValue> {
         return Ok(None);
     }
     let place: SessionSnapshot = serde_wasm_bindgen::from_value(place).map_err(|e| e.to_string())?;
-    Ok(Some(place.lay_out().map_err(|e| e.to_string())?))
+    Ok(Some(place.lay_out().map_err(|e| e.to_string())?.0))
 }
 
 impl WireRequest {

@@ -3,6 +3,7 @@
 mod bench;
 mod comparison;
 mod connection;
+mod fit_cells;
 mod live_map;
 mod map_session;
 mod montecarlo;

@@ -14,6 +14,8 @@ import { paramField } from "../params.js";
 
 /** Parameters beyond these fold away. */
 const FEW = 2;
+/** Menu entries of planning cells that are chosen for a coverage, percent. */
+const [FIT, COVERAGES] = /** @type {const} */ (["fit ", [95, 98, 99]]);
 /** Menu entry of a twin, which isn't in the catalogue. */
 const TWIN = "twin";
 
@@ -27,7 +29,10 @@ export function startPanel(app) {
   fill(select("odometry"), ODOMETRIES);
   byId("odometry-field").setAttribute("data-tip", ODOMETRY_TIP);
   fill(select("robot"), robots.map(({ id, title }) => [id, title]));
-  fill(select("cell-size"), cell_sizes_m.map((size) => [String(size), `${+(size * 100).toFixed(2)} cm`]));
+  const cells = select("cell-size");
+  const centimetres = (/** @type {number} */ size) => `${+(size * 100).toFixed(2)} cm`;
+  const fits = COVERAGES.map((percent) => /** @type {[string, string]} */ ([`${FIT}${percent}`, `for ${percent} %`]));
+  fill(cells, [...cell_sizes_m.map((size) => /** @type {[string, string]} */ ([String(size), centimetres(size)])), ...fits]);
 
   /** @param {(p: App["playground"]) => void} what */
   const change = (what) => {
@@ -45,7 +50,11 @@ export function startPanel(app) {
   bind("room", (p, id) => p.select_room(id));
   bind("algorithm", (p, id) => p.select_algorithm(id));
   bind("robot", (p, id) => (id === TWIN ? p.restore(`twin=${twin}`) : p.select_robot(id)));
-  bind("cell-size", (p, metres) => p.set_cell_size(Number(metres)));
+  bind("cell-size", (p, size) => {
+    if (!size.startsWith(FIT)) return p.set_cell_size(Number(size));
+    const fitted = import("./fit-cells.js").then(({ fitCells }) => fitCells(app, Number(size.slice(FIT.length))));
+    fitted.catch((error) => act(() => { throw error; })).finally(() => shown.delete(cells));
+  });
   bind("slip", (p, id) => p.set_slip(id));
   bind("noise", (p, level) => p.set_noise("all", level));
   input("quantised").addEventListener("change", () => change((p) => p.set_quantised(input("quantised").checked)));
@@ -97,7 +106,9 @@ export function startPanel(app) {
     show(select("room"), room.id);
     show(select("algorithm"), view.algorithm);
     showRobot(view);
-    show(select("cell-size"), String(view.cell_size_m));
+    const size = String(view.cell_size_m);
+    if (shown.get(cells) !== size && ![...cells.options].some(({ value }) => value === size)) cells.append(new Option(centimetres(view.cell_size_m), size));
+    show(cells, size);
     showRealism(view, show);
     noises.forEach(({ menu }, index) => show(menu, view.noise[index] ?? "off"));
     show(select("odometry"), view.odometry);

@@ -67,7 +67,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "No obstacles: line after line, without revisits." },
         fails: Example { room: "maze", why: "The nearest point is often behind a wall, at the end of a long detour." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: true, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        in_metres: false,
+        traces: true,
+        search: Search::None,
+    },
     params: &[
         ParamSpec {
             id: "scan_lines",

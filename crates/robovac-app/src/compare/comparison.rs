@@ -234,8 +234,7 @@ impl Comparison {
 
     /// Keeps a path for the race.
     fn keep(&mut self, key: &TrialKey, path: CoveragePath) {
-        let kept =
-            |paths: &BTreeMap<TrialKey, CoveragePath>| paths.values().map(size).sum::<usize>();
+        let kept = |paths: &BTreeMap<TrialKey, CoveragePath>| paths.values().map(size).sum::<usize>();
         if kept(&self.paths) + size(&path) > MOST_KEPT_CELLS {
             // For other rooms the walk is planned again if needed.
             let here = self.place(self.here());

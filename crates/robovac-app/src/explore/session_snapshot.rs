@@ -52,11 +52,11 @@ pub enum FollowError {
 }
 
 impl SessionSnapshot {
-    /// The room laid out for the robot, as the session has it.
-    pub fn lay_out(&self) -> Result<RoomSetup, FollowError> {
+    /// The room laid out for the robot, as the session has it, and the settings.
+    pub fn lay_out(&self) -> Result<(RoomSetup, Settings), FollowError> {
         let settings = self.choices.settings(&Settings::default())?;
         let (plan, _) = self.room()?.ok_or(FollowError::NoRoom)?;
-        Ok(RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, self.start())?)
+        Ok((RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, self.start())?, settings))
     }
 
     /// The room, with its id if it is built in; `None` if the snapshot leaves it out.

@@ -75,6 +75,8 @@ struct JsonRun {
     bumps: u32,
     falls: u32,
     dirt_left: Option<f64>,
+    /// Excess of distance and time, as shares.
+    excess: Option<[f64; 2]>,
     digest: String,
 }
 
@@ -96,7 +98,8 @@ pub fn to_json(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
 pub fn to_csv(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     let mut csv = String::from(
         "room,robot,slip,noise,quantised,minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
-         time [s],distance [m],bumps,falls,dirt left [%],digest,measure\n",
+         time [s],distance [m],bumps,falls,dirt left [%],excess distance [%],\
+         excess time [%],digest,measure\n",
     );
     let Conditions { slip, quantised, .. } = head.conditions;
     let common = format!(
@@ -111,15 +114,16 @@ pub fn to_csv(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
         let (kind, measure) = (entrant.algorithm.kind(), measure(entrant));
         // Writing to a string doesn't fail.
         let _ = match result {
-            Err(error) => writeln!(csv, "{common},{kind},{entrant},,{},,,,,,,,,,{measure}", quoted(error)),
+            Err(error) => writeln!(csv, "{common},{kind},{entrant},,{},,,,,,,,,,,,{measure}", quoted(error)),
             Ok(runs) => runs.iter().try_for_each(|run| {
                 let [to_90, to_99] = run.reached_s.map(|s| if s.is_finite() { s.to_string() } else { String::new() });
                 let RunOutcome { seed, time_s, distance_m, bumps, falls, digest, .. } = run;
                 let coverage = 100.0 * run.coverage();
                 let dirt = run.dirt_left.map(|left| (100.0 * left).to_string()).unwrap_or_default();
+                let [more_m, more_s] = [0, 1].map(|i| run.excess.map_or_else(String::new, |above| (100.0 * above[i]).to_string()));
                 writeln!(
                     csv,
-                    "{common},{kind},{entrant},{seed},,{coverage},{to_90},{to_99},{time_s},{distance_m},{bumps},{falls},{dirt},{digest:016x},{measure}"
+                    "{common},{kind},{entrant},{seed},,{coverage},{to_90},{to_99},{time_s},{distance_m},{bumps},{falls},{dirt},{more_m},{more_s},{digest:016x},{measure}"
                 )
             }),
         };
@@ -161,6 +165,7 @@ impl JsonRun {
             bumps: run.bumps,
             falls: run.falls,
             dirt_left: run.dirt_left,
+            excess: run.excess,
             digest: format!("{:016x}", run.digest),
         }
     }

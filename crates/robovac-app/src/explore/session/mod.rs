@@ -12,7 +12,6 @@ use coverage_planners::{CoveragePath, Film, Proof};
 use robovac_core::{
     floor_plan::{self, FloorPlan, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
-    grid::Cell,
     registry::Params,
 };
 use robovac_sim::{
