@@ -116,7 +116,7 @@ impl Comparison {
     /// A worker has finished.
     pub fn trial_finished(&mut self, id: u32, path: &JsValue, numbers: JsValue) -> Result<(), JsValue> {
         let numbers: PlanNumbers = serde_wasm_bindgen::from_value(numbers).map_err(|e| e.to_string())?;
-        self.state.trial_finished(id, Ok(PlanOutcome { numbers, path: walk::path_from_js(path) }));
+        self.state.trial_finished(id, Ok(PlanOutcome { numbers, path: walk::path_from_js(path), smooth: None }));
         Ok(())
     }
 

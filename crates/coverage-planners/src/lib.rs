@@ -22,6 +22,7 @@
 //!
 //! - [`PLANNERS`]: the registry, and [`find`] by id
 //! - [`metrics`]: steps, turns, revisits, driven metres and seconds; [`Bounds`]: proven lower bounds
+//! - [`smooth`]: paths with rounded corners, and their speeds
 //! - [`stage`]: parts to build planners from; [`sweep`]: another planner in metres, for a body of any outline
 //!
 //! A planner outside this crate implements [`Planner`]; the example `own_planner` has one. To add one to the registry, write
@@ -55,6 +56,7 @@ mod wavefront_path;
 
 pub mod lanes;
 pub mod metrics;
+pub mod smooth;
 pub mod stage;
 pub mod sweep;
 

@@ -39,6 +39,9 @@ pub struct Arguments {
     /// Planning cell size in metres [default: the map's cell size for the robot "cell", else chosen for the robot]
     #[arg(long, value_name = "M")]
     cell: Option<f64>,
+    /// Round the corners: curves instead of stops where they keep the floor swept
+    #[arg(long)]
+    smooth: bool,
     /// First random seed
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
@@ -79,6 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         let (robot, cell_size) = choose_robot(&arguments.robot, plan, arguments.cell)
             .ok_or_else(|| Failure::unknown("robot", &arguments.robot, "robots"))?;
         let arena = Arena::new(plan, &robot, cell_size, None).map_err(|e| e.to_string());
+        let arena = arena.map(|arena| arena.smooth(arguments.smooth));
         Ok(TrialRoom { name: plan.name.clone(), robot, cell_size, arena })
     };
     let places: Vec<TrialRoom> = plans.iter().map(place).collect::<Result<_, Failure>>()?;

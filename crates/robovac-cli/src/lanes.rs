@@ -2,19 +2,24 @@
 
 use super::{failure::Failure, output, simulate::parse_seconds, source::RoomSource};
 use coverage_planners::lanes::{LanesError, LanesPlan, LanesProgress, LanesSetup, plan_lanes};
+use coverage_planners::smooth::SmoothSetup;
 use coverage_planners::sweep::in_frame;
 use robovac_app::export::PathFormat;
 use robovac_core::{
     coverage::ReachableFloor,
     floor_plan::FloorPlan,
     robot::{OdometryModel, RobotModel, model},
+    trajectory::Trajectory,
 };
 use robovac_sim::{
     Conditions,
-    experiment::planning::{PlanningError, RoomSetup},
+    experiment::planning::{Driven, PlanningError, RoomSetup},
 };
 use serde::Serialize;
-use std::{fs, ops::ControlFlow, path::PathBuf, time::Instant};
+use std::{fs, ops::ControlFlow, path::PathBuf, sync::Arc, time::Instant};
+
+/// Share of the floor that rounded corners may leave out, which lanes must sweep in addition.
+const LEFT_OUT: f64 = 0.003;
 
 /// Plan lanes in metres: the shortest time found for a share of the floor
 #[derive(clap::Args)]
@@ -39,6 +44,9 @@ pub struct Arguments {
     /// Random seed
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
+    /// Round the corners as well: plans for a little more than the share asked for, so that what curves leave out isn't missed
+    #[arg(long)]
+    smooth: bool,
     /// Drive the path in the simulator, too, without noise
     #[arg(long)]
     drive: bool,
@@ -71,7 +79,19 @@ struct LanesReport<'a> {
     excess_duration: f64,
     first_path_s: Option<f64>,
     planning_s: f64,
+    /// With rounded corners.
+    smooth: Option<SmoothReport>,
     driven: Option<DrivenReport>,
+}
+
+/// The path with rounded corners.
+#[derive(Serialize)]
+struct SmoothReport {
+    /// Rounded corners.
+    rounded: usize,
+    length_m: f64,
+    duration_s: f64,
+    coverage: f64,
 }
 
 /// The path driven in the simulator.
@@ -90,7 +110,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let plan = arguments.source.plan()?;
     let floor = ReachableFloor::new(&plan, robot, None).map_err(PlanningError::from)?;
     let setup = LanesSetup {
-        coverage: arguments.coverage / 100.0,
+        coverage: planned_for(arguments),
         clearance: arguments.clearance,
         effort: if arguments.seconds.is_some() { LanesSetup::MOST_EFFORT } else { arguments.effort },
         seed: arguments.seed,
@@ -110,13 +130,27 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         fs::write(out, text).map_err(|error| Failure::io(out.display(), &error))?;
     }
     let area = floor.area();
-    let driven = arguments.drive.then(|| drive(&plan, floor, robot, &found));
+    let required = arguments.coverage / 100.0;
+    let room = RoomSetup::on(&plan, floor, robot, robot.default_cell);
+    let smooth = if arguments.smooth {
+        let setup = SmoothSetup {
+            loss: (found.coverage - required).max(0.0),
+            clearance: found.clearance,
+            ..SmoothSetup::default()
+        };
+        let path = room.smooth(&found.path, &setup, false);
+        Some(path.map_err(|error| Failure::usage(format!("--smooth: {error}")))?)
+    } else {
+        None
+    };
+    let trajectory = smooth.as_ref().map(|path| Arc::new(path.trajectory.clone()));
+    let driven = arguments.drive.then(|| drive(&room, &found, trajectory));
     let report = LanesReport {
         room: &plan.name,
         robot: robot.id,
         seed: setup.seed,
         floor_m2: area,
-        required_coverage: setup.coverage,
+        required_coverage: required,
         coverage: found.coverage,
         clearance_m: found.clearance,
         corners: found.path.len(),
@@ -128,14 +162,26 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         excess_duration: found.excess[1],
         first_path_s,
         planning_s,
+        smooth: smooth.map(|path| SmoothReport {
+            rounded: path.rounded,
+            length_m: path.trajectory.length_m(),
+            duration_s: path.trajectory.duration_s(),
+            coverage: path.coverage,
+        }),
         driven,
     };
     Ok(if arguments.json { output::json(&report) } else { summary(&report, robot) })
 }
 
-fn drive(plan: &FloorPlan, floor: ReachableFloor, robot: &RobotModel, found: &LanesPlan) -> DrivenReport {
-    let room = RoomSetup::on(plan, floor, robot, robot.default_cell);
-    let mut run = room.run_along(&found.path.clone().into(), Conditions::default(), OdometryModel::Arc, 0);
+/// The share to plan for.
+fn planned_for(arguments: &Arguments) -> f64 {
+    let required = arguments.coverage / 100.0;
+    if arguments.smooth { required + LEFT_OUT.min(0.5 * (1.0 - required)) } else { required }
+}
+
+fn drive(room: &RoomSetup, found: &LanesPlan, smooth: Option<Arc<Trajectory>>) -> DrivenReport {
+    let driven = Driven { line: found.path.clone().into(), smooth };
+    let mut run = room.run_driven(&driven, Conditions::default(), OdometryModel::Arc, 0);
     while !run.is_finished() {
         run.step();
     }
@@ -173,6 +219,15 @@ fn summary(report: &LanesReport<'_>, robot: &RobotModel) -> String {
             run.bumps
         )
     });
+    let smooth = report.smooth.as_ref().map_or_else(String::new, |path| {
+        format!(
+            "Smooth    {:.1} m in {}, {:.2} % of the floor, {} corners rounded\n",
+            path.length_m,
+            output::minutes(path.duration_s),
+            100.0 * path.coverage,
+            path.rounded
+        )
+    });
     let short = if report.coverage < report.required_coverage {
         format!(", {:.2} % asked for", 100.0 * report.required_coverage)
     } else {
@@ -185,7 +240,7 @@ fn summary(report: &LanesReport<'_>, robot: &RobotModel) -> String {
          Path      {:.1} m in {}, {} corners\n\
          Bound     at least {:.1} m and {} for {:.2} %\n\
          Excess    {:.1} % in metres, {:.1} % in minutes\n\
-         {driven}\
+         {smooth}{driven}\
          Planning  {:.2} s, first path after {:.2} s\n",
         report.room,
         report.floor_m2,

@@ -7,16 +7,17 @@ use super::{
     task::{self, CoverageArguments, ParamArguments, PlacementArguments},
     twin,
 };
+use coverage_planners::smooth::{SmoothPath, SmoothSetup};
 use robovac_core::{floor_plan::ScenarioPose, robot::OdometryModel};
 use robovac_sim::{
     Conditions, Run, STEP_S, SlipLevel, What, controller,
     experiment::{
         Algorithm,
-        planning::{Placement, PlanningTask, TaskReport},
+        planning::{Placement, PlanSolution, Planned, PlanningTask, RoomSetup, TaskReport},
     },
 };
 use serde::Serialize;
-use std::{fmt::Write, path::PathBuf, time::Instant};
+use std::{fmt::Write, path::PathBuf, sync::Arc, time::Instant};
 
 /// The default robot.
 pub const DEFAULT_ROBOT: &str = "roomba600";
@@ -39,6 +40,9 @@ pub struct Arguments {
     /// Simulate a twin: a file of "robovac twin --json". Its levels of slip and noise count where none is given
     #[arg(long, value_name = "FILE", conflicts_with = "robot")]
     twin: Option<PathBuf>,
+    /// Round the corners of a plan: curves instead of stops where they keep the floor swept
+    #[arg(long, conflicts_with = "behaviour")]
+    smooth: bool,
     /// Simulated time between two samples
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0, value_parser = parse_seconds, allow_hyphen_values = true)]
     sample: f64,
@@ -72,9 +76,26 @@ struct SimulateReport {
     quantised: bool,
     start_charge_percent: u8,
     odometry: OdometryModel,
+    /// The plan with rounded corners, if they are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    smooth: Option<RoundedPlan>,
     #[serde(flatten)]
     totals: Totals,
     samples: Vec<SimulateSample>,
+}
+
+/// A plan with rounded corners.
+#[derive(Serialize)]
+struct RoundedPlan {
+    corners: usize,
+    rounded: usize,
+    /// Time by the robot's motion model.
+    planned_s: f64,
+    /// Swept share of the reachable floor, exact, 0 to 1.
+    planned_coverage: f64,
+    /// The same with a stop at every corner.
+    stopped_s: f64,
+    stopped_coverage: f64,
 }
 
 /// The numbers of a run when it is over or was stopped.
@@ -124,6 +145,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         conditions = file.conditions(conditions);
     }
     let conditions = arguments.conditions.over(conditions);
+    let mut smooth = None;
     let (prepared, mut run) = match algorithm {
         Algorithm::Planner(planner) => {
             let mut task = PlanningTask { placement: placement.clone(), planner, params: params.clone(), seed };
@@ -131,8 +153,13 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
             placement.clone_from(&task.placement);
             let begin = Instant::now();
             let solution = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
-            let run = solution.planned.run(&solution.prepared, conditions, odometry, seed);
-            (solution.prepared, run)
+            let PlanSolution { prepared, mut planned, .. } = solution;
+            if arguments.smooth {
+                let (rounded, plan) = round(planned, &prepared)?;
+                (planned, smooth) = (rounded, Some(plan));
+            }
+            let run = planned.run(&prepared, conditions, odometry, seed);
+            (prepared, run)
         }
         Algorithm::Behaviour(info) => {
             let prepared = placement.prepare()?;
@@ -150,10 +177,23 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         quantised: conditions.quantised,
         start_charge_percent: conditions.start_charge_percent,
         odometry,
+        smooth,
         totals: Totals::of(&run),
         samples,
     };
     Ok(if arguments.json { output::json(&report) } else { report.to_text(algorithm, &placement) })
+}
+
+/// The plan with its corners rounded.
+fn round(planned: Planned, prepared: &RoomSetup) -> Result<(Planned, RoundedPlan), Failure> {
+    let stopped_s = planned.drive.duration_s;
+    let path = prepared
+        .smooth(&planned.line, &SmoothSetup::default(), false)
+        .map_err(|error| Failure::usage(format!("--smooth: {error}")))?;
+    let SmoothPath { trajectory, coverage, stopped_coverage, corners, rounded } = path;
+    let planned_s = trajectory.duration_s();
+    let plan = RoundedPlan { corners, rounded, planned_s, planned_coverage: coverage, stopped_s, stopped_coverage };
+    Ok((planned.driven_along(prepared, Arc::new(trajectory)), plan))
 }
 
 impl AlgorithmArguments {
@@ -221,6 +261,17 @@ impl SimulateReport {
         let _ = writeln!(text, "Sensors   noise: {}", self.noise);
         if self.start_charge_percent < 100 {
             let _ = writeln!(text, "Battery   start charge: {} %", self.start_charge_percent);
+        }
+        if let Some(plan) = &self.smooth {
+            let (planned, stopped) = (output::minutes(plan.planned_s), output::minutes(plan.stopped_s));
+            let _ = writeln!(
+                text,
+                "Corners   {} of {} rounded: planned {planned} for {:.2} % swept, with stops {stopped} for {:.2} %",
+                plan.rounded,
+                plan.corners,
+                100.0 * plan.planned_coverage,
+                100.0 * plan.stopped_coverage,
+            );
         }
         text.push('\n');
         let _ = writeln!(text, "{:>10}  {:>9}  {:30}  Estimate", "Time", "Coverage", "Pose");

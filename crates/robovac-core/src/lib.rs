@@ -10,6 +10,7 @@
 //! - [`floor_plan`]: built-in rooms; with the feature `files`, map files and scenarios
 //! - [`robot`]: models, sensor readings, odometry
 //! - [`coverage`]: reachable and swept floor; the planning grid
+//! - [`trajectory`]: rounded corners, and the fastest speeds along a path within the wheels' limits
 //! - [`cspace`]: the configuration space of a body of any outline, over x, y and heading
 //!
 //! Everything is pure: no clock, no input or output, no global state, no panic on bad input.
@@ -33,3 +34,4 @@ pub mod math;
 pub mod registry;
 pub mod rng;
 pub mod robot;
+pub mod trajectory;

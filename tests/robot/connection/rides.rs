@@ -2,14 +2,15 @@
 
 use super::wire::{Wire, flat, hall, roomba, setup_in};
 use robovac_core::{
-    geometry::{Point, difference},
+    floor_plan::{FloorPlan, generate::random_flat},
+    geometry::{Point, difference, nearest_on_segment},
     registry::Params,
     robot::OdometryModel,
 };
 use robovac_sim::{
     Conditions, Run,
     controller::{BEHAVIOURS, FollowPath, Setup},
-    experiment::planning::RoomSetup,
+    experiment::planning::{PlanRequest, Planned, RoomSetup},
 };
 use std::sync::Arc;
 
@@ -63,6 +64,52 @@ fn every_behaviour_rides_as_far_as_in_the_simulator() {
     }
 }
 
+/// Drives a plan with rounded corners over the line, and compares it with the simulator. Returns both times, s.
+fn smooth_over_the_line(plan: &FloorPlan) -> [f64; 2] {
+    let robot = roomba();
+    let prepared = RoomSetup::new(plan, &robot, 0.15, None).unwrap();
+    let planner = coverage_planners::find("boustrophedon").unwrap();
+    let params = Params::defaults(planner.params);
+    let job = prepared.job.clone();
+    let answer = PlanRequest { id: 1, planner, params, seed: 1, job }.serve(|| 0.0, None).unwrap();
+    let planned = Planned::new(&prepared, &answer).unwrap().rounded(&prepared).unwrap();
+    let trajectory = planned.smooth.clone().unwrap();
+    let points = trajectory.points();
+    let mut run = planned.run(&prepared, Conditions::default(), OdometryModel::Arc, 1);
+    while !run.is_finished() {
+        run.step();
+        assert!(run.time_s() < 1800.0);
+    }
+    let setup = prepared.setup(Conditions { spare_batteries: true, ..Conditions::default() }, 1);
+    let mut wire = Wire::new(&setup, "model");
+    wire.connect();
+    wire.arm();
+    let follower = prepared.follower(&robot, &planned.line, OdometryModel::Arc).carefully();
+    let controller = planned.driven().controller(&robot, follower);
+    wire.link.ride(wire.now, "Smooth", controller, prepared.floor.start, true).unwrap();
+    let mut farthest: f64 = 0.0;
+    let took = wire.pass_until(1800.0, |wire| {
+        let view = wire.view();
+        let [x, y, _] = view.pose;
+        let here = Point::new(x, y);
+        let beside = points.windows(2).map(|pair| (nearest_on_segment(pair[0], pair[1], here) - here).norm());
+        farthest = farthest.max(beside.fold(f64::MAX, f64::min));
+        view.ride.unwrap().done
+    });
+    assert!(farthest < 0.03, "{farthest} m from the plan, by its estimate");
+    let (there, here) = (run.pose(), wire.pose());
+    assert!((there.position() - here.position()).norm() < 0.05, "{there} {here}");
+    [took, run.time_s()]
+}
+
+// slow: a room, byte by byte
+#[test]
+fn rounded_corners_take_as_long_over_the_line_as_in_the_simulator() {
+    let plan = random_flat(1, 1, 1);
+    let [took, simulated] = smooth_over_the_line(&plan);
+    assert!(took < 1.03 * simulated, "{took} s instead of {simulated} s");
+}
+
 // slow: a whole flat, byte by byte
 #[test]
 fn a_planned_path_cleans_the_flat_over_the_line() {
@@ -70,10 +117,9 @@ fn a_planned_path_cleans_the_flat_over_the_line() {
     let prepared = RoomSetup::new(&plan, &roomba(), 0.25, None).unwrap();
     let planner = coverage_planners::find("boustrophedon").unwrap();
     let params = Params::defaults(planner.params);
-    let request =
-        robovac_sim::experiment::planning::PlanRequest { id: 1, planner, params, seed: 1, job: prepared.job.clone() };
+    let request = PlanRequest { id: 1, planner, params, seed: 1, job: prepared.job.clone() };
     let answer = request.serve(|| 0.0, None).unwrap();
-    let planned = robovac_sim::experiment::planning::Planned::new(&prepared, &answer).unwrap();
+    let planned = Planned::new(&prepared, &answer).unwrap();
     let setup = prepared.setup(Conditions { spare_batteries: true, ..Conditions::default() }, 1);
     let mut wire = Wire::new(&setup, "model");
     wire.connect();

@@ -65,6 +65,12 @@ impl MetricBound {
         Self { length_m: length, turning_rad: turning, duration_s: driving + turns }
     }
 
+    /// The same for a robot that needn't stop to turn: the length at its cruise speed, from rest to rest. The bound on the length
+    /// holds for curves, too.
+    pub fn without_stops(self, robot: &RobotModel) -> Self {
+        Self { turning_rad: 0.0, duration_s: robot.straight_time(self.length_m), ..self }
+    }
+
     /// How far a path's length, m, and time, s, exceed the bounds, as shares: 0.2 for a fifth; 0 where the bound is 0.
     pub fn excess(&self, length_m: f64, duration_s: f64) -> [f64; 2] {
         let above = |value: f64, bound: f64| if bound > 0.0 { value / bound - 1.0 } else { 0.0 };

@@ -33,6 +33,7 @@ pub use error::LanesError;
 pub use free_space::FreeSpace;
 pub(crate) use planner::BUILD;
 pub use planner::INFO;
+pub(crate) use scan::across;
 pub use scan::swept_share;
 
 use anneal::anneal;

@@ -82,7 +82,7 @@ fn join(runs: &mut Vec<(f64, f64)>) {
 }
 
 /// Where a horizontal line at `y` is within `radius` of the segment from `a` to `b`.
-fn across(a: Vector, b: Vector, radius: f64, y: f64) -> Option<(f64, f64)> {
+pub(crate) fn across(a: Vector, b: Vector, radius: f64, y: f64) -> Option<(f64, f64)> {
     let (mut left, mut right) = (f64::MAX, f64::MIN);
     let mut take = |from: f64, to: f64| {
         if from <= to {

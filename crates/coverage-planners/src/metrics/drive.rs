@@ -5,6 +5,7 @@ use robovac_core::{
     geometry::{Point, difference},
     math,
     robot::RobotModel,
+    trajectory::Trajectory,
 };
 use serde::{Deserialize, Serialize};
 
@@ -19,7 +20,7 @@ pub struct DriveMetrics {
     pub length_m: f64,
     /// Sum of all turns, degrees, the one at the start included.
     pub turning_deg: f64,
-    /// Time from rest to rest by the robot's motion model (straight pieces and turns on the spot), s.
+    /// Time from rest to rest by the robot's motion model (straight pieces and turns on the spot, or curves as well), s.
     pub duration_s: f64,
     /// Energy taken from the battery, Wh: the robot's power while driving straight and while turning, times the time of
     /// each. Some of the robots' figures are estimates, so it is accurate to about a quarter.
@@ -35,7 +36,23 @@ pub struct DriveMetrics {
 impl DriveMetrics {
     /// Metrics of `line` (corners, m), driven without noise.
     pub fn of(floor: &ReachableFloor, robot: &RobotModel, line: &[Point]) -> Self {
-        let LineDrive { length, turning, straight_s, turning_s } = LineDrive::along(line, floor.start.heading, robot);
+        Self::measured(floor, robot, line, &LineDrive::along(line, floor.start.heading, robot))
+    }
+
+    /// Metrics of a smooth trajectory, driven without noise. The energy counts curves as straight driving.
+    pub fn of_trajectory(floor: &ReachableFloor, robot: &RobotModel, trajectory: &Trajectory) -> Self {
+        let turning_s = trajectory.turning_s();
+        let drive = LineDrive {
+            length: trajectory.length_m(),
+            turning: trajectory.turned_rad(),
+            straight_s: trajectory.duration_s() - turning_s,
+            turning_s,
+        };
+        Self::measured(floor, robot, &trajectory.points(), &drive)
+    }
+
+    fn measured(floor: &ReachableFloor, robot: &RobotModel, line: &[Point], drive: &LineDrive) -> Self {
+        let LineDrive { length, turning, straight_s, turning_s } = *drive;
         let mut tracker = CoverageTracker::new(floor);
         for &point in line {
             tracker.sweep_to(floor, point);

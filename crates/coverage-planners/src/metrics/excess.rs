@@ -2,7 +2,7 @@
 
 use super::DriveMetrics;
 use crate::lanes::{MetricBound, swept_share};
-use robovac_core::{coverage::ReachableFloor, geometry::Point, robot::RobotModel};
+use robovac_core::{coverage::ReachableFloor, geometry::Point, robot::RobotModel, trajectory::Trajectory};
 use serde::{Deserialize, Serialize};
 
 /// What any path needs that sweeps so much of a floor.
@@ -45,6 +45,18 @@ impl MetricExcess {
         }
         let swept = swept_share(floor, line);
         let bound = MetricBound::new(floor, robot, swept);
+        Some(Self { swept, bound, above: bound.excess(drive.length_m, drive.duration_s) })
+    }
+
+    /// The same for a smooth trajectory, above the bounds of paths without stops.
+    pub fn of_trajectory(
+        floor: &ReachableFloor,
+        robot: &RobotModel,
+        trajectory: &Trajectory,
+        drive: &DriveMetrics,
+    ) -> Option<Self> {
+        let Self { swept, bound, .. } = Self::of(floor, robot, &trajectory.points(), drive)?;
+        let bound = bound.without_stops(robot);
         Some(Self { swept, bound, above: bound.excess(drive.length_m, drive.duration_s) })
     }
 }

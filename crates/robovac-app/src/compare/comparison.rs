@@ -221,7 +221,7 @@ impl Comparison {
     /// A worker is done.
     pub fn trial_finished(&mut self, id: u32, result: Result<PlanOutcome, String>) {
         let Some((trial, key)) = self.trials.end(id) else { return };
-        let result = result.map(|PlanOutcome { numbers, path }| {
+        let result = result.map(|PlanOutcome { numbers, path, .. }| {
             if self.base.as_ref().is_some_and(|base| base.seed == trial.seed) {
                 self.keep(&key, path);
             }

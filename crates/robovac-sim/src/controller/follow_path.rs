@@ -168,6 +168,34 @@ impl FollowPath {
         &self.robot
     }
 
+    /// Continues by itself on the way to corner number `corner`, from `began` on, with the wheels turning: on the straight piece
+    /// there, or turning on the spot to `heading` before it.
+    pub(super) fn take_over(&mut self, corner: usize, began: Point, heading: Option<f64>) {
+        self.next = corner.saturating_sub(1);
+        self.next_piece();
+        self.began = began;
+        if self.phase != FollowPhase::Done {
+            self.phase = heading.map_or(FollowPhase::Drive, FollowPhase::Turn);
+        }
+    }
+
+    /// The same after a stop: it turns to the corner, and drives there.
+    pub(super) fn take_over_at_rest(&mut self, corner: usize) {
+        self.next = corner.saturating_sub(1);
+        self.next_piece();
+    }
+
+    /// The end was reached.
+    pub(super) fn finish(&mut self) {
+        self.next = self.line.len();
+        self.phase = FollowPhase::Done;
+    }
+
+    /// Number of the corner to which it drives on the straight piece itself, if it does.
+    pub(super) fn straight_to(&self) -> Option<usize> {
+        (self.phase == FollowPhase::Drive && self.shift == 0.0).then_some(self.next)
+    }
+
     fn next_piece(&mut self) {
         self.next += 1;
         self.bumps = 0;
@@ -186,7 +214,8 @@ impl FollowPath {
         self.since_report.as_ref().unwrap_or(&self.odometry).pose()
     }
 
-    fn watch_pose(&mut self, sensed: &SensorReadings) {
+    /// Takes a reading into the estimate.
+    pub(super) fn watch_pose(&mut self, sensed: &SensorReadings) {
         self.odometry.update(sensed);
         if let Some(since_report) = &mut self.since_report {
             if sensed.moved.is_some() {

@@ -1,6 +1,6 @@
 //! Controllers, which drive a robot by its sensor readings alone.
 //!
-//! [`FollowPath`] drives a planned line. All others are behaviours, which know nothing of the room: one file each, all in
+//! [`FollowPath`] drives a planned line, [`FollowSmoothly`] without stops at its corners. All others are behaviours, which know nothing of the room: one file each, all in
 //! one registry. To add one, write its file with the constants `INFO` (a [`BehaviourInfo`]) and `BUILD` (a [`BuildBehaviour`]) and
 //! list it below; menus, forms, command line and the contract test iterate [`BEHAVIOURS`].
 
@@ -12,6 +12,7 @@ mod dock;
 mod drive_on;
 mod explore;
 mod follow_path;
+mod follow_smoothly;
 mod info;
 mod intent;
 pub mod interlock;
@@ -28,8 +29,10 @@ pub use by_map::clean_by_map;
 pub use command::Joystick;
 pub use drive_on::drive_on;
 pub use follow_path::FollowPath;
+pub use follow_smoothly::FollowSmoothly;
 pub use info::{BehaviourClaims, BehaviourInfo, Setup};
 pub use intent::Intent;
+pub(crate) use parts::safe_speed;
 pub use recharge::Recharge;
 pub use timing::Timing;
 

@@ -1,13 +1,21 @@
 //! One planner in one room: the unit of every comparison.
 
 use crate::experiment::planning::{PlanRequest, Planned, RoomSetup};
-use coverage_planners::{Bounds, CoveragePath, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers};
-use robovac_core::{coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, registry::Params, robot::RobotModel};
+use coverage_planners::{
+    Bounds, CoveragePath, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers, smooth::SmoothError,
+};
+use robovac_core::{
+    coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, registry::Params, robot::RobotModel,
+    trajectory::Trajectory,
+};
+use std::sync::Arc;
 
 /// A room laid out for a robot, with its lower bounds: the same for all entrants.
 pub struct Arena {
     prepared: RoomSetup,
     bounds: Bounds,
+    /// Whether corners are rounded.
+    is_smooth: bool,
 }
 
 /// Result of a planner.
@@ -17,6 +25,8 @@ pub struct PlanOutcome {
     pub numbers: PlanNumbers,
     /// Its path.
     pub path: CoveragePath,
+    /// How it is driven smoothly, if it is.
+    pub smooth: Option<Arc<Trajectory>>,
 }
 
 /// Reasons for a trial without a result.
@@ -31,6 +41,9 @@ pub enum TrialError {
     /// The planner returned an invalid walk.
     #[error("the planner returned an invalid walk: {0}")]
     Path(#[from] PathError),
+    /// The robot can't drive smoothly.
+    #[error(transparent)]
+    Smooth(#[from] SmoothError),
 }
 
 impl Arena {
@@ -38,7 +51,12 @@ impl Arena {
     pub fn new(plan: &FloorPlan, robot: &RobotModel, cell_size: f64, start: Option<Pose>) -> Result<Self, FloorError> {
         let prepared = RoomSetup::new(plan, robot, cell_size, start)?;
         let bounds = Bounds::of(&prepared.job);
-        Ok(Self { prepared, bounds })
+        Ok(Self { prepared, bounds, is_smooth: false })
+    }
+
+    /// The same with corners rounded, or not.
+    pub fn smooth(self, is_smooth: bool) -> Self {
+        Self { is_smooth, ..self }
     }
 
     /// Lower bounds in this room.
@@ -57,7 +75,9 @@ impl Arena {
     ) -> Result<PlanOutcome, TrialError> {
         let request = PlanRequest { id: 0, planner, params: params.clone(), seed, job: self.prepared.job.clone() };
         let answer = request.serve(clock, observer)?;
-        let numbers = Planned::new(&self.prepared, &answer)?.numbers(&self.prepared, self.bounds);
-        Ok(PlanOutcome { numbers, path: answer.path })
+        let planned = Planned::new(&self.prepared, &answer)?;
+        let planned = if self.is_smooth { planned.rounded(&self.prepared)? } else { planned };
+        let numbers = planned.numbers(&self.prepared, self.bounds);
+        Ok(PlanOutcome { numbers, path: answer.path, smooth: planned.smooth })
     }
 }

@@ -24,7 +24,7 @@ const PLACES: i32 = 32;
 /// when a wheel gets over the edge the robot has a certain way, in which it must react and brake. Without cliff sensors
 /// it is the cruise speed. So DVR-1 drives ahead with 0.273 m/s instead of the printed 0.30, as its cliff sensors sit
 /// where we drew them (see its model) and its wheels brake by 0.8 m/s², both our figures.
-pub(in crate::controller) fn safe_speed(robot: &RobotModel) -> f64 {
+pub(crate) fn safe_speed(robot: &RobotModel) -> f64 {
     let half_base = 0.5 * robot.wheel_base;
     let mut way = f64::INFINITY;
     for direction in -DIRECTIONS.0..=DIRECTIONS.0 {

@@ -18,7 +18,7 @@ mod voids;
 pub(super) use attempt_budget::{AttemptBudget, THERE};
 pub(super) use barred::Barred;
 pub(super) use beacon::Beacon;
-pub(super) use braking::safe_speed;
+pub(crate) use braking::safe_speed;
 pub(super) use home::{GO_HOME, LEAVE_HOME};
 pub(super) use lookout::Lookout;
 pub(super) use obstruction::{Obstruction, ObstructionKind, ObstructionSide};

@@ -2,12 +2,15 @@
 
 use crate::{
     Conditions, Run, RunSetup, World,
-    controller::{self, BehaviourInfo, Behaviours, FollowPath, Recharge, Setup},
+    controller::{
+        self, BehaviourInfo, Behaviours, Controller, FollowPath, FollowSmoothly, Recharge, Setup, safe_speed,
+    },
 };
 use coverage_planners::{
     Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
     PlannerInfo, Proof, TraceStep,
     metrics::{DriveMetrics, MetricExcess, PlanNumbers, SweepBound, WalkMetrics},
+    smooth::{SmoothError, SmoothPath, SmoothSetup, limits_of, smooth},
 };
 use robovac_core::{
     coverage::{FloorError, PlanningGrid, ReachableFloor, fine_resolution},
@@ -15,6 +18,7 @@ use robovac_core::{
     geometry::{Point, Pose},
     registry::Params,
     robot::{OdometryModel, RobotModel},
+    trajectory::Trajectory,
 };
 use std::sync::Arc;
 
@@ -76,6 +80,8 @@ pub struct Planned {
     pub walk: Option<WalkMetrics>,
     /// Numbers of the line driven without noise.
     pub drive: DriveMetrics,
+    /// How it is driven smoothly; `None` with stops at all corners.
+    pub smooth: Option<Arc<Trajectory>>,
     /// Planning time, s.
     pub planning_s: f64,
     /// Its planner's proof of the walk, in the planner's weights.
@@ -128,15 +134,35 @@ impl RoomSetup {
     /// and goes on where it stopped. Without a dock empty batteries are replaced, as plans are compared by the floor that
     /// they clean, with energy as a separate number.
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
-        let follower = self.follower(&self.robot, line, odometry);
-        let follower = if self.world.drop_offs.is_empty() { follower } else { follower.carefully() };
-        match Recharge::new(&follower, &self.floor, &self.world.docks, seed) {
+        self.run_driven(&Driven { line: Arc::clone(line), smooth: None }, conditions, odometry, seed)
+    }
+
+    /// The same with corners rounded, if they are; then empty batteries are replaced.
+    pub fn run_driven(&self, driven: &Driven, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
+        let follower = self.follower(&self.robot, &driven.line, odometry);
+        let follower = if self.is_flat() { follower } else { follower.carefully() };
+        let recharge =
+            if driven.smooth.is_none() { Recharge::new(&follower, &self.floor, &self.world.docks, seed) } else { None };
+        match recharge {
             Some(recharge) => Run::new(&self.setup(conditions, seed), Box::new(recharge)),
             None => {
                 let conditions = Conditions { spare_batteries: true, ..conditions };
-                Run::new(&self.setup(conditions, seed), Box::new(follower))
+                Run::new(&self.setup(conditions, seed), driven.controller(&self.robot, follower))
             }
         }
+    }
+
+    fn is_flat(&self) -> bool {
+        self.world.drop_offs.is_empty()
+    }
+
+    /// `line` (corners, m) with its corners rounded, as fast as the robot's wheels allow, or as it can stop before stairs if there
+    /// are any or `is_careful`.
+    pub fn smooth(&self, line: &[Point], setup: &SmoothSetup, is_careful: bool) -> Result<SmoothPath, SmoothError> {
+        let limits = limits_of(&self.robot)?;
+        let is_slow = is_careful || !self.is_flat();
+        let limits = if is_slow { limits.no_faster_than(safe_speed(&self.robot)) } else { limits };
+        Ok(smooth(&self.floor, line, &limits, setup))
     }
 
     /// The follower of `line` (corners, m) from the start, for `robot`, which is this one or its calibrated model.
@@ -166,6 +192,26 @@ impl RoomSetup {
     ) -> Option<Run> {
         let controller = behaviours.build(behaviour.id, &Setup { robot: &self.robot, params, seed })?;
         Some(Run::new(&self.setup(conditions, seed), controller))
+    }
+}
+
+/// A line, and how it is driven.
+#[derive(Debug, Clone)]
+pub struct Driven {
+    /// Corners, m.
+    pub line: Arc<[Point]>,
+    /// Its trajectory with rounded corners; `None` with stops at all corners.
+    pub smooth: Option<Arc<Trajectory>>,
+}
+
+impl Driven {
+    /// What drives it: `follower`, which follows the line, or its trajectory if there is one and `robot` can.
+    pub fn controller(&self, robot: &RobotModel, follower: FollowPath) -> Box<dyn Controller> {
+        let smooth = self
+            .smooth
+            .as_ref()
+            .and_then(|trajectory| FollowSmoothly::new(robot, follower.clone(), Arc::clone(trajectory)));
+        smooth.map_or_else(|| Box::new(follower) as Box<dyn Controller>, |smooth| Box::new(smooth))
     }
 }
 
@@ -205,6 +251,7 @@ impl Planned {
             walk: (!path.is_in_metres()).then(|| WalkMetrics::of(&prepared.job, path)),
             drive: DriveMetrics::of(&prepared.floor, &prepared.robot, &line),
             line,
+            smooth: None,
             planning_s: *seconds,
             proof: *proof,
             compared: None,
@@ -216,13 +263,34 @@ impl Planned {
     /// All metrics for a table, with the bounds of the job.
     pub fn numbers(&self, prepared: &RoomSetup, bounds: Bounds) -> PlanNumbers {
         let Self { walk, ref line, drive, planning_s, .. } = *self;
-        let excess = MetricExcess::of(&prepared.floor, &prepared.robot, line, &drive);
+        let RoomSetup { floor, robot, .. } = prepared;
+        let excess = match &self.smooth {
+            Some(trajectory) => MetricExcess::of_trajectory(floor, robot, trajectory, &drive),
+            None => MetricExcess::of(floor, robot, line, &drive),
+        };
         let least = SweepBound::new(&prepared.floor, &prepared.robot, WHOLE);
         PlanNumbers { walk, drive, planning_s, bounds: Some(bounds), excess, least }
     }
 
+    /// The same plan with rounded corners, as far as the robot can; see [`RoomSetup::smooth`].
+    pub fn rounded(self, prepared: &RoomSetup) -> Result<Self, SmoothError> {
+        let path = prepared.smooth(&self.line, &SmoothSetup::default(), false)?;
+        Ok(self.driven_along(prepared, Arc::new(path.trajectory)))
+    }
+
+    /// The same plan, driven along a trajectory with rounded corners.
+    pub fn driven_along(self, prepared: &RoomSetup, trajectory: Arc<Trajectory>) -> Self {
+        let drive = DriveMetrics::of_trajectory(&prepared.floor, &prepared.robot, &trajectory);
+        Self { drive, smooth: Some(trajectory), ..self }
+    }
+
+    /// The line, and how it is driven.
+    pub fn driven(&self) -> Driven {
+        Driven { line: Arc::clone(&self.line), smooth: self.smooth.clone() }
+    }
+
     /// A run along the line by dead reckoning.
     pub fn run(&self, prepared: &RoomSetup, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
-        prepared.run_along(&self.line, conditions, odometry, seed)
+        prepared.run_driven(&self.driven(), conditions, odometry, seed)
     }
 }
