@@ -219,7 +219,7 @@ fn own_rooms_are_compared_in_too() {
     assert_eq!(comparison.rooms(), [RoomChoice::Own]);
     let request = comparison.take_trial().expect("there is work");
     let outcome = serve(&request).expect("there is a plan");
-    assert_eq!(outcome.numbers.walk.reachable_cells, 53, "one of 54 cells is a wall now");
+    assert_eq!(outcome.numbers.walk.unwrap().reachable_cells, 53, "one of 54 cells is a wall now");
 }
 
 #[test]
@@ -229,7 +229,7 @@ fn sums_and_means_over_rooms_and_median_over_seeds() {
     let info = find("snake").expect("it exists");
     let one = arena.run(info, &Params::defaults(info.params), 1, || 0.0, None).expect("it plans").numbers;
     let mut other = one;
-    other.walk.turns = 40;
+    other.walk.as_mut().unwrap().turns = 40;
     other.drive.coverage = 0.5;
     let row = Row::new(Entrant::new(Algorithm::Planner(info)), 0, &[vec![Ok(one), Ok(other)], vec![Ok(one), Ok(one)]]);
     assert_eq!(row.values[column("turns")], Some(MedianAndRange { median: 71.0, min: 68.0, max: 74.0 }));

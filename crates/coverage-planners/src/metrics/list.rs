@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 /// All measurements of a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PlanNumbers {
-    /// Numbers of the walk on the planning grid.
-    pub walk: WalkMetrics,
+    /// Numbers of the walk on the planning grid; `None` for a path in metres.
+    pub walk: Option<WalkMetrics>,
     /// Numbers of the line that the robot drives.
     pub drive: DriveMetrics,
     /// Planning time, s.
@@ -88,10 +88,10 @@ const ROUNDING_ERROR: f64 = 1e-6;
 
 impl PlanNumbers {
     /// Cost of the walk (steps + 2 x quarter turns) above the lower bound, % of the bound; 0 if no walk is better.
-    /// `None` if the bound hasn't been computed, or if the walk misses cells and so isn't subject to it.
+    /// `None` if the bound hasn't been computed, or if the walk misses cells or is none and so isn't subject to it.
     pub fn above_bound_percent(&self) -> Option<f64> {
-        let bounds = self.bounds.filter(|_| self.walk.visited_cells == self.walk.reachable_cells)?;
-        let (cost, least) = (self.walk.cost() as f64, bounds.cost as f64);
+        let walk = self.walk.filter(WalkMetrics::is_complete)?;
+        let (cost, least) = (walk.cost() as f64, self.bounds?.cost as f64);
         Some(if least > 0.0 { 100.0 * (cost - least) / least } else { 0.0 })
     }
 }
@@ -150,7 +150,7 @@ pub const METRICS: &[MetricInfo] = &[
         ("", 0),
         "Turns by 90° between steps of the walk; a reversal counts as two. The turn before the first step isn't \
          counted.",
-        |n| Some(n.walk.turns as f64),
+        |n| Some(n.walk?.turns as f64),
     ),
     lower(
         "direction_changes",
@@ -158,7 +158,7 @@ pub const METRICS: &[MetricInfo] = &[
         ("", 0),
         "Steps of the walk that lead in another direction than the one before. A reversal counts as one, as in Emu & \
          Obaida's thesis.",
-        |n| Some(n.walk.direction_changes as f64),
+        |n| Some(n.walk?.direction_changes as f64),
     ),
     lower(
         "turning",
@@ -167,16 +167,16 @@ pub const METRICS: &[MetricInfo] = &[
         "Sum of all turning angles along the path, including the turn at the start.",
         |n| Some(n.drive.turning_deg),
     ),
-    lower("steps", "Steps", ("", 0), "Steps of the walk between planning cells.", |n| Some(n.walk.steps as f64)),
+    lower("steps", "Steps", ("", 0), "Steps of the walk between planning cells.", |n| Some(n.walk?.steps as f64)),
     lower(
         "revisits",
         "Revisits",
         ("", 0),
         "Visits to cells beyond the first visit to each: driving that cleans nothing new.",
-        |n| Some(n.walk.revisits as f64),
+        |n| Some(n.walk?.revisits as f64),
     ),
     lower("revisited_cells", "Revisited cells", ("", 0), "Cells visited more than once.", |n| {
-        Some(n.walk.revisited_cells as f64)
+        Some(n.walk?.revisited_cells as f64)
     }),
     lower(
         "overlap",

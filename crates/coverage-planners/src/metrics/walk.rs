@@ -26,6 +26,11 @@ pub struct WalkMetrics {
 }
 
 impl WalkMetrics {
+    /// Whether the walk visits every cell that it can reach.
+    pub fn is_complete(&self) -> bool {
+        self.visited_cells == self.reachable_cells
+    }
+
     /// The metrics of `path`.
     pub fn of(job: &CoverageJob, path: &CoveragePath) -> Self {
         let visits = path.visits(job);

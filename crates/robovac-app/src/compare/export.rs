@@ -59,7 +59,7 @@ pub fn to_json(records: &[Record<'_>]) -> String {
             params: &r.entrant.params,
             seed: r.seed,
             error: r.result.as_ref().err().map(String::as_str),
-            cells: r.result.as_ref().ok().map(|numbers| numbers.walk.reachable_cells),
+            cells: r.result.as_ref().ok().and_then(|numbers| Some(numbers.walk?.reachable_cells)),
             bounds: r.result.as_ref().ok().and_then(|numbers| numbers.bounds),
             numbers: match r.result {
                 Ok(numbers) => METRICS.iter().map(|metric| (metric.id, metric.value(numbers))).collect(),
@@ -86,7 +86,7 @@ pub fn to_csv(records: &[Record<'_>]) -> String {
         let (room, error) = (quoted(r.room), quoted(error));
         let _ = write!(csv, "{room},{},{},{},{},{error},", r.robot, r.cell_size, r.entrant, r.seed);
         let numbers = r.result.as_ref().ok();
-        csv += &numbers.map(|n| n.walk.reachable_cells.to_string()).unwrap_or_default();
+        csv += &numbers.and_then(|n| Some(n.walk?.reachable_cells.to_string())).unwrap_or_default();
         match numbers.and_then(|n| n.bounds) {
             Some(Bounds { steps, turns, cost }) => {
                 let _ = write!(csv, ",{steps},{turns},{cost}");

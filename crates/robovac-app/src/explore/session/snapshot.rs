@@ -151,7 +151,7 @@ impl Session {
         self.planned.as_ref().map(|planned| PlanView {
             running: false,
             progress: 1.0,
-            walk: planned.walk,
+            walk: planned.walk.unwrap_or_default(),
             drive: planned.drive,
             planning_s: (!self.is_opening).then_some(planned.planning_s),
             gap: planned.proof.map(Proof::gap),

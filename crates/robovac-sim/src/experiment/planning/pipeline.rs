@@ -12,7 +12,7 @@ use coverage_planners::{
 use robovac_core::{
     coverage::{FloorError, PlanningGrid, ReachableFloor, fine_resolution},
     floor_plan::FloorPlan,
-    geometry::{Point, Pose},
+    geometry::{MetricPath, Point, Pose},
     registry::Params,
     robot::{OdometryModel, RobotModel},
 };
@@ -69,8 +69,8 @@ pub const MOST_SEARCH_CELLS: usize = 20_000;
 pub struct Planned {
     /// Corners of the line to be driven, m.
     pub line: Arc<[Point]>,
-    /// Numbers of the walk on the planning grid.
-    pub walk: WalkMetrics,
+    /// Numbers of the walk on the planning grid; `None` for a path in metres.
+    pub walk: Option<WalkMetrics>,
     /// Numbers of the line driven without noise.
     pub drive: DriveMetrics,
     /// Planning time, s.
@@ -183,7 +183,7 @@ impl Planned {
         path.check(&prepared.job)?;
         let line: Arc<[Point]> = prepared.planning_grid.polyline(&prepared.floor, &path.cells).into();
         Ok(Self {
-            walk: WalkMetrics::of(&prepared.job, path),
+            walk: Some(WalkMetrics::of(&prepared.job, path)),
             drive: DriveMetrics::of(&prepared.floor, &prepared.robot, &line),
             line,
             planning_s: *seconds,
@@ -191,6 +191,19 @@ impl Planned {
             compared: None,
             kept_at: None,
         })
+    }
+
+    /// The plan to drive along `path`, which took `seconds` to find.
+    pub fn along(prepared: &RoomSetup, path: &MetricPath, seconds: f64) -> Self {
+        Self {
+            walk: None,
+            drive: DriveMetrics::of(&prepared.floor, &prepared.robot, path.corners()),
+            line: Arc::clone(path.corners()),
+            planning_s: seconds,
+            proof: None,
+            compared: None,
+            kept_at: None,
+        }
     }
 
     /// All metrics for a table, with the bounds of the job if they have been computed.

@@ -103,7 +103,7 @@ impl PlanReport {
                 &solution.prepared,
             ),
             cells: solution.path.cells,
-            walk,
+            walk: walk.unwrap_or_default(),
             drive,
             planning_s,
             bounds,
