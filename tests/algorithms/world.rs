@@ -8,7 +8,7 @@ use robovac_core::{
     grid::{Cell, Grid, Occupancy},
     math,
     rng::{Rng, seeded},
-    robot::{Body, Drive, RobotModel, SensorReadings, WheelLayout, model},
+    robot::{Body, Corners, Drive, RobotModel, SensorReadings, WheelLayout, model},
 };
 use robovac_sim::{Conditions, Run, RunSetup, SlipLevel, controller::Controller};
 use std::sync::Arc;
@@ -46,14 +46,14 @@ fn robot(body: Body, wheels: WheelLayout) -> RobotModel {
 fn robots() -> Vec<RobotModel> {
     let mut robots = vec![
         robot(Body::Round, WheelLayout::Differential),
-        robot(Body::Polygon(RECTANGLE), WheelLayout::Differential),
-        robot(Body::Polygon(REAR_DRIVEN), WheelLayout::Differential),
-        robot(Body::Polygon(OCTAGON), WheelLayout::Omnidirectional),
+        robot(Body::Polygon(Corners::of(RECTANGLE)), WheelLayout::Differential),
+        robot(Body::Polygon(Corners::of(REAR_DRIVEN)), WheelLayout::Differential),
+        robot(Body::Polygon(Corners::of(OCTAGON)), WheelLayout::Omnidirectional),
     ];
     // A small round robot and a rectangle that are much too fast.
     let fast = |robot: RobotModel| RobotModel { max_wheel_speed: 1.5, acceleration: 20.0, ..robot };
     robots.push(fast(RobotModel { radius: 0.05, ..robot(Body::Round, WheelLayout::Differential) }));
-    robots.push(fast(robot(Body::Polygon(RECTANGLE), WheelLayout::Differential)));
+    robots.push(fast(robot(Body::Polygon(Corners::of(RECTANGLE)), WheelLayout::Differential)));
     robots
 }
 
@@ -334,7 +334,7 @@ fn rectangle_in_a_corridor_can_drive_but_not_turn() {
         plan.occupancy[Cell::new(x, 0)] = Occupancy::Occupied;
         plan.occupancy[Cell::new(x, 4)] = Occupancy::Occupied;
     }
-    let robot = robot(Body::Polygon(RECTANGLE), WheelLayout::Differential);
+    let robot = robot(Body::Polygon(Corners::of(RECTANGLE)), WheelLayout::Differential);
     let floor = Arc::new(ReachableFloor::new(&plan, &robot, Some(Pose::new(0.4, 0.25, 0.0))).unwrap());
     let setup =
         RunSetup { floor, world: Arc::default(), robot: robot.clone(), conditions: Conditions::default(), seed: 1 };

@@ -84,7 +84,7 @@ impl Run {
         let floor = Arc::clone(&setup.floor);
         controller.start_at(floor.start);
         let mut tracker = CoverageTracker::new(&floor);
-        tracker.sweep_to(&floor, floor.start.position());
+        tracker.sweep_to(&floor, floor.start);
         let world = Arc::clone(&setup.world);
         let life = Life::new(&world, &floor, setup.seed);
         let robot = SimRobot::new(&setup.robot, floor.start, setup.conditions, setup.seed);
@@ -157,7 +157,7 @@ impl Run {
         self.distance_m += (pose.position() - before.position()).norm();
         self.turning_rad += difference(before.heading, pose.heading).abs();
         self.bumps += u32::from(self.robot.sensors().bumped() && !signs.bumped());
-        self.tracker.sweep_to(&self.floor, pose.position());
+        self.tracker.sweep_to(&self.floor, pose);
         self.trail.extend(pose.position());
     }
 

@@ -49,6 +49,9 @@ struct RobotEntry {
     summary: &'static str,
     default_cell_m: f64,
     tool_width_m: f64,
+    /// Speed along paths, and turn rate on the spot.
+    speed_m_s: f64,
+    turn_deg_s: f64,
     /// Radius of the smallest circle around the body; all other lengths are in units of it, x ahead and y to the left.
     radius_m: f64,
     /// Corners of a body that isn't round.
@@ -96,6 +99,8 @@ impl RobotEntry {
             summary: model.summary,
             default_cell_m: model.default_cell,
             tool_width_m: model.tool_width,
+            speed_m_s: model.cruise_speed,
+            turn_deg_s: model.turn_rate().to_degrees(),
             radius_m: model.radius,
             body: match model.body {
                 Body::Round => Vec::new(),

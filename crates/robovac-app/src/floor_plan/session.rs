@@ -7,13 +7,16 @@ use floor_drawing::{self, Traced};
 use robovac_core::{
     cspace::{ConfigurationSpace, Outline},
     floor_plan::{FloorPlan, Object, Sketch, SourceFile},
-    geometry::{Point, Pose, Vector, contains},
+    geometry::{MetricPath, Point, Pose, Vector, contains},
     grid::Cell,
+    robot::OwnRobot,
 };
 use std::ops::ControlFlow;
 
 /// Id of the planner that drives the sweep.
 pub const PLANNER: &str = "subgoal_sweep";
+/// Id of the model that robots with an outline of their own are built on: that of 001.
+const OWN_MODEL: &str = "octagon";
 
 /// A loaded file, its settings and the traced room.
 #[derive(Debug)]
@@ -197,8 +200,8 @@ impl DrawingSession {
         self.space.as_ref().ok_or_else(String::new)
     }
 
-    /// The import for Explore: the room, with the other choices of a scenario. If `sweeps` is set, with the planner of
-    /// the sweep and, if it is built in, the robot.
+    /// The import for Explore: the room, with the other choices of a scenario. If `sweeps` is set, with the planned sweep
+    /// and the robot that it was planned for.
     pub fn import(&self, sweeps: bool) -> Result<Import, String> {
         let Some(room) = &self.room else { return Err(self.no_room()) };
         let choices = match &self.source {
@@ -208,13 +211,20 @@ impl DrawingSession {
         if !sweeps {
             return Ok(Import { plan: room.plan.clone(), choices });
         }
-        let choices = choices.unwrap_or_default();
+        let sweep = self.planned().ok_or("plan the sweep first")?;
+        let path = MetricPath::new(&sweep.path).map_err(|error| error.to_string())?;
+        let body = &self.settings.body;
+        let own = if body.model().is_some() { None } else { Some(own_robot(self.outline()?)) };
         let choices = ScenarioChoices {
             planner: Some(PLANNER.to_owned()),
             behaviour: None,
             params: Vec::new(),
-            robot: self.settings.body.model().map(str::to_owned).or(choices.robot),
-            ..choices
+            path: Some(path.to_string()),
+            robot: Some(body.model().unwrap_or(OWN_MODEL).to_owned()),
+            own_robot: own.map(|own| own.to_string()),
+            twin: None,
+            cell_size: None,
+            ..choices.unwrap_or_default()
         };
         Ok(Import { plan: room.plan.clone(), choices: Some(choices) })
     }
@@ -243,6 +253,15 @@ impl DrawingSession {
             _ => "there is no room yet".to_owned(),
         }
     }
+}
+
+/// The robot with that outline, which cleans all floor under it as in 001.
+fn own_robot(outline: Outline) -> OwnRobot {
+    let (radius, corners) = match outline {
+        Outline::Circle { radius } => (Some(radius), Vec::new()),
+        Outline::Polygon(corners) => (None, corners.into_iter().map(|corner| corner.coords.into()).collect()),
+    };
+    OwnRobot { radius, corners, cleans_all: true, ..OwnRobot::default() }
 }
 
 /// Runs all stages of a sweep, collisions and strokes along edges included, in a tiny room.

@@ -14,12 +14,13 @@ use robovac_core::{
     geometry::{Point, Pose},
     grid::Cell,
     registry::Params,
+    robot::CustomRobot,
 };
 use robovac_sim::{
     Input, RunRecording, STEP_S,
     controller::{self, Behaviours, Joystick},
     experiment::{
-        Settings, SettingsError,
+        KEPT_PATH, Settings, SettingsError,
         planning::{PlanRequest, Planned, RoomSetup},
     },
 };
@@ -380,6 +381,9 @@ impl Session {
         for (key, value) in pairs {
             if key == "room" {
                 room = Some(value);
+            } else if key == "path" && value == KEPT_PATH {
+                // It came with the room.
+                settings.path = Some(self.settings.path.clone().ok_or(SettingsError::FarPath)?);
             } else {
                 settings.take_link(key, value)?;
             }
@@ -416,7 +420,9 @@ impl Session {
         let choices = ScenarioChoices::of_settings(settings);
         let mut scenario = self.own_room();
         scenario.robot = choices.robot;
-        scenario.twin = settings.twin;
+        scenario.twin = settings.custom.as_ref().and_then(CustomRobot::twin);
+        scenario.own_robot = settings.custom.as_ref().and_then(CustomRobot::own).cloned();
+        scenario.path = settings.path.clone();
         scenario.planner = choices.planner;
         scenario.behaviour = choices.behaviour;
         scenario.params = params.collect();
@@ -447,7 +453,10 @@ impl Session {
     pub fn link_pairs(&self) -> impl Iterator<Item = (String, String)> + use<> {
         let mut settings = self.settings.clone();
         settings.start = self.editor.start();
-        let room = ("room".to_owned(), self.editor.room().unwrap_or(OWN_ROOM).to_owned());
+        // A path that is too long for a link is kept with the room.
+        let is_linked = settings.path_link().is_none_or(|path| path != KEPT_PATH);
+        let room = self.editor.room().filter(|_| is_linked).unwrap_or(OWN_ROOM);
+        let room = ("room".to_owned(), room.to_owned());
         std::iter::once(room).chain(settings.to_link())
     }
 
@@ -484,6 +493,10 @@ impl Session {
     pub fn move_start(&mut self, to: Pose) {
         if let Err(refusal) = self.plan().check_objects(Some(to)) {
             self.say("error", sentence(&refusal.fault.to_string()));
+            return;
+        }
+        if self.settings.path.is_some() {
+            self.say("error", "The path begins here. Choose a planner to start elsewhere.".to_owned());
             return;
         }
         let robot = self.settings.robot_model();
