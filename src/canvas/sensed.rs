@@ -3,7 +3,7 @@
 use crate::canvas::robot::disc;
 use robovac_app::{Palette, RobotView, Sensed, Viewport};
 use robovac_core::{
-    geometry::{Point, Pose, Vector},
+    geometry::{Pose, Vector},
     math::{self, TAU},
     robot::{Laser, LightBumper},
 };

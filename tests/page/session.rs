@@ -235,7 +235,7 @@ fn a_twin_is_kept_by_links_scenarios_and_other_tabs_until_another_robot_is_chose
     let mut session = opened();
     session.restore("room=empty&behaviour=bounce&robot=roomba600&twin=base:242,acceleration:1.4").unwrap();
     let twin = session.settings().custom.clone();
-    assert_eq!(twin.and_then(|twin| twin.wheel_base_mm), Some(242.0));
+    assert_eq!(twin.as_ref().and_then(|custom| custom.twin()?.wheel_base_mm), Some(242.0));
     assert_eq!(session.view().twin, "base:242,acceleration:1.4");
     let (link, saved) = (session.link(), session.scenario_json());
     let (mut by_link, mut by_file, mut by_tab) = (opened(), opened(), opened());
@@ -570,7 +570,7 @@ fn search_of_the_snake_follows_the_robot() {
     session.pause();
     // A decision at every step of the walk, each where the one before has led to.
     let steps = session.search().unwrap().steps().to_vec();
-    assert_eq!(steps.len(), session.planned().unwrap().walk.steps);
+    assert_eq!(steps.len(), session.planned().unwrap().walk.unwrap().steps);
     for (i, pair) in steps.windows(2).enumerate() {
         assert_eq!((pair[0].step, pair[0].at.step(pair[0].towards)), (i, pair[1].at));
     }
@@ -620,9 +620,10 @@ fn search_says_why_a_walk_ends_early() {
         session.frame(1.0, &mut || true);
     }
     let planned = session.planned().unwrap();
-    assert!(planned.walk.visited_cells < planned.walk.reachable_cells);
+    let walk = planned.walk.unwrap();
+    assert!(walk.visited_cells < walk.reachable_cells);
     let ending = session.search().unwrap().ending().expect("it ends early");
-    assert_eq!((ending.step, &session.view().search.text), (planned.walk.steps, &format!("{}.", ending.note)));
+    assert_eq!((ending.step, &session.view().search.text), (walk.steps, &format!("{}.", ending.note)));
 }
 
 #[test]

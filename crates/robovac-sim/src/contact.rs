@@ -15,8 +15,8 @@ const BUMPER_PLAY: f64 = 0.001;
 /// Pushing a body out of one obstacle can push it into the next; an overlap that this many rounds don't resolve is a
 /// dead end.
 const ROUNDS: usize = 10;
-/// Overlap that is tolerated, m: too small to be seen or to press the bumper.
-const TOLERANCE: f64 = 0.0002;
+/// Overlap that is tolerated, m.
+const TOLERANCE: f64 = 1e-6;
 /// Cosine of the angle within which contacts of a circle count as one, given the play of the bumper.
 const SAME: f64 = 0.95;
 /// Longest motion of any point of a body between two checks, m. Corners of polygons must not jump over thin legs;

@@ -40,10 +40,11 @@ struct RoomEntry {
     note: &'static str,
 }
 
+/// A robot, for its portrait and its dashboard.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[expect(clippy::struct_excessive_bools)]
-struct RobotEntry {
+pub struct RobotEntry {
     id: &'static str,
     title: &'static str,
     summary: &'static str,
@@ -89,7 +90,8 @@ impl Catalogue {
 }
 
 impl RobotEntry {
-    fn new(model: &RobotModel) -> Self {
+    /// The entry of a robot.
+    pub fn new(model: &RobotModel) -> Self {
         let unit = 1.0 / model.radius;
         let scaled = |[x, y]: [f64; 2]| [unit * x, unit * y];
         let sensors = &model.sensors;

@@ -2,14 +2,18 @@
 
 use super::{Doors, DrawingHand, DrawingPart, DrawingSource, FloorPlanSettings, Sheet};
 use crate::{Import, ImportError, ScenarioChoices};
-use coverage_planners::sweep::{Sweep, SweepError, SweepSetup, sweep};
+use coverage_planners::{
+    metrics::DriveMetrics,
+    sweep::{Sweep, SweepError, SweepSetup, sweep},
+};
 use floor_drawing::{self, Traced};
 use robovac_core::{
+    coverage::ReachableFloor,
     cspace::{ConfigurationSpace, Outline},
     floor_plan::{FloorPlan, Object, Sketch, SourceFile},
     geometry::{MetricPath, Point, Pose, Vector, contains},
     grid::Cell,
-    robot::OwnRobot,
+    robot::{self, OwnRobot, RobotModel},
 };
 use std::ops::ControlFlow;
 
@@ -32,6 +36,8 @@ pub struct DrawingSession {
     version: u32,
     space: Option<ConfigurationSpace>,
     sweep: Option<Sweep>,
+    /// Numbers of driving the sweep in Explore, without slip.
+    driven: Option<DriveMetrics>,
     /// State of pointing.
     pub hand: DrawingHand,
 }
@@ -53,6 +59,7 @@ impl DrawingSession {
             version: 0,
             space: None,
             sweep: None,
+            driven: None,
             hand: DrawingHand::default(),
         };
         board.trace();
@@ -102,6 +109,11 @@ impl DrawingSession {
     /// The sweep, once planned for this room and robot.
     pub fn planned(&self) -> Option<&Sweep> {
         self.sweep.as_ref()
+    }
+
+    /// Numbers of driving the planned sweep in Explore, without slip.
+    pub fn driven(&self) -> Option<&DriveMetrics> {
+        self.driven.as_ref().filter(|_| self.sweep.is_some())
     }
 
     /// The obstacle map, once made for this room and robot.
@@ -184,8 +196,23 @@ impl DrawingSession {
         let (start, turns) = (room.plan.start, self.settings.body.turns());
         let setup = SweepSetup { scan_width, start, order, turns, clearance, ..SweepSetup::new(outline, cell) };
         let planned = sweep(&room.plan, &setup, observe).map_err(|error: SweepError| error.to_string())?;
+        let path = MetricPath::new(&planned.path).map_err(|error| error.to_string())?;
+        let robot = self.robot()?;
+        let heading = room.plan.start.filter(|_| turns).map_or(0.0, |start| start.heading);
+        let start = Pose::new(path.start().x, path.start().y, heading);
+        let floor = ReachableFloor::of_path(&room.plan, &robot, start).map_err(|error| error.to_string())?;
+        self.driven = Some(DriveMetrics::of(&floor, &robot, path.corners()));
         self.sweep = Some(planned);
         Ok(())
+    }
+
+    /// The robot of Explore that drives the sweep: a model, or one with the outline that cleans all floor under it.
+    fn robot(&self) -> Result<RobotModel, String> {
+        let missing = || format!("the robot model {OWN_MODEL} is missing from this build");
+        match self.settings.body.model() {
+            Some(id) => robot::model(id).cloned().ok_or_else(missing),
+            None => Ok(own_robot(self.outline()?).of(robot::model(OWN_MODEL).ok_or_else(missing)?)),
+        }
     }
 
     /// Makes the obstacle map of all headings, if needed.

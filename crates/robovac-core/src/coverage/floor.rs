@@ -1,8 +1,8 @@
 //! Where a robot can stand, and which floor it can reach from there.
 
 use super::{
-    FloorError, shapes,
-    stamp::{DiscStamp, PolygonStamp, fitting, spread},
+    FloorError, fits, shapes,
+    stamp::{DiscStamp, PolygonStamp, spread},
     walls::Walls,
 };
 use crate::{
@@ -91,11 +91,8 @@ impl ReachableFloor {
         let limits = edges.as_deref().unwrap_or(walls);
         let covered = covered(limits, false);
         let fits = match robot.body {
-            Body::Polygon(corners) if !turns(robot) => fitting(
-                &covered.map(|&is_covered| !is_covered),
-                &PolygonStamp::new(&corners, resolution).around(start.heading),
-            ),
-            _ => limits.clearance.map(|&c| f64::from(c) >= robot.radius - 1e-5),
+            Body::Polygon(corners) if !turns(robot) => fits::for_polygon(limits, &covered, &corners, start.heading),
+            _ => fits::for_disc(limits, robot.radius),
         };
         let too_narrow = FloorError::TooNarrow { diameter: 2.0 * robot.radius };
         let from = nearest(&fits, resolution, start.position(), |_| true).ok_or(too_narrow)?;

@@ -365,7 +365,11 @@ impl Session {
             self.settings = choices.settings(&self.settings)?;
         }
         self.message = None;
-        self.editor.replace(import.plan, None, None);
+        // A sweep of a room that ships brings that room back: with its name, all of it fits into a link.
+        let swept = self.settings.path.as_ref().and_then(|_| {
+            floor_plan::ROOMS.iter().find(|room| room.title == import.plan.name && (room.build)() == import.plan)
+        });
+        self.editor.replace(import.plan, swept.map(|room| room.id), None);
         self.prepare();
         Ok(())
     }
