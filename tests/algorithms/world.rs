@@ -33,6 +33,12 @@ const OCTAGON: &[[f64; 2]] = &[
     [0.18, -0.075],
 ];
 
+/// Bodies that aren't convex: one with a notch ahead, and one with four thin points.
+const FORK: &[[f64; 2]] =
+    &[[-0.15, -0.2], [0.2, -0.2], [0.2, -0.1], [0.05, -0.1], [0.05, 0.1], [0.2, 0.1], [0.2, 0.2], [-0.15, 0.2]];
+const STAR: &[[f64; 2]] =
+    &[[0.25, 0.0], [0.06, 0.06], [0.0, 0.25], [-0.06, 0.06], [-0.25, 0.0], [-0.06, -0.06], [0.0, -0.25], [0.06, -0.06]];
+
 /// A Roomba with another body.
 fn robot(body: Body, wheels: WheelLayout) -> RobotModel {
     let roomba = model("roomba600").unwrap();
@@ -50,10 +56,12 @@ fn robots() -> Vec<RobotModel> {
         robot(Body::Polygon(Corners::of(REAR_DRIVEN)), WheelLayout::Differential),
         robot(Body::Polygon(Corners::of(OCTAGON)), WheelLayout::Omnidirectional),
     ];
-    // A small round robot and a rectangle that are much too fast.
+    // A small round robot, a rectangle and a star that are much too fast.
     let fast = |robot: RobotModel| RobotModel { max_wheel_speed: 1.5, acceleration: 20.0, ..robot };
     robots.push(fast(RobotModel { radius: 0.05, ..robot(Body::Round, WheelLayout::Differential) }));
     robots.push(fast(robot(Body::Polygon(Corners::of(RECTANGLE)), WheelLayout::Differential)));
+    robots.push(robot(Body::Polygon(Corners::of(FORK)), WheelLayout::Differential));
+    robots.push(fast(robot(Body::Polygon(Corners::of(STAR)), WheelLayout::Omnidirectional)));
     robots
 }
 

@@ -15,6 +15,7 @@ export function startRoom({ playground, catalogue }) {
   /** The algorithm chosen in Explore. @type {string | null | undefined} */
   let chosenThere;
   let algorithm = "";
+  let refusal = "";
   const all = [...catalogue.behaviours.filter(({ manual }) => !manual), ...catalogue.planners];
   /** The path that Explore drives, in place of an algorithm. */
   const path = { .../** @type {import("../types").CatalogueEntry} */ (catalogue.planners[0]), id: PATH, title: "Path from Floor plan" };
@@ -35,7 +36,7 @@ export function startRoom({ playground, catalogue }) {
       return Boolean(taken.choices.path);
     },
     /** Why a Roomba can't ride the chosen path; empty if it can. */
-    refusal: () => (algorithm === PATH ? SessionMirror.path_refusal(taken) : ""),
+    refusal: () => (algorithm === PATH ? refusal : ""),
     /** Takes over what Explore shows now; says whether the room is another one. */
     take() {
       const before = version();
@@ -45,6 +46,7 @@ export function startRoom({ playground, catalogue }) {
       if (there === PATH) algorithm = there === chosenThere ? algorithm : PATH;
       else if (there !== chosenThere || !algorithm) algorithm = all.find(({ id }) => id === there)?.id ?? (algorithm && algorithm !== PATH ? algorithm : (all[0]?.id ?? ""));
       chosenThere = there;
+      refusal = SessionMirror.path_refusal(taken);
       follow();
       return version() !== before;
     },

@@ -121,7 +121,7 @@ function build(app) {
     const radius = own.shape === "circle" ? Number(own.first) / 2 || 0 : own.shape === "model" && base.body.length === 0 ? unit : 0;
     const reach = Math.max(radius, ...(points ?? []).map(([x = 0, y = 0]) => Math.hypot(x, y))) || 1;
     const scale = (0.45 * SVG_SIZE) / reach;
-    const at = ([x = 0, y = 0]) => `${(-y * scale).toFixed(2)},${(-x * scale).toFixed(2)}`;
+    const at = (/** @type {number[]} */ [x = 0, y = 0]) => `${(-y * scale).toFixed(2)},${(-x * scale).toFixed(2)}`;
     const r = (radius * scale).toFixed(2);
     outline.setAttribute("d", radius ? `M${r},0A${r},${r} 0 1 1 -${r},0A${r},${r} 0 1 1 ${r},0Z` : points?.length ? `M${points.map(at).join("L")}Z` : "");
     const [cx = "0", cy = "0"] = at(own.at.map(Number)).split(",");
