@@ -15,8 +15,10 @@ const BUMPER_PLAY: f64 = 0.001;
 /// Pushing a body out of one obstacle can push it into the next; an overlap that this many rounds don't resolve is a
 /// dead end.
 const ROUNDS: usize = 10;
-/// Overlap that is tolerated, m.
-const TOLERANCE: f64 = 1e-6;
+/// Overlap that is tolerated where a body is wedged, m: too small to be seen or to press the bumper. On paths that may
+/// touch, none is.
+const TOLERANCE: f64 = 0.0002;
+const NONE: f64 = 1e-6;
 /// Cosine of the angle within which contacts of a circle count as one, given the play of the bumper.
 const SAME: f64 = 0.95;
 /// Longest motion of any point of a body between two checks, m. Corners of polygons must not jump over thin legs;
@@ -46,6 +48,7 @@ pub(super) struct Collision {
 pub(crate) struct Footprint {
     radius: f64,
     stride: f64,
+    tolerance: f64,
     /// Convex pieces of a polygon; none for a circle.
     pieces: Vec<BodyPiece>,
     /// Contact points of a polygon; a buffer for reuse.
@@ -198,7 +201,12 @@ impl Footprint {
                 (STRIDE.0.min(0.5 * thin).max(1e-4), pieces)
             }
         };
-        Self { radius: model.radius, stride, pieces, touched: Vec::new() }
+        Self { radius: model.radius, stride, tolerance: TOLERANCE, pieces, touched: Vec::new() }
+    }
+
+    /// From now on it stays where it is rather than overlap anything.
+    pub fn make_exact(&mut self) {
+        self.tolerance = NONE;
     }
 
     /// Moves the body from one pose, where it overlaps nothing, towards another, as far as obstacles allow, sliding
@@ -266,7 +274,7 @@ impl Footprint {
         }
         let is_near = (pose.position() - wanted).norm() < 4.0 * self.stride;
         let left = self.deepest(obstacles, pose).map_or(0.0, |(depth, _)| depth);
-        (is_near && left < TOLERANCE).then_some(pose)
+        (is_near && left < self.tolerance).then_some(pose)
     }
 
     /// The deepest overlap with an obstacle, m, and the direction out of it.

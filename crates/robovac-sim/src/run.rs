@@ -88,6 +88,7 @@ impl Run {
         let world = Arc::clone(&setup.world);
         let life = Life::new(&world, &floor, setup.seed);
         let robot = SimRobot::new(&setup.robot, floor.start, setup.conditions, setup.seed);
+        let robot = if floor.is_for_path { robot.with_exact_contact() } else { robot };
         let trail = RecentTrail(vec![floor.start.position()]);
         let keeps_track = controller.estimate().is_some();
         let odometry = (!keeps_track).then(|| Odometry::new(&setup.robot, OdometryModel::Arc, floor.start));

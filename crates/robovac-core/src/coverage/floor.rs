@@ -58,6 +58,8 @@ pub struct ReachableFloor {
     pub body: Body,
     /// Whether the robot turns to where it drives; otherwise it keeps its heading.
     pub turns: bool,
+    /// Whether it is that of a path planned elsewhere: see [`ReachableFloor::of_path`].
+    pub is_for_path: bool,
 }
 
 impl ReachableFloor {
@@ -99,7 +101,8 @@ impl ReachableFloor {
         let standing = reachable(&fits, Cell::at(from, resolution));
         let closed_off_cells = fits.count() - standing.count();
         let floor = sweepable(&standing, &covered, robot, start.heading, resolution);
-        Ok(Self::found(robot, laid, start, [standing, floor, covered], closed_off_cells))
+        let found = Self::found(robot, laid, start, [standing, floor, covered], closed_off_cells);
+        Ok(Self { is_for_path: true, ..found })
     }
 
     fn found(
@@ -124,6 +127,7 @@ impl ReachableFloor {
             tool: robot.tool,
             body: robot.body,
             turns: turns(robot),
+            is_for_path: false,
         }
     }
 

@@ -31,8 +31,6 @@ pub struct RoomSetup {
     pub world: Arc<World>,
     /// The robot.
     pub robot: RobotModel,
-    /// Whether it is laid out for a path that was planned elsewhere.
-    pub is_for_path: bool,
 }
 
 /// A job for a planner, which can run in a worker.
@@ -102,7 +100,7 @@ impl RoomSetup {
         let job = CoverageJob::on_planning_grid(&planning_grid, &floor, robot);
         let world = Arc::new(World::new(plan));
         let (floor, planning_grid) = (Arc::new(floor), Arc::new(planning_grid));
-        Self { floor, planning_grid, job, world, robot: robot.clone(), is_for_path: false }
+        Self { floor, planning_grid, job, world, robot: robot.clone() }
     }
 
     /// Lays out `plan` for `robot` that drives `path` and stands at its start, with `heading` rad if it turns to where it
@@ -118,7 +116,7 @@ impl RoomSetup {
         let (start, heading) = (path.start(), if turns { heading } else { 0.0 });
         let floor = ReachableFloor::of_path(plan, robot, Pose::new(start.x, start.y, heading))?;
         let cell_size = cell_size.max(fine_resolution(plan));
-        Ok(Self { is_for_path: true, ..Self::on(plan, floor, robot, cell_size) })
+        Ok(Self::on(plan, floor, robot, cell_size))
     }
 }
 
@@ -134,9 +132,9 @@ impl RoomSetup {
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
         let follower = self.follower(&self.robot, line, odometry);
         // A robot that doesn't turn to where it drives keeps its path's distance from edges at every heading.
-        let is_careful = !self.world.drop_offs.is_empty() && (self.floor.turns || !self.is_for_path);
+        let is_careful = !self.world.drop_offs.is_empty() && (self.floor.turns || !self.floor.is_for_path);
         let follower = if is_careful { follower.carefully() } else { follower };
-        let follower = if self.is_for_path { follower.knowing(&self.floor) } else { follower };
+        let follower = if self.floor.is_for_path { follower.knowing(&self.floor) } else { follower };
         let conditions = Conditions { spare_batteries: true, ..conditions };
         Run::new(&self.setup(conditions, seed), Box::new(follower))
     }
