@@ -306,9 +306,9 @@ impl Footprint {
             // The cells of a flat wall beside its nearest point are almost as near.
             let mut near: Vec<(f64, Vector)> = Vec::new();
             obstacles.nearest_of_each(at, self.radius + BUMPER_PLAY, |wall, distance| {
-                near.push((distance, (wall - at) / distance));
+                let index = near.iter().position(|other| other.0.total_cmp(&distance).is_gt()).unwrap_or(near.len());
+                near.insert(index, (distance, (wall - at) / distance));
             });
-            near.sort_by(|a, b| a.0.total_cmp(&b.0));
             for (_, direction) in near {
                 if touch.iter().all(|other| other.dot(&direction) < SAME) {
                     touch.add(direction);

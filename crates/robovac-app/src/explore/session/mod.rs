@@ -24,7 +24,7 @@ use robovac_sim::{
         planning::{PlanRequest, Planned, RoomSetup},
     },
 };
-use std::sync::Arc;
+use std::{collections::BTreeMap, sync::Arc};
 
 /// Message for a robot that was put down elsewhere and can't sense that.
 const CARRIED: &str = "The robot follows its plan by odometry and can't detect that it was kidnapped.";
@@ -379,10 +379,11 @@ impl Session {
         let mut settings = self.settings.clone();
         let mut room = None;
         let pairs = link.trim_start_matches('#').split('&').filter(|p| !p.is_empty());
-        let mut pairs: Vec<(&str, &str)> = pairs.map(|p| p.split_once('=').unwrap_or((p, ""))).collect();
+        let pairs = pairs.map(|p| p.split_once('=').unwrap_or((p, "")));
         // Robot and planner bring defaults of their own, which must not override the link's other values.
-        pairs.sort_by_key(|(key, _)| !matches!(*key, "robot" | "planner" | "behaviour"));
-        for (key, value) in pairs {
+        let (first, others): (Vec<_>, Vec<_>) =
+            pairs.partition(|(key, _)| matches!(*key, "robot" | "planner" | "behaviour"));
+        for (key, value) in first.into_iter().chain(others) {
             if key == "room" {
                 room = Some(value);
             } else if key == "path" && value == KEPT_PATH {
@@ -429,11 +430,15 @@ impl Session {
         scenario.path = settings.path.clone();
         scenario.planner = choices.planner;
         scenario.behaviour = choices.behaviour;
-        scenario.params = params.collect();
+        scenario.params.extend(params);
         scenario.cell_size = choices.cell_size;
         scenario.seed = Some(settings.seed);
         scenario.slip = choices.slip;
-        scenario.noise = choices.noise.map(|levels| levels.into_iter().collect());
+        scenario.noise = choices.noise.map(|levels| {
+            let mut by_kind = BTreeMap::new();
+            by_kind.extend(levels);
+            by_kind
+        });
         scenario.quantised = choices.quantised;
         scenario.odometry = choices.odometry;
         scenario.to_json()
