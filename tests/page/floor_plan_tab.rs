@@ -111,7 +111,7 @@ fn a_scenario_keeps_its_choices_and_its_metres() {
 
 #[test]
 fn the_sweep_takes_its_planner_and_its_robot_along_and_no_parameters_of_another() {
-    let mut board = open(file("mine.json", SCENARIO));
+    let mut board = open(file("mine.json", SCENARIO.replace("\"resolution\": 0.1", "\"resolution\": 1")));
     change(&mut board, |settings| settings.body = BodyChoice::Model { id: "dvr1".into() });
     assert!(board.import(true).unwrap_err().contains("plan the sweep"));
     plan(&mut board).unwrap();

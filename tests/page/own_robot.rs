@@ -108,9 +108,9 @@ fn what_no_robot_is_like_changes_nothing_and_says_why() {
 fn explore_drives_the_very_sweep_with_the_very_outline() {
     for (room, body) in [
         ("empty", BodyChoice::Octagon { width: 0.4 }),
-        ("pillars", BodyChoice::Polygon { corners: "0.2 -0.2; 0.2 0.2; -0.1 0.2; -0.2 0; -0.1 -0.2".into() }),
-        ("pillars", BodyChoice::Rectangle { length: 0.3, width: 0.5 }),
-        ("pillars", BodyChoice::Model { id: "roomba600".into() }),
+        ("ushape", BodyChoice::Polygon { corners: "0.2 -0.2; 0.2 0.2; -0.1 0.2; -0.2 0; -0.1 -0.2".into() }),
+        ("ushape", BodyChoice::Rectangle { length: 0.3, width: 0.5 }),
+        ("ushape", BodyChoice::Model { id: "roomba600".into() }),
     ] {
         let board = swept(room, body.clone());
         let mut session = explored(&board);
@@ -130,7 +130,7 @@ fn explore_drives_the_very_sweep_with_the_very_outline() {
 
 #[test]
 fn a_path_begins_where_it_begins_until_something_else_drives() {
-    let board = swept("pillars", BodyChoice::Octagon { width: 0.4 });
+    let board = swept("ushape", BodyChoice::Octagon { width: 0.4 });
     let mut session = explored(&board);
     let start = session.prepared().unwrap().floor.start;
     session.move_start(Pose::new(start.x + 0.5, start.y, 0.0));
