@@ -115,6 +115,7 @@ fn explore_drives_the_very_sweep_with_the_very_outline() {
         let board = swept(room, body.clone());
         let mut session = explored(&board);
         assert_eq!(session.view().message, "", "{body:?}");
+        assert!(!session.view().search.offered && session.view().plan.unwrap().planning_s.is_none());
         let planned = MetricPath::new(&board.planned().unwrap().path).unwrap();
         assert_eq!(session.planned().unwrap().line, *planned.corners());
         assert_eq!((session.room(), session.view().path_corners), (Some(room), planned.corners().len()));

@@ -41,7 +41,7 @@ function build(app) {
   fill(cleans, [["strip", "A strip"], ["body", "All under its body"]]);
   const [tool, ahead, aside] = [number({ id: "own-tool" }), number({ id: "own-ahead" }), number({ id: "own-aside" })];
   const wheels = make("select", { id: "own-wheels" });
-  fill(wheels, [["differential", "Two wheels: turns first"], ["omnidirectional", "Any direction"]]);
+  fill(wheels, [["differential", "On two wheels"], ["omnidirectional", "Any direction"]]);
   const [speed, turn] = [number({ id: "own-speed" }), number({ id: "own-turn" })];
   const sensors = make("div", { className: "own-sensors", role: "group", "aria-label": "Sensors" });
 
@@ -52,7 +52,7 @@ function build(app) {
   const fault = make("p", { className: "fault", role: "alert", hidden: true });
   const [fields1, fields2, fieldCorners] = [field("Width", first, "m"), field("Length", second, "m"), field("Corners: x y; x y; …", corners)];
   fieldCorners.dataset.tip = "x ahead and y to the left of the middle between the wheels, in metres; corners separated by semicolons.";
-  const [fieldTool, fieldAhead, fieldAside] = [field("Width of the strip", tool, "m"), field("Ahead of the centre", ahead, "m"), field("To the left", aside, "m")];
+  const [fieldTool, fieldAhead, fieldAside] = [field("Strip width", tool, "m"), field("Strip ahead", ahead, "m"), field("Strip to the left", aside, "m")];
   const form = make(
     "form",
     { method: "dialog", noValidate: true },
@@ -148,7 +148,10 @@ function build(app) {
     listSensors(values().without);
     wheels.value = chosen()?.lateral ? "omnidirectional" : "differential";
   });
-  form.addEventListener("input", refresh);
+  form.addEventListener("input", () => {
+    complain("");
+    refresh();
+  });
   form.addEventListener("submit", (event) => {
     try {
       const text = writeOwn(values());
