@@ -591,8 +591,12 @@ message_kind: "" | "error" | "notice",
 room: RoomView,
 /** Id of the robot. */
 robot: string,
-/** Figures of a twin, as in links; empty for the model. */
+/** Figures of a twin, as in links; empty for the model and for an own robot. */
 twin: string,
+/** Choices of an own robot, as in links; empty for a model; `model` for one that is built on a model without changes. */
+own_robot: string,
+/** Corners of a path from elsewhere that is driven in place of the planner's; 0 for none. */
+path_corners: number,
 /** Id of the planner or behaviour. */
 algorithm: string,
 /** `planner` or `behaviour`. */
@@ -799,7 +803,10 @@ base_factor: number, } | { "do": "odometry",
 /** Its name, as in links. */
 model: OdometryModel, } | { "do": "identify" };
 
+/** A robot, for its portrait and its dashboard. */
 export type RobotEntry = { id: string, title: string, summary: string, default_cell_m: number, tool_width_m: number,
+/** Speed along paths, and turn rate on the spot. */
+speed_m_s: number, turn_deg_s: number,
 /** Radius of the smallest circle around the body; all other lengths are in units of it, x ahead and y to the left. */
 radius_m: number,
 /** Corners of a body that isn't round. */
@@ -883,6 +890,8 @@ export type ScenarioChoices = {
 robot: string | null,
 /** Figures of a twin, as in links; without them the robot is the model. */
 twin: string | null,
+/** Choices of an own robot, as in links. */
+own_robot: string | null,
 /** Side of the planning cells, m. */
 cell_size: number | null,
 /** Id of the planner. */
@@ -891,6 +900,8 @@ planner: string | null,
 behaviour: string | null,
 /** Parameters of the planner or behaviour, by name. */
 params: Array<[string, string]>,
+/** A path that is driven in place of the planner's, as in links. */
+path: string | null,
 /** Seed of all random numbers. */
 seed: string | null,
 /** Level of wheel slip. */
@@ -1102,6 +1113,8 @@ finish: [number, number],
 linked_share: number,
 /** Share of the reachable floor that is swept, 0 to 1. */
 coverage: number,
+/** The same by the finer cells of Explore, and the time, s: what a run without slip gives there. */
+driven: [number, number],
 /** What is kept free, if it isn't the outline. */
 kept_free: string | null,
 /** Distance between scan lines, m. */

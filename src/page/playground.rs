@@ -7,7 +7,7 @@ use coverage_planners::{ProgressReport, TraceStep};
 use js_sys::{Array, Float64Array};
 use robovac_app::{
     RobotView, Scene, Viewport,
-    explore::{Brush, Catalogue, FloorTool, ObjectTool, PageView, Session},
+    explore::{Brush, Catalogue, FloorTool, ObjectTool, PageView, RobotEntry, Session},
 };
 use robovac_core::{
     floor_plan::Object,
@@ -112,6 +112,12 @@ impl Playground {
     #[wasm_bindgen(unchecked_return_type = "rust.Catalogue")]
     pub fn catalogue() -> Result<JsValue, JsValue> {
         to_js(&Catalogue::all())
+    }
+
+    /// The present robot, a [`RobotEntry`]: also one that isn't in the catalogue.
+    #[wasm_bindgen(unchecked_return_type = "rust.RobotEntry")]
+    pub fn robot(&self) -> Result<JsValue, JsValue> {
+        to_js(&RobotEntry::new(&self.session.settings().robot_model()))
     }
 
     /// Snapshot of the session in numbers and words.

@@ -32,6 +32,13 @@ impl SessionMirror {
         self.followed.as_ref().map(|followed| followed.room_version as f64)
     }
 
+    /// Why a connected robot can't ride the path of `snapshot`, as a sentence for users; empty if it can.
+    pub fn path_refusal(
+        #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
+    ) -> Result<String, JsValue> {
+        Ok(read(snapshot, None)?.path_refusal())
+    }
+
     /// Whether `snapshot` is newer.
     pub fn is_behind(
         &self,

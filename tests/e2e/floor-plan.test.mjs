@@ -295,7 +295,8 @@ test("Explore's room can be swept, and taken back with the planner", async (t) =
   assert.ok((await floor(app)) > 100);
   await page.locator("#floor-plan-drive").click();
   await page.locator("#panel-explore").waitFor();
-  assert.equal(await page.locator("#algorithm").inputValue(), "subgoal_sweep");
+  assert.equal(await page.locator("#algorithm").inputValue(), "path");
+  assert.equal(await page.locator("#robot").inputValue(), "own");
   await app.settled();
   assert.equal(await app.message(), "");
 });

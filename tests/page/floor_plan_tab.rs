@@ -111,14 +111,21 @@ fn a_scenario_keeps_its_choices_and_its_metres() {
 
 #[test]
 fn the_sweep_takes_its_planner_and_its_robot_along_and_no_parameters_of_another() {
-    let mut board = open(file("mine.json", SCENARIO));
+    let mut board = open(file("mine.json", SCENARIO.replace("\"resolution\": 0.1", "\"resolution\": 1")));
     change(&mut board, |settings| settings.body = BodyChoice::Model { id: "dvr1".into() });
+    assert!(board.import(true).unwrap_err().contains("plan the sweep"));
+    plan(&mut board).unwrap();
     let choices = board.import(true).unwrap().choices.unwrap();
+    assert!(choices.path.is_some() && choices.own_robot.is_none());
     assert_eq!((choices.robot.as_deref(), choices.planner.as_deref()), (Some("dvr1"), Some("subgoal_sweep")));
     assert!(choices.params.is_empty());
     change(&mut board, |settings| settings.body = BodyChoice::Circle { radius: 0.2 });
+    plan(&mut board).unwrap();
     let choices = board.import(true).unwrap().choices.unwrap();
-    assert_eq!(choices.robot.as_deref(), Some("octagon"), "that of the scenario");
+    assert_eq!(
+        (choices.robot.as_deref(), choices.own_robot.as_deref()),
+        (Some("octagon"), Some("radius:0.2,tool:body"))
+    );
 }
 
 #[test]

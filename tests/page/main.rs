@@ -9,6 +9,7 @@ mod map;
 mod map_files;
 mod montecarlo;
 mod opening;
+mod own_robot;
 mod scenario;
 mod session;
 mod types;

@@ -234,8 +234,8 @@ fn room_of_ones_own_survives_by_scenario_and_link() {
 fn a_twin_is_kept_by_links_scenarios_and_other_tabs_until_another_robot_is_chosen() {
     let mut session = opened();
     session.restore("room=empty&behaviour=bounce&robot=roomba600&twin=base:242,acceleration:1.4").unwrap();
-    let twin = session.settings().twin;
-    assert_eq!(twin.and_then(|twin| twin.wheel_base_mm), Some(242.0));
+    let twin = session.settings().custom.clone();
+    assert_eq!(twin.as_ref().and_then(|custom| custom.twin()?.wheel_base_mm), Some(242.0));
     assert_eq!(session.view().twin, "base:242,acceleration:1.4");
     let (link, saved) = (session.link(), session.scenario_json());
     let (mut by_link, mut by_file, mut by_tab) = (opened(), opened(), opened());
@@ -243,14 +243,14 @@ fn a_twin_is_kept_by_links_scenarios_and_other_tabs_until_another_robot_is_chose
     by_file.load(&[SourceFile { name: "saved.json".into(), bytes: saved.into_bytes() }]).unwrap();
     by_tab.follow(&session.snapshot()).unwrap();
     for other in [&by_link, &by_file, &by_tab] {
-        assert_eq!(other.settings().twin, twin);
+        assert_eq!(other.settings().custom, twin);
     }
     // A connected robot is itself.
     assert_eq!(session.snapshot().for_connection("bounce").unwrap().choices.twin, None);
     let refused = session.restore("twin=base:2420").unwrap_err().to_string();
-    assert!(refused.contains("wheel_base_mm can't be 2420") && session.settings().twin == twin, "{refused}");
+    assert!(refused.contains("wheel_base_mm can't be 2420") && session.settings().custom == twin, "{refused}");
     session.configure(|settings| settings.select_robot("roomba600")).unwrap();
-    assert_eq!(session.settings().twin, None);
+    assert_eq!(session.settings().custom, None);
 }
 
 #[test]

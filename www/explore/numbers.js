@@ -92,7 +92,9 @@ export function startNumbers({ catalogue }) {
   byId("metrics-plan").append(...PLAN.map((line) => row(line, true)));
 
   return (view) => {
-    const known = view.plan && view.plan.length_m > 0 ? view.plan : null;
+    const known = view.plan && (view.plan.length_m > 0 || view.path_corners) ? view.plan : null;
+    // A path in metres has no cells.
+    setHidden(byId("metrics-plan"), view.path_corners > 0);
     for (const { of, plan, run, line } of rows) {
       if (typeof of.tip !== "string") setAttribute(line, "data-tip", of.tip(view));
       if (of.when) setHidden(line, !of.when(view));

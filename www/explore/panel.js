@@ -3,6 +3,7 @@
 import { button, byId, changed, fill, input, make, select, setHidden, setText, typed } from "../dom.js";
 import { explainer } from "../explainer.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
+import { complain } from "../messages.js";
 import { paramField } from "../params.js";
 
 /**
@@ -16,8 +17,8 @@ import { paramField } from "../params.js";
 const FEW = 2;
 /** Entries of the menu of cells, percent: cells are chosen for so much coverage. */
 const COVERAGES = [95, 98, 99];
-/** Menu entry of a twin, which isn't in the catalogue. */
-const TWIN = "twin";
+/** Menu entries that aren't in the catalogue: a twin, an own robot, a path from the tab Floor plan. */
+const [TWIN, OWN, PATH] = ["twin", "own", "path"];
 
 /** @param {App} app @returns {(view: View) => void} */
 export function startPanel(app) {
@@ -28,7 +29,7 @@ export function startPanel(app) {
   select("algorithm").replaceChildren(group("Path planners", planners), group("Reactive behaviours", behaviours));
   fill(select("odometry"), ODOMETRIES);
   byId("odometry-field").setAttribute("data-tip", ODOMETRY_TIP);
-  fill(select("robot"), robots.map(({ id, title }) => [id, title]));
+  fill(select("robot"), [...robots.map(({ id, title }) => /** @type {[string, string]} */ ([id, title])), [OWN, "Own robot…"]]);
   const cells = select("cell-size");
   const centimetres = (/** @type {number} */ size) => `${+(size * 100).toFixed(2)} cm`;
   fill(cells, [...cell_sizes_m, ...COVERAGES].map((size) => [String(size), size < 2 ? centimetres(size) : `for ${size} %`]));
@@ -48,7 +49,13 @@ export function startPanel(app) {
   };
   bind("room", (p, id) => p.select_room(id));
   bind("algorithm", (p, id) => p.select_algorithm(id));
-  bind("robot", (p, id) => (id === TWIN ? p.restore(`twin=${twin}`) : p.select_robot(id)));
+  const openOwn = () => {
+    // The menu shows what holds until the robot is used.
+    shown.clear();
+    import("./own-robot.js").then(({ openOwnRobot }) => openOwnRobot(app)).catch(() => complain("The form could not be loaded. Check the connection, then try again."));
+  };
+  bind("robot", (p, id) => (id === OWN ? openOwn() : id === TWIN ? p.restore(`twin=${twin}`) : p.select_robot(id)));
+  button("robot-edit").addEventListener("click", openOwn);
   bind("cell-size", (p, text) => {
     const size = Number(text);
     if (size < 2) return p.set_cell_size(size);
@@ -80,9 +87,22 @@ export function startPanel(app) {
   const showRobot = (view) => {
     if (view.twin && !twin) select("robot").append(new Option("Twin of your Roomba", TWIN));
     twin = view.twin || twin;
-    show(select("robot"), view.twin ? TWIN : view.robot);
-    const summary = robots.find(({ id }) => id === view.robot)?.summary ?? "";
-    setText(byId("robot-note"), view.twin ? "Your robot, as fitted to a recording in the tab Robot" : summary);
+    show(select("robot"), view.own_robot ? OWN : view.twin ? TWIN : view.robot);
+    setHidden(button("robot-edit"), !view.own_robot);
+    const model = robots.find(({ id }) => id === view.robot);
+    const note = view.own_robot ? `Your shape, tool, speeds and sensors; the rest as ${model?.title}` : view.twin ? "Your robot, as fitted to a recording in the tab Robot" : model?.summary;
+    setText(byId("robot-note"), note ?? "");
+  };
+
+  /** @param {View} view */
+  const showAlgorithm = ({ algorithm, path_corners }) => {
+    const menu = select("algorithm");
+    if (changed(menu, "path", path_corners > 0)) {
+      menu.querySelector(`option[value=${PATH}]`)?.remove();
+      if (path_corners) menu.prepend(new Option("Path from Floor plan", PATH));
+      shown.delete(menu);
+    }
+    show(menu, path_corners ? PATH : algorithm);
   };
 
   /** @type {Map<string, HTMLElement[]>} */
@@ -104,7 +124,7 @@ export function startPanel(app) {
     const { room } = view;
     showRoom(room, rooms);
     show(select("room"), room.id);
-    show(select("algorithm"), view.algorithm);
+    showAlgorithm(view);
     showRobot(view);
     const size = String(view.cell_size_m);
     if (shown.get(cells) !== size && ![...cells.options].some(({ value }) => value === size)) cells.append(new Option(centimetres(view.cell_size_m), size));
@@ -121,10 +141,10 @@ export function startPanel(app) {
     input("show-search").disabled = refusal !== "";
     warnOfCells(view, robots);
     const algorithm = algorithms.find(({ id }) => id === view.algorithm);
-    if (algorithm && changed(byId("params"), "algorithm", algorithm.id)) {
-      buildParams(algorithm);
-      setText(byId("algorithm-kind"), algorithm.manual ? "you drive" : algorithm.kind === "planner" ? "path planner" : "reactive behaviour");
-      setText(byId("algorithm-note"), algorithm.summary);
+    if (algorithm && changed(byId("params"), "algorithm", `${algorithm.id} ${view.path_corners}`)) {
+      buildParams(view.path_corners ? { ...algorithm, params: [] } : algorithm);
+      setText(byId("algorithm-kind"), view.path_corners ? "planned path" : algorithm.manual ? "you drive" : algorithm.kind === "planner" ? "path planner" : "reactive behaviour");
+      setText(byId("algorithm-note"), view.path_corners ? `Planned in the tab Floor plan: ${view.path_corners.toLocaleString("en")} corners, driven as they are` : algorithm.summary);
       setText(byId("explainer-title"), algorithm.title);
       byId("explainer-text").replaceChildren(...explainer(algorithm, rooms, (room) => change((p) => p.select_room(room))));
     }
@@ -161,7 +181,7 @@ function showRealism({ slip, noise, quantised, start_charge_percent: charge }, s
 /** Cells wider than the tool leave strips between lanes unswept. @param {View} view @param {import("../types").RobotEntry[]} robots */
 function warnOfCells(view, robots) {
   // The textbook's robot is as wide as its cell.
-  const tool = view.robot === "cell" ? Infinity : (robots.find(({ id }) => id === view.robot)?.tool_width_m ?? Infinity);
+  const tool = view.robot === "cell" || view.own_robot || view.path_corners ? Infinity : (robots.find(({ id }) => id === view.robot)?.tool_width_m ?? Infinity);
   const wide = view.cell_size_m > tool + 1e-9;
   setHidden(byId("cell-note"), !wide);
   if (wide) setText(byId("cell-note"), `Wider than the tool (${+(tool * 100).toFixed(1)} cm): strips between the lanes stay dirty.`);

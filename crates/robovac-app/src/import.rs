@@ -4,6 +4,7 @@ use floor_drawing::{DrawingError, drawing_kind};
 use robovac_core::{
     floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile},
     registry::Params,
+    robot::CustomRobot,
 };
 use robovac_sim::{
     Noise, NoiseLevel, SensorKind,
@@ -29,6 +30,8 @@ pub struct ScenarioChoices {
     pub robot: Option<String>,
     /// Figures of a twin, as in links; without them the robot is the model.
     pub twin: Option<String>,
+    /// Choices of an own robot, as in links.
+    pub own_robot: Option<String>,
     /// Side of the planning cells, m.
     pub cell_size: Option<f64>,
     /// Id of the planner.
@@ -37,6 +40,8 @@ pub struct ScenarioChoices {
     pub behaviour: Option<String>,
     /// Parameters of the planner or behaviour, by name.
     pub params: Vec<(String, String)>,
+    /// A path that is driven in place of the planner's, as in links.
+    pub path: Option<String>,
     /// Seed of all random numbers.
     pub seed: Option<String>,
     /// Level of wheel slip.
@@ -111,10 +116,13 @@ impl ScenarioChoices {
     /// The choices of `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        let Scenario { robot, twin, cell_size, planner, behaviour, slip, noise, odometry, .. } = scenario.clone();
+        let Scenario { robot, twin, own_robot, path, cell_size, planner, behaviour, slip, noise, odometry, .. } =
+            scenario.clone();
         Self {
             robot,
             twin: twin.map(|twin| twin.to_string()),
+            own_robot: own_robot.map(|own| own.to_string()),
+            path: path.map(|path| path.to_string()),
             cell_size,
             planner,
             behaviour,
@@ -131,13 +139,16 @@ impl ScenarioChoices {
     /// The choices that a scenario can contain, from `settings`.
     pub fn of_settings(settings: &Settings) -> Self {
         let Settings { algorithm, ref params, conditions, .. } = *settings;
+        let custom = settings.custom.as_ref();
         let defaults = Params::defaults(algorithm.params());
         let changed = params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
         let noisy = SensorKind::ALL.into_iter().map(|(kind, name)| (name, conditions.noise.of(kind)));
         let noisy = noisy.filter(|&(_, level)| level != NoiseLevel::Off);
         Self {
             robot: Some(settings.robot.to_owned()),
-            twin: settings.twin.map(|twin| twin.to_string()),
+            twin: custom.and_then(CustomRobot::twin).map(|twin| twin.to_string()),
+            own_robot: custom.and_then(CustomRobot::own).map(|own| own.to_string()),
+            path: settings.path.as_ref().map(|path| path.to_string()),
             cell_size: Some(settings.cell_size),
             planner: algorithm.planner().map(|info| info.id.to_owned()),
             behaviour: algorithm.behaviour().map(|info| info.id.to_owned()),
@@ -165,6 +176,9 @@ impl ScenarioChoices {
         if let Some(text) = &self.twin {
             at("twin", settings.take_link("twin", text))?;
         }
+        if let Some(text) = &self.own_robot {
+            at("own_robot", settings.take_link("own", text))?;
+        }
         if let Some(metres) = self.cell_size {
             at("cell_size", settings.set_cell_size(metres))?;
         }
@@ -172,6 +186,9 @@ impl ScenarioChoices {
             if let Some(id) = id {
                 at(kind, settings.select_fresh_of_kind(kind, id))?;
             }
+        }
+        if let Some(text) = &self.path {
+            at("path", settings.take_link("path", text))?;
         }
         for (id, text) in &self.params {
             at(&format!("params.{id}"), settings.set_param(id, text))?;

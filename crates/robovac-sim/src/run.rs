@@ -84,10 +84,11 @@ impl Run {
         let floor = Arc::clone(&setup.floor);
         controller.start_at(floor.start);
         let mut tracker = CoverageTracker::new(&floor);
-        tracker.sweep_to(&floor, floor.start.position());
+        tracker.sweep_to(&floor, floor.start);
         let world = Arc::clone(&setup.world);
         let life = Life::new(&world, &floor, setup.seed);
         let robot = SimRobot::new(&setup.robot, floor.start, setup.conditions, setup.seed);
+        let robot = if floor.is_for_path { robot.with_exact_contact() } else { robot };
         let trail = RecentTrail(vec![floor.start.position()]);
         let keeps_track = controller.estimate().is_some();
         let odometry = (!keeps_track).then(|| Odometry::new(&setup.robot, OdometryModel::Arc, floor.start));
@@ -157,7 +158,7 @@ impl Run {
         self.distance_m += (pose.position() - before.position()).norm();
         self.turning_rad += difference(before.heading, pose.heading).abs();
         self.bumps += u32::from(self.robot.sensors().bumped() && !signs.bumped());
-        self.tracker.sweep_to(&self.floor, pose.position());
+        self.tracker.sweep_to(&self.floor, pose);
         self.trail.extend(pose.position());
     }
 

@@ -61,6 +61,12 @@ impl SimRobot {
         }
     }
 
+    /// For paths that may touch: its contact is exact, also where it is wedged.
+    pub fn with_exact_contact(mut self) -> Self {
+        self.footprint.make_exact();
+        self
+    }
+
     /// The true pose, which no controller gets.
     #[inline]
     pub fn pose(&self) -> Pose {

@@ -184,7 +184,7 @@ const STRUCTURE: &[Case] = &[
     (
         "\"name\": \"Nook\"",
         "\"title\": \"Nook\"",
-        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `planner`, `behaviour`, `params`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`; fix that line or export the file again",
+        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `own_robot`, `planner`, `behaviour`, `params`, `path`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`; fix that line or export the file again",
     ),
     (
         "\"radius\": 0.02",
@@ -501,6 +501,8 @@ fn version_1_has_no_keys_of_version_2() {
         ("quantised", "false"),
         ("start_charge_percent", "50"),
         ("odometry", "\"arc\""),
+        ("own_robot", "{}"),
+        ("path", "[[1, 1]]"),
     ] {
         let text = format!(
             "{{ \"format\": \"robovac-scenario\", \"version\": 1, \"resolution\": 0.2, \"width\": 1, \"height\": 1,\n\
@@ -528,12 +530,20 @@ fn the_schema_takes_what_is_written() {
     let schema = the_schema();
     let keys = schema["properties"].as_object().unwrap().keys();
     let missing: Vec<_> = keys.filter(|key| written.get(key.as_str()).is_none()).collect();
-    assert_eq!(missing, ["note", "origin", "params", "planner", "twin"]);
+    assert_eq!(missing, ["note", "origin", "own_robot", "params", "path", "planner", "twin"]);
     let kinds: Vec<_> = schema["$defs"]["object"]["properties"].as_object().unwrap().keys().collect();
     let objects = written["objects"].as_array().unwrap();
     let mut found: Vec<_> = objects.iter().flat_map(|object| object.as_object().unwrap().keys()).collect();
     found.sort();
     assert_eq!(found, kinds);
+    // An own robot with everything, and a path.
+    let own =
+        "corners:0.2_-0.15_0.2_0.15_-0.2_0,tool:0.25,speed:0.25,turn:90,at:0.02_0,wheels:omnidirectional,without:light";
+    session.restore(&format!("room=empty&planner=snake&robot=roomba600&own={own}&path=ginBginBg99HAAwmhB")).unwrap();
+    let written = session.scenario_json();
+    assert_eq!(schema_complains(&written), None, "{written}");
+    session.load(&[file(&written)]).unwrap();
+    assert_eq!(session.scenario_json(), written);
 }
 
 /// Places in the sample where something is written over something else.

@@ -200,7 +200,7 @@ impl Comparison {
             scenario: (trial.room == RoomChoice::Own).then(|| Scenario::of(&base.plan).to_json()),
             start: base.start_in(trial.room),
             robot: base.robot.to_owned(),
-            twin: base.twin,
+            custom: base.custom.clone(),
             cell_size: base.cell_size,
             entrant: self.entrants[trial.entrant].to_string(),
             seed: trial.seed,

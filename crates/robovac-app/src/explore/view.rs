@@ -24,8 +24,12 @@ pub struct SessionView {
     pub room: RoomView,
     /// Id of the robot.
     pub robot: &'static str,
-    /// Figures of a twin, as in links; empty for the model.
+    /// Figures of a twin, as in links; empty for the model and for an own robot.
     pub twin: String,
+    /// Choices of an own robot, as in links; empty for a model; `model` for one that is built on a model without changes.
+    pub own_robot: String,
+    /// Corners of a path from elsewhere that is driven in place of the planner's; 0 for none.
+    pub path_corners: usize,
     /// Id of the planner or behaviour.
     pub algorithm: &'static str,
     /// `planner` or `behaviour`.

@@ -187,7 +187,9 @@ impl Exported<'_> {
     fn robot(&self) -> Result<RobotModel, ExportError> {
         let id = self.scenario.robot.as_deref().unwrap_or(ROOMBA);
         let (robot, _) = choose_robot(id, self.plan, self.scenario.cell_size).ok_or(ExportError::NoRobot)?;
-        Ok(self.scenario.twin.map_or_else(|| robot.clone(), |twin| twin.of(&robot)))
+        let twin = self.scenario.twin.map(|twin| twin.of(&robot));
+        let own = self.scenario.own_robot.as_ref().map(|own| own.of(&robot));
+        Ok(own.or(twin).unwrap_or(robot))
     }
 
     fn one(&self, ending: &str, kind: &'static str, text: String) -> Vec<ExportFile> {

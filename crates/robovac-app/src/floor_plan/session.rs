@@ -2,18 +2,25 @@
 
 use super::{Doors, DrawingHand, DrawingPart, DrawingSource, FloorPlanSettings, Sheet};
 use crate::{Import, ImportError, ScenarioChoices};
-use coverage_planners::sweep::{Sweep, SweepError, SweepSetup, sweep};
+use coverage_planners::{
+    metrics::DriveMetrics,
+    sweep::{Sweep, SweepError, SweepSetup, sweep},
+};
 use floor_drawing::{self, Traced};
 use robovac_core::{
+    coverage::ReachableFloor,
     cspace::{ConfigurationSpace, Outline},
     floor_plan::{FloorPlan, Object, Sketch, SourceFile},
-    geometry::{Point, Pose, Vector, contains},
+    geometry::{MetricPath, Point, Pose, Vector, contains},
     grid::Cell,
+    robot::{self, OwnRobot, RobotModel},
 };
 use std::ops::ControlFlow;
 
 /// Id of the planner that drives the sweep.
 pub const PLANNER: &str = "subgoal_sweep";
+/// Id of the model that robots with an outline of their own are built on: that of 001.
+const OWN_MODEL: &str = "octagon";
 
 /// A loaded file, its settings and the traced room.
 #[derive(Debug)]
@@ -29,6 +36,8 @@ pub struct DrawingSession {
     version: u32,
     space: Option<ConfigurationSpace>,
     sweep: Option<Sweep>,
+    /// Numbers of driving the sweep in Explore, without slip.
+    driven: Option<DriveMetrics>,
     /// State of pointing.
     pub hand: DrawingHand,
 }
@@ -50,6 +59,7 @@ impl DrawingSession {
             version: 0,
             space: None,
             sweep: None,
+            driven: None,
             hand: DrawingHand::default(),
         };
         board.trace();
@@ -99,6 +109,11 @@ impl DrawingSession {
     /// The sweep, once planned for this room and robot.
     pub fn planned(&self) -> Option<&Sweep> {
         self.sweep.as_ref()
+    }
+
+    /// Numbers of driving the planned sweep in Explore, without slip.
+    pub fn driven(&self) -> Option<&DriveMetrics> {
+        self.driven.as_ref().filter(|_| self.sweep.is_some())
     }
 
     /// The obstacle map, once made for this room and robot.
@@ -181,8 +196,23 @@ impl DrawingSession {
         let (start, turns) = (room.plan.start, self.settings.body.turns());
         let setup = SweepSetup { scan_width, start, order, turns, clearance, ..SweepSetup::new(outline, cell) };
         let planned = sweep(&room.plan, &setup, observe).map_err(|error: SweepError| error.to_string())?;
+        let path = MetricPath::new(&planned.path).map_err(|error| error.to_string())?;
+        let robot = self.robot()?;
+        let heading = room.plan.start.filter(|_| turns).map_or(0.0, |start| start.heading);
+        let start = Pose::new(path.start().x, path.start().y, heading);
+        let floor = ReachableFloor::of_path(&room.plan, &robot, start).map_err(|error| error.to_string())?;
+        self.driven = Some(DriveMetrics::of(&floor, &robot, path.corners()));
         self.sweep = Some(planned);
         Ok(())
+    }
+
+    /// The robot of Explore that drives the sweep: a model, or one with the outline that cleans all floor under it.
+    fn robot(&self) -> Result<RobotModel, String> {
+        let missing = || format!("the robot model {OWN_MODEL} is missing from this build");
+        match self.settings.body.model() {
+            Some(id) => robot::model(id).cloned().ok_or_else(missing),
+            None => Ok(own_robot(self.outline()?).of(robot::model(OWN_MODEL).ok_or_else(missing)?)),
+        }
     }
 
     /// Makes the obstacle map of all headings, if needed.
@@ -197,8 +227,8 @@ impl DrawingSession {
         self.space.as_ref().ok_or_else(String::new)
     }
 
-    /// The import for Explore: the room, with the other choices of a scenario. If `sweeps` is set, with the planner of
-    /// the sweep and, if it is built in, the robot.
+    /// The import for Explore: the room, with the other choices of a scenario. If `sweeps` is set, with the planned sweep
+    /// and the robot that it was planned for.
     pub fn import(&self, sweeps: bool) -> Result<Import, String> {
         let Some(room) = &self.room else { return Err(self.no_room()) };
         let choices = match &self.source {
@@ -208,13 +238,20 @@ impl DrawingSession {
         if !sweeps {
             return Ok(Import { plan: room.plan.clone(), choices });
         }
-        let choices = choices.unwrap_or_default();
+        let sweep = self.planned().ok_or("plan the sweep first")?;
+        let path = MetricPath::new(&sweep.path).map_err(|error| error.to_string())?;
+        let body = &self.settings.body;
+        let own = if body.model().is_some() { None } else { Some(own_robot(self.outline()?)) };
         let choices = ScenarioChoices {
             planner: Some(PLANNER.to_owned()),
             behaviour: None,
             params: Vec::new(),
-            robot: self.settings.body.model().map(str::to_owned).or(choices.robot),
-            ..choices
+            path: Some(path.to_string()),
+            robot: Some(body.model().unwrap_or(OWN_MODEL).to_owned()),
+            own_robot: own.map(|own| own.to_string()),
+            twin: None,
+            cell_size: None,
+            ..choices.unwrap_or_default()
         };
         Ok(Import { plan: room.plan.clone(), choices: Some(choices) })
     }
@@ -243,6 +280,15 @@ impl DrawingSession {
             _ => "there is no room yet".to_owned(),
         }
     }
+}
+
+/// The robot with that outline, which cleans all floor under it as in 001.
+fn own_robot(outline: Outline) -> OwnRobot {
+    let (radius, corners) = match outline {
+        Outline::Circle { radius } => (Some(radius), Vec::new()),
+        Outline::Polygon(corners) => (None, corners.into_iter().map(|corner| corner.coords.into()).collect()),
+    };
+    OwnRobot { radius, corners, cleans_all: true, ..OwnRobot::default() }
 }
 
 /// Runs all stages of a sweep, collisions and strokes along edges included, in a tiny room.

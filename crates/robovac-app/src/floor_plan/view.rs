@@ -2,7 +2,7 @@
 
 use super::{Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, size_in_words};
 use crate::amount::amount;
-use coverage_planners::{stage::LineEndContact, sweep::Sweep};
+use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
 use floor_drawing::Role;
 use robovac_core::{cspace::Outline, geometry::Point};
 use serde::Serialize;
@@ -143,6 +143,8 @@ pub struct SweepView {
     pub linked_share: f64,
     /// Share of the reachable floor that is swept, 0 to 1.
     pub coverage: f64,
+    /// The same by the finer cells of Explore, and the time, s: what a run without slip gives there.
+    pub driven: (f64, f64),
     /// What is kept free, if it isn't the outline.
     pub kept_free: Option<String>,
     /// Distance between scan lines, m.
@@ -195,7 +197,7 @@ impl DrawingSession {
                 _ => Vec::new(),
             },
             body_fault: outline.err().unwrap_or_default(),
-            sweep: self.planned().map(|sweep| sweep_view(sweep, self.outline().ok().as_ref())),
+            sweep: self.planned().map(|sweep| sweep_view(sweep, self.outline().ok().as_ref(), self.driven())),
             words: String::new(),
         };
         view.words = description(&view);
@@ -276,7 +278,7 @@ fn layer_view(layer: &floor_drawing::DrawingLayer, role: Role) -> LayerView {
     }
 }
 
-fn sweep_view(sweep: &Sweep, outline: Option<&Outline>) -> SweepView {
+fn sweep_view(sweep: &Sweep, outline: Option<&Outline>, driven: Option<&DriveMetrics>) -> SweepView {
     let count = |contact| sweep.subgoals.iter().filter(|subgoal| subgoal.contact == contact).count();
     SweepView {
         subgoals: [
@@ -295,6 +297,7 @@ fn sweep_view(sweep: &Sweep, outline: Option<&Outline>) -> SweepView {
         finish: (sweep.finish.len(), sweep.finish_length),
         linked_share: sweep.linked_share,
         coverage: sweep.coverage,
+        driven: driven.map_or((0.0, 0.0), |drive| (drive.coverage, drive.duration_s)),
         kept_free: (outline != Some(&sweep.outline)).then(|| sweep.outline.to_string()),
         scan_width: sweep.scan_width,
     }

@@ -31,7 +31,7 @@ impl MapBase {
         Self {
             plan: Arc::clone(session.plan()),
             title: session.room_title(),
-            prepared: session.prepared().cloned().ok_or_else(|| session.view().message),
+            prepared: session.planning_room().ok_or_else(|| session.view().message),
             conditions: settings.conditions,
             seed: settings.seed,
             place: place_of(session),
@@ -86,7 +86,7 @@ impl MapBase {
 /// Key of a session's room, start, robot, conditions and seed; stable between sessions.
 fn place_of(session: &Session) -> String {
     let kept = session.link_pairs().filter(|(key, _)| {
-        ["room", "robot", "twin", "cell", "seed", "slip", "quantised", "charge", "start"].contains(&key.as_str())
+        ["room", "robot", "twin", "own", "cell", "seed", "slip", "quantised", "charge", "start"].contains(&key.as_str())
             || key.starts_with("noise.")
     });
     let kept: Vec<String> = kept.map(|(key, value)| format!("{key}={value}")).collect();

@@ -1,7 +1,9 @@
 //! Drives a planned line by dead reckoning.
 
 use super::{Controller, parts::safe_speed};
+use crate::contact::Footprint;
 use robovac_core::{
+    coverage::ReachableFloor,
     geometry::{Point, Pose, Vector, difference},
     math,
     robot::{Drive, Odometry, OdometryModel, RobotModel, SensorReadings, WheelLayout},
@@ -36,6 +38,9 @@ const TURN_GAIN: f64 = 6.0;
 /// Least heading error that is corrected on the way by packets of distance and angle, rad: their whole degrees don't show
 /// smaller turns, so that it would turn again and again.
 const UNSEEN: f64 = 0.035;
+
+/// A bump where a wall of the known room is nearer than this to the body, at the estimated pose, is no surprise, m.
+const EXPECTED: f64 = 0.02;
 
 /// Speed back to the line per metre off it, 1/s, for a robot that moves in all directions.
 const SIDESTEP: f64 = 3.0;
@@ -77,6 +82,8 @@ pub struct FollowPath {
     still: u32,
     /// Heading that a robot that moves in all directions keeps, rad.
     heading: f64,
+    /// The room, if contacts with its walls are part of the path.
+    known: Option<(Arc<ReachableFloor>, Footprint)>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -124,6 +131,7 @@ impl FollowPath {
             counts: [0; 3],
             still: 0,
             heading: start.heading,
+            known: None,
         };
         follower.next_piece();
         follower
@@ -194,6 +202,19 @@ impl FollowPath {
     /// Number of the corner to which it drives on the straight piece itself, if it does.
     pub(super) fn straight_to(&self) -> Option<usize> {
         (self.phase == FollowPhase::Drive && self.shift == 0.0).then_some(self.next)
+    }
+
+    /// For a path that may touch: a bump where the room has a wall doesn't mean that the estimate is off, and the robot
+    /// slides along.
+    pub fn knowing(mut self, floor: &Arc<ReachableFloor>) -> Self {
+        self.known = Some((Arc::clone(floor), Footprint::new(&self.robot)));
+        self
+    }
+
+    /// Whether the known room has a wall beside the body.
+    fn expects_contact(&mut self) -> bool {
+        let pose = self.pose();
+        self.known.as_mut().is_some_and(|(floor, footprint)| footprint.is_near_walls(&floor.walls, pose, EXPECTED))
     }
 
     fn next_piece(&mut self) {
@@ -388,10 +409,11 @@ impl Controller for FollowPath {
         self.hung_s = 0.0;
         // On a dock, whose ramp is black, all cliff sensors report an edge.
         let sees_edge = sensed.sees_cliff() && !sensed.battery.on_dock;
+        let is_surprised = sensed.bumped() && !self.expects_contact();
         match self.phase {
             FollowPhase::Drive if sees_edge || sensed.virtual_wall => self.turned_back(),
             FollowPhase::Turn(_) if sees_edge => self.shied(),
-            FollowPhase::Drive if sensed.bumped() => self.bumped(sensed),
+            FollowPhase::Drive if is_surprised => self.bumped(sensed),
             _ => {}
         }
         self.patience -= dt_s;

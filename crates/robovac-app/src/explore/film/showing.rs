@@ -128,12 +128,20 @@ impl Showing {
 
 /// The largest improvements, in their order.
 fn largest<'f>(search: &[&'f FilmFrame]) -> Vec<[&'f FilmFrame; 2]> {
-    let mut pairs: Vec<(f64, [&FilmFrame; 2])> =
-        search.windows(2).map(|pair| (won(pair[0], pair[1]), [pair[0], pair[1]])).collect();
-    pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
-    pairs.truncate(MOST_SHOWN);
-    pairs.sort_by_key(|(_, pair)| pair[1].number);
-    pairs.into_iter().map(|(_, pair)| pair).collect()
+    // Few are kept: a sort would be more code in the page than all of this.
+    let mut pairs: Vec<(f64, [&FilmFrame; 2])> = Vec::new();
+    for pair in search.windows(2) {
+        let gain = won(pair[0], pair[1]);
+        let at = pairs.iter().position(|(other, _)| other.total_cmp(&gain).is_lt()).unwrap_or(pairs.len());
+        pairs.insert(at, (gain, [pair[0], pair[1]]));
+        pairs.truncate(MOST_SHOWN);
+    }
+    let mut in_order: Vec<[&FilmFrame; 2]> = Vec::new();
+    for (_, pair) in pairs {
+        let at = in_order.iter().position(|other| other[1].number > pair[1].number).unwrap_or(in_order.len());
+        in_order.insert(at, pair);
+    }
+    in_order
 }
 
 /// The improvement from one walk to the next, as a share of the bound.

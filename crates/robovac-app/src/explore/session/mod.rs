@@ -13,16 +13,17 @@ use robovac_core::{
     floor_plan::{self, FloorPlan, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
     registry::Params,
+    robot::CustomRobot,
 };
 use robovac_sim::{
     Input, RunRecording, STEP_S,
     controller::{self, Behaviours, Joystick},
     experiment::{
-        Settings, SettingsError,
+        KEPT_PATH, Settings, SettingsError,
         planning::{PlanRequest, Planned, RoomSetup},
     },
 };
-use std::sync::Arc;
+use std::{collections::BTreeMap, sync::Arc};
 
 /// Message for a robot that was put down elsewhere and can't sense that.
 const CARRIED: &str = "The robot follows its plan by odometry and can't detect that it was kidnapped.";
@@ -363,7 +364,11 @@ impl Session {
             self.settings = choices.settings(&self.settings)?;
         }
         self.message = None;
-        self.editor.replace(import.plan, None, None);
+        // A sweep of a room that ships brings that room back: with its name, all of it fits into a link.
+        let swept = self.settings.path.as_ref().and_then(|_| {
+            floor_plan::ROOMS.iter().find(|room| room.title == import.plan.name && (room.build)() == import.plan)
+        });
+        self.editor.replace(import.plan, swept.map(|room| room.id), None);
         self.prepare();
         Ok(())
     }
@@ -373,12 +378,16 @@ impl Session {
         let mut settings = self.settings.clone();
         let mut room = None;
         let pairs = link.trim_start_matches('#').split('&').filter(|p| !p.is_empty());
-        let mut pairs: Vec<(&str, &str)> = pairs.map(|p| p.split_once('=').unwrap_or((p, ""))).collect();
+        let pairs = pairs.map(|p| p.split_once('=').unwrap_or((p, "")));
         // Robot and planner bring defaults of their own, which must not override the link's other values.
-        pairs.sort_by_key(|(key, _)| !matches!(*key, "robot" | "planner" | "behaviour"));
-        for (key, value) in pairs {
+        let (first, others): (Vec<_>, Vec<_>) =
+            pairs.partition(|(key, _)| matches!(*key, "robot" | "planner" | "behaviour"));
+        for (key, value) in first.into_iter().chain(others) {
             if key == "room" {
                 room = Some(value);
+            } else if key == "path" && value == KEPT_PATH {
+                // It came with the room.
+                settings.path = Some(self.settings.path.clone().ok_or(SettingsError::FarPath)?);
             } else {
                 settings.take_link(key, value)?;
             }
@@ -415,14 +424,20 @@ impl Session {
         let choices = ScenarioChoices::of_settings(settings);
         let mut scenario = self.own_room();
         scenario.robot = choices.robot;
-        scenario.twin = settings.twin;
+        scenario.twin = settings.custom.as_ref().and_then(CustomRobot::twin);
+        scenario.own_robot = settings.custom.as_ref().and_then(CustomRobot::own).cloned();
+        scenario.path = settings.path.clone();
         scenario.planner = choices.planner;
         scenario.behaviour = choices.behaviour;
-        scenario.params = params.collect();
+        scenario.params.extend(params);
         scenario.cell_size = choices.cell_size;
         scenario.seed = Some(settings.seed);
         scenario.slip = choices.slip;
-        scenario.noise = choices.noise.map(|levels| levels.into_iter().collect());
+        scenario.noise = choices.noise.map(|levels| {
+            let mut by_kind = BTreeMap::new();
+            by_kind.extend(levels);
+            by_kind
+        });
         scenario.quantised = choices.quantised;
         scenario.start_charge_percent = choices.start_charge_percent;
         scenario.odometry = choices.odometry;
@@ -447,7 +462,10 @@ impl Session {
     pub fn link_pairs(&self) -> impl Iterator<Item = (String, String)> + use<> {
         let mut settings = self.settings.clone();
         settings.start = self.editor.start();
-        let room = ("room".to_owned(), self.editor.room().unwrap_or(OWN_ROOM).to_owned());
+        // A path that is too long for a link is kept with the room.
+        let is_linked = settings.path_link().is_none_or(|path| path != KEPT_PATH);
+        let room = self.editor.room().filter(|_| is_linked).unwrap_or(OWN_ROOM);
+        let room = ("room".to_owned(), room.to_owned());
         std::iter::once(room).chain(settings.to_link())
     }
 
@@ -484,6 +502,10 @@ impl Session {
     pub fn move_start(&mut self, to: Pose) {
         if let Err(refusal) = self.plan().check_objects(Some(to)) {
             self.say("error", sentence(&refusal.fault.to_string()));
+            return;
+        }
+        if self.settings.path.is_some() {
+            self.say("error", "The path begins here. Choose a planner to start elsewhere.".to_owned());
             return;
         }
         let robot = self.settings.robot_model();

@@ -3,7 +3,7 @@
 use super::{Planning, Session, sentence};
 use crate::explore::{PlanSearch, SessionState, Showing, opening};
 use coverage_planners::{CoveragePath, Film, FilmFrame, PlanError, PlannerInfo, ProgressReport, Proof};
-use robovac_core::floor_plan;
+use robovac_core::{coverage::FloorError, floor_plan};
 use robovac_sim::{
     RunRecording,
     experiment::{
@@ -176,6 +176,28 @@ impl Session {
         }
     }
 
+    /// The room laid out for the robot: along its path, if that was planned elsewhere.
+    fn lay_out(&self) -> Result<RoomSetup, FloorError> {
+        let (plan, robot, start) = (self.plan(), self.settings.robot_model(), self.editor.start());
+        let Settings { cell_size, ref path, .. } = self.settings;
+        match path {
+            Some(path) => {
+                let heading = start.or(plan.start).map_or(0.0, |start| start.heading);
+                RoomSetup::along(plan, &robot, cell_size, path, heading)
+            }
+            None => RoomSetup::new(plan, &robot, cell_size, start),
+        }
+    }
+
+    /// The room laid out for planners and behaviours, whatever path is driven in it.
+    pub fn planning_room(&self) -> Option<RoomSetup> {
+        let Settings { cell_size, ref path, .. } = self.settings;
+        if path.is_none() {
+            return self.prepared.clone();
+        }
+        RoomSetup::new(self.plan(), &self.settings.robot_model(), cell_size, self.editor.start()).ok()
+    }
+
     /// Lays the room out again and requests a plan.
     pub(super) fn prepare(&mut self) {
         // After a finished run a change starts the next one.
@@ -190,12 +212,17 @@ impl Session {
             && self.editor.room() == Some(floor_plan::ROOMS[0].id)
             && self.editor.start().is_none()
             && self.settings.plans_like(&self.settings.defaults());
-        let robot = self.settings.robot_model();
-        match RoomSetup::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
+        match self.lay_out() {
             Ok(prepared) => {
                 self.requests += 1;
-                let Settings { algorithm, ref params, conditions, seed, .. } = self.settings;
+                let Settings { algorithm, ref params, ref path, conditions, odometry, seed, .. } = self.settings;
                 match algorithm {
+                    // No planning: it was planned elsewhere.
+                    _ if let Some(path) = path => {
+                        let planned = Planned::along(&prepared, path, 0.0);
+                        self.recording = Some(RunRecording::new(planned.run(&prepared, conditions, odometry, seed)));
+                        self.planned = Some(planned);
+                    }
                     Algorithm::Planner(planner) => {
                         let (params, job) = (params.clone(), prepared.job.clone());
                         let request = Some(PlanRequest { id: self.requests, planner, params, seed, job });

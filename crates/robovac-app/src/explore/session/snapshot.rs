@@ -12,6 +12,7 @@ use coverage_planners::{
     Proof,
     metrics::{DriveMetrics, WalkMetrics},
 };
+use robovac_core::robot::{CustomRobot, OwnRobot};
 use robovac_sim::experiment::Shows;
 use robovac_sim::{Run, RunRecording, SensorKind, SlipLevel, What};
 
@@ -58,6 +59,7 @@ impl Session {
         let state = self.state();
         let run = self.recording.as_ref().map(RunRecording::run);
         let (plan, conditions) = (self.plan(), self.settings.conditions);
+        let custom = self.settings.custom.as_ref();
         SessionView {
             state,
             can: self.can(state),
@@ -75,7 +77,9 @@ impl Session {
                 left_out_m2: self.prepared.as_ref().map_or(0.0, |p| p.floor.left_out_area()),
             },
             robot: self.settings.robot,
-            twin: self.settings.twin.map(|twin| twin.to_string()).unwrap_or_default(),
+            twin: custom.and_then(CustomRobot::twin).map(|twin| twin.to_string()).unwrap_or_default(),
+            own_robot: custom.and_then(CustomRobot::own).map(own_text).unwrap_or_default(),
+            path_corners: self.settings.path.as_ref().map_or(0, |path| path.corners().len()),
             algorithm: self.settings.algorithm.id(),
             kind: self.settings.algorithm.kind(),
             activity: run.map_or("", activity),
@@ -155,7 +159,7 @@ impl Session {
             progress: 1.0,
             walk: planned.walk.unwrap_or_default(),
             drive: planned.drive,
-            planning_s: (!self.is_opening).then_some(planned.planning_s),
+            planning_s: (!self.is_opening && planned.walk.is_some()).then_some(planned.planning_s),
             gap: planned.proof.map(Proof::gap),
             above_bound: planned.compared.map(Proof::gap),
             least: planned.least,
@@ -187,6 +191,12 @@ impl Session {
             view.time_s / 60.0
         )
     }
+}
+
+/// An own robot as in links; one without choices needs a word, too.
+fn own_text(own: &OwnRobot) -> String {
+    let text = own.to_string();
+    if text.is_empty() { "model".to_owned() } else { text }
 }
 
 /// The robot's activity, in a few words. A robot that was put down while paused hasn't sensed that yet.

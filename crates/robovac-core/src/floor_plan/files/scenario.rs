@@ -11,9 +11,9 @@ use super::{
     scenario_object::ScenarioObject,
 };
 use crate::{
-    geometry::Pose,
+    geometry::{MetricPath, Pose},
     grid::{Grid, Occupancy, picture},
-    robot::Twin,
+    robot::{OwnRobot, Twin},
 };
 use serde::{Deserialize, Serialize, de::IgnoredAny};
 use std::collections::BTreeMap;
@@ -64,6 +64,9 @@ pub struct Scenario {
     /// Figures of one particular robot in place of the model's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub twin: Option<Twin>,
+    /// What an own robot has in place of the model's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own_robot: Option<OwnRobot>,
     /// Id of the planner, unless there is a behaviour.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planner: Option<String>,
@@ -73,6 +76,9 @@ pub struct Scenario {
     /// Values of its parameters that differ from the defaults: numbers, words, or true and false.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub params: BTreeMap<String, serde_json::Value>,
+    /// A path that is driven in place of the planner's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub path: Option<MetricPath>,
     /// Side of the planning cells, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cell_size: Option<f64>,
@@ -109,6 +115,8 @@ struct ScenarioHeader {
     start_charge_percent: Option<IgnoredAny>,
     odometry: Option<IgnoredAny>,
     twin: Option<IgnoredAny>,
+    own_robot: Option<IgnoredAny>,
+    path: Option<IgnoredAny>,
 }
 
 /// A pose with its heading in degrees, for hand-edited files.
@@ -145,7 +153,8 @@ impl ScenarioHeader {
     /// An invalid value of the header, by its path.
     fn flaw(&self) -> Option<(&'static str, Flaw)> {
         let version = self.version.as_ref()?;
-        let Self { objects, behaviour, slip, noise, quantised, start_charge_percent, odometry, twin, .. } = self;
+        let Self { objects, behaviour, slip, noise, quantised, start_charge_percent, .. } = self;
+        let Self { odometry, twin, own_robot, path, .. } = self;
         match version.as_u64() {
             Some(1) => [
                 ("objects", objects),
@@ -156,6 +165,8 @@ impl ScenarioHeader {
                 ("start_charge_percent", start_charge_percent),
                 ("odometry", odometry),
                 ("twin", twin),
+                ("own_robot", own_robot),
+                ("path", path),
             ]
             .into_iter()
             .find(|(_, value)| value.is_some())
@@ -185,9 +196,11 @@ impl Scenario {
             start: plan.start.map(Into::into),
             robot: None,
             twin: None,
+            own_robot: None,
             planner: None,
             behaviour: None,
             params: BTreeMap::new(),
+            path: None,
             cell_size: None,
             seed: None,
             slip: None,

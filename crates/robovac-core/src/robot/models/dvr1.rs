@@ -2,7 +2,7 @@
 
 use crate::robot::{
     RobotModel,
-    body::{Battery, Body, Bumper, SensorSuite, SideBrush, WheelLayout},
+    body::{Battery, Body, Bumper, SensorSuite, SideBrush, Tool, WheelLayout},
     model::PowerDraw,
 };
 use core::f64::consts::{FRAC_PI_3, TAU};
@@ -52,6 +52,7 @@ pub(super) const DVR_1: RobotModel = RobotModel {
     side_brushes: &[SideBrush { at: [0.08, 0.09], radius: 0.06 }, SideBrush { at: [0.08, -0.09], radius: 0.06 }],
     battery: Battery { capacity_mah: 4500.0, voltage: 6.0, charge_ma: 4500.0 / 5.5, has_gauge: false },
     tool_width: 0.145,
+    tool: Tool::CENTRED,
     wheel_base: 2.0 * WHEEL_TO_CENTRE,
     counts_per_metre: 8.0 * 70.0 / (TAU * WHEEL_RADIUS),
     wheel_radius: WHEEL_RADIUS,

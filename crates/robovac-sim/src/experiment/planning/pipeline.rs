@@ -15,9 +15,9 @@ use coverage_planners::{
 use robovac_core::{
     coverage::{FloorError, PlanningGrid, ReachableFloor, fine_resolution},
     floor_plan::FloorPlan,
-    geometry::{Point, Pose},
+    geometry::{MetricPath, Point, Pose},
     registry::Params,
-    robot::{OdometryModel, RobotModel},
+    robot::{OdometryModel, RobotModel, WheelLayout},
     trajectory::Trajectory,
 };
 use std::sync::Arc;
@@ -113,6 +113,22 @@ impl RoomSetup {
         let world = Arc::new(World::new(plan));
         Self { floor, planning_grid: Arc::new(planning_grid), job, world, robot: robot.clone() }
     }
+
+    /// Lays out `plan` for `robot` that drives `path` and stands at its start, with `heading` rad if it turns to where it
+    /// drives. Otherwise it keeps heading 0, for which such paths are planned.
+    pub fn along(
+        plan: &FloorPlan,
+        robot: &RobotModel,
+        cell_size: f64,
+        path: &MetricPath,
+        heading: f64,
+    ) -> Result<Self, FloorError> {
+        let turns = robot.wheels == WheelLayout::Differential;
+        let (start, heading) = (path.start(), if turns { heading } else { 0.0 });
+        let floor = ReachableFloor::of_path(plan, robot, Pose::new(start.x, start.y, heading))?;
+        let cell_size = cell_size.max(fine_resolution(plan));
+        Ok(Self::on(plan, floor, robot, cell_size))
+    }
 }
 
 impl RoomSetup {
@@ -140,7 +156,10 @@ impl RoomSetup {
     /// The same with corners rounded, if they are; then empty batteries are replaced.
     pub fn run_driven(&self, driven: &Driven, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
         let follower = self.follower(&self.robot, &driven.line, odometry);
-        let follower = if self.is_flat() { follower } else { follower.carefully() };
+        // A robot that doesn't turn to where it drives keeps its path's distance from edges at every heading.
+        let is_careful = !self.is_flat() && (self.floor.turns || !self.floor.is_for_path);
+        let follower = if is_careful { follower.carefully() } else { follower };
+        let follower = if self.floor.is_for_path { follower.knowing(&self.floor) } else { follower };
         let recharge =
             if driven.smooth.is_none() { Recharge::new(&follower, &self.floor, &self.world.docks, seed) } else { None };
         match recharge {
@@ -258,6 +277,20 @@ impl Planned {
             least: None,
             kept_at: None,
         })
+    }
+
+    /// The plan to drive along `path`, which took `seconds` to find.
+    pub fn along(prepared: &RoomSetup, path: &MetricPath, seconds: f64) -> Self {
+        Self {
+            walk: None,
+            drive: DriveMetrics::of(&prepared.floor, &prepared.robot, path.corners()),
+            line: Arc::clone(path.corners()),
+            smooth: None,
+            planning_s: seconds,
+            proof: None,
+            compared: None,
+            kept_at: None,
+        }
     }
 
     /// All metrics for a table, with the bounds of the job.
