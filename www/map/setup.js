@@ -6,7 +6,7 @@ import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { paramField } from "../params.js";
 
 /** Menus by their name in links. */
-const MENUS = /** @type {const} */ ([["map-explorer", "explorer", "behaviour"], ["map-track", "track", "tracking"], ["map-counts", "counts", "counts"], ["map-wheels", "wheels", "wheels"], ["map-senses", "senses", "senses"]]);
+const MENUS = /** @type {const} */ ([["map-explorer", "explorer", "behaviour"], ["map-track", "track", "tracking"], ["map-counts", "counts", "counts"], ["map-wheels", "wheels", "wheels"], ["map-senses", "senses", "senses"], ["map-grid", "grid", "grid"]]);
 
 /** @param {import("./tab.js").MapTab} it */
 export function startSetup(it) {

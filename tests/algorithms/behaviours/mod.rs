@@ -5,5 +5,6 @@ mod docking;
 mod exploring;
 mod papers;
 mod paths;
+mod rooms;
 mod stairs;
 mod support;

@@ -7,6 +7,7 @@
 mod base;
 mod curve;
 mod figures;
+mod grid;
 mod keeping;
 mod known;
 mod layers;
@@ -23,6 +24,7 @@ mod words;
 
 pub use curve::CurveSample;
 pub use figures::MapErrorFigures;
+pub use grid::MapGrid;
 pub use known::{Known, OpenError};
 pub use layers::Layers;
 pub use map_estimate::MapEstimate;

@@ -30,6 +30,8 @@ pub struct MapView {
     pub wheels: &'static str,
     /// Level of sensor noise; empty if the kinds differ.
     pub senses: String,
+    /// The grid that is shown, measured and exported.
+    pub grid: &'static str,
     /// Layers that are shown.
     pub layers: Vec<&'static str>,
     /// Set speed, times real time; 0 for as fast as possible.
@@ -139,7 +141,7 @@ impl MapSession {
                 lift: can(MapAction::Lift),
                 put_down: can(MapAction::PutDown),
                 forget: can(MapAction::Forget),
-                use_map: can(MapAction::UseMap) && estimate.is_some_and(|estimate| estimate.map.bounds().is_some()),
+                use_map: can(MapAction::UseMap) && self.shown().is_some_and(|map| map.bounds().is_some()),
                 clean: self.can_clean(),
                 open: can(MapAction::Open),
             },
@@ -152,6 +154,7 @@ impl MapSession {
             counts: setup.odometry.id(),
             wheels: conditions.slip.id(),
             senses: conditions.noise.to_string(),
+            grid: setup.grid.id(),
             layers: setup.layers.names(),
             speed: setup.speed,
             speed_factor: self.pacer.speed_factor(),

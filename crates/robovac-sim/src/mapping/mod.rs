@@ -34,6 +34,7 @@
 //! - The *dock*, if the robot began there, is an absolute reference.
 
 mod boundary;
+mod contact_lines;
 mod layer;
 pub mod locate;
 mod mapper;
@@ -52,6 +53,7 @@ mod reckoning;
 mod scan;
 mod seen_boundary;
 mod thesis_grid;
+mod thesis_map;
 
 pub use layer::TiledLayer;
 pub use mapper::{Mapper, MapperSetup, RESOLUTION, Tracking};
@@ -62,3 +64,4 @@ pub use pose_covariance::PoseCovariance;
 pub use quality::{MapQuality, MapTruth};
 pub use seen_boundary::SeenBoundary;
 pub use thesis_grid::{CellStatus, ThesisGrid};
+pub use thesis_map::ThesisMap;
