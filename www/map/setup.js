@@ -1,6 +1,6 @@
 // @ts-check
 // The settings of the Map tab: the behaviour and its parameters, tracking, wheels and sensors.
-import { button, byId, changed, fill, select, setAttribute, setText } from "../dom.js";
+import { button, byId, changed, fill, select, setAttribute, setHidden, setText } from "../dom.js";
 import { explainer } from "../explainer.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { paramField } from "../params.js";
@@ -72,6 +72,8 @@ export function startSetup(it) {
     }
     const perfect = view.wheels === "none" && view.senses === "off";
     setText(byId("map-real-note"), perfect ? "Perfect wheels don't drift: there is nothing to correct." : "Without slip nothing drifts, so perfect wheels in Explore become typical ones here.");
+    setHidden(byId("map-expected"), !view.expectation);
+    setText(byId("map-expected"), view.expectation);
     setText(byId("map-seed"), String(it.app.view.seed));
     setText(byId("map-robot"), it.app.catalogue.robots.find(({ id }) => id === it.app.view.robot)?.title ?? "");
   };

@@ -6,6 +6,7 @@
 
 mod base;
 mod curve;
+mod expected;
 mod figures;
 mod grid;
 mod keeping;
@@ -23,6 +24,7 @@ mod view;
 mod words;
 
 pub use curve::CurveSample;
+pub use expected::{BY_BUMPER, ByBumper};
 pub use figures::MapErrorFigures;
 pub use grid::MapGrid;
 pub use known::{Known, OpenError};

@@ -24,6 +24,8 @@ pub struct MapView {
     pub params: robovac_core::registry::Params,
     /// How the robot estimates its pose.
     pub tracking: &'static str,
+    /// What to expect of the robot's maps, if it has nothing but a bumper; else empty.
+    pub expectation: String,
     /// How wheel counts are converted to motion.
     pub counts: &'static str,
     /// Level of wheel slip.
@@ -151,6 +153,7 @@ impl MapSession {
             activity: run.map_or("", |run| run.activity()),
             params: setup.params.clone(),
             tracking: setup.tracking.id(),
+            expectation: self.expectation().unwrap_or_default(),
             counts: setup.odometry.id(),
             wheels: conditions.slip.id(),
             senses: conditions.noise.to_string(),

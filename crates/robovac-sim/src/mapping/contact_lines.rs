@@ -1,11 +1,11 @@
 //! Straight walls from contacts alone, for robots with nothing but a bumper.
 //!
-//! A switch tells the side of a contact, not its direction. But whatever the direction, a body that touches a straight wall
-//! has its middle at a known distance from it. So the middles at several contacts lie on a line beside the wall, which gives
+//! A switch tells the side of a contact, not its direction. But whatever the direction, a round body that touches a straight
+//! wall has its middle a radius away from it. So the middles at several contacts lie on a line beside the wall, which gives
 //! direction and place of the wall at once: a multiscan as sparse as it can be (Beevers & Huang 2006, see
 //! [`multiscan`](super::multiscan)).
 
-use super::observation::{ContactPoint, SensorModel};
+use super::observation::ContactPoint;
 use robovac_core::{
     geometry::{Point, Pose, Vector, difference},
     math,
@@ -19,8 +19,8 @@ const GAP: f64 = 0.45;
 const OFF: f64 = 0.01;
 /// Most walls of a stretch.
 const MOST: usize = 4;
-/// Rounds of the fit: the point of the body that touches depends on the wall's direction.
-const ROUNDS: usize = 3;
+/// Rounds of the fit, as the points that touch depend on the wall's direction.
+const ROUNDS: usize = 2;
 
 /// A contact, and the pose of the robot at the time.
 pub(super) type Contact = (Pose, ContactPoint);
@@ -38,13 +38,13 @@ pub(super) struct ContactLine {
     pub length: f64,
 }
 
-/// The walls of the contacts of a stretch, and the contacts with none of them.
-pub(super) fn contact_lines(contacts: &[Contact], sensors: &SensorModel) -> (Vec<ContactLine>, Vec<Contact>) {
+/// The walls of the contacts of a stretch of a body of `radius` metres, and the contacts with none of them.
+pub(super) fn contact_lines(contacts: &[Contact], radius: f64) -> (Vec<ContactLine>, Vec<Contact>) {
     let (mut lines, mut rest) = (Vec::new(), contacts.to_vec());
     while lines.len() < MOST {
         let tried = (0..rest.len()).flat_map(|i| (i + 1..rest.len()).map(move |j| (i, j)));
         let found = tried.flat_map(|(i, j)| through(&rest[i], &rest[j])).filter_map(|normal| {
-            let on = on_line(&rest, normal, sensors);
+            let on = on_line(&rest, normal, radius);
             (on.len() >= LEAST).then_some((normal, on))
         });
         let Some((normal, on)) = found.max_by_key(|(_, on)| on.len()) else { break };
@@ -54,7 +54,7 @@ pub(super) fn contact_lines(contacts: &[Contact], sensors: &SensorModel) -> (Vec
             index += 1;
             !on.contains(&(index - 1))
         });
-        lines.extend(ContactLine::fit(&touching, normal, sensors));
+        lines.extend(ContactLine::fit(&touching, normal, radius));
     }
     (lines, rest)
 }
@@ -66,10 +66,10 @@ fn through(a: &Contact, b: &Contact) -> impl Iterator<Item = Vector> {
 }
 
 /// Indices of the most contacts that one line with that normal explains, none of them far from the next.
-fn on_line(contacts: &[Contact], normal: Vector, sensors: &SensorModel) -> Vec<usize> {
+fn on_line(contacts: &[Contact], normal: Vector, radius: f64) -> Vec<usize> {
     let along = Vector::new(normal.y, -normal.x);
     let touched: Vec<(usize, Point)> =
-        contacts.iter().enumerate().filter_map(|(i, contact)| Some((i, touched(contact, normal, sensors)?))).collect();
+        contacts.iter().enumerate().filter_map(|(i, contact)| Some((i, touched(contact, normal, radius)?))).collect();
     let mut best = Vec::new();
     for (_, through) in &touched {
         let mut on: Vec<(usize, f64)> = touched
@@ -89,17 +89,17 @@ fn on_line(contacts: &[Contact], normal: Vector, sensors: &SensorModel) -> Vec<u
 }
 
 /// The point of a wall with that normal that a contact touches; `None` if its switches exclude the direction.
-fn touched((from, contact): &Contact, normal: Vector, sensors: &SensorModel) -> Option<Point> {
+fn touched((from, contact): &Contact, normal: Vector, radius: f64) -> Option<Point> {
     let direction = difference(from.heading, math::atan2(-normal.y, -normal.x));
-    contact.allows(direction, sensors).then(|| from.position() - normal * sensors.support(direction))
+    contact.allows(direction).then(|| from.position() - normal * radius)
 }
 
 impl ContactLine {
     /// The least-squares line of the contacts.
-    fn fit(contacts: &[Contact], normal: Vector, sensors: &SensorModel) -> Option<Self> {
+    fn fit(contacts: &[Contact], normal: Vector, radius: f64) -> Option<Self> {
         let mut line = Self { normal, points: Vec::new(), off: 0.0, length: 0.0 };
         for _ in 0..ROUNDS {
-            let points: Vec<Point> = contacts.iter().filter_map(|contact| touched(contact, line.normal, sensors)).collect();
+            let points: Vec<Point> = contacts.iter().filter_map(|contact| touched(contact, line.normal, radius)).collect();
             let count = points.len() as f64;
             if points.len() < LEAST {
                 return None;
@@ -127,54 +127,50 @@ impl ContactLine {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mapping::observation::SensorModel;
     use robovac_core::robot::{SensorReadings, model};
 
-    /// Contacts of a robot that follows a wall on its right, which lies in that direction, and meets a leg on the way.
-    fn contacts(id: &str, direction: f64) -> (Vec<Contact>, SensorModel) {
-        let sensors = SensorModel::new(model(id).unwrap());
+    const RADIUS: f64 = 0.145;
+
+    /// Contacts of DVR-1, which follows a wall on its right that lies in that direction, and meets a leg on the way.
+    fn contacts(direction: f64) -> Vec<Contact> {
         let right = SensorReadings { bump_right: true, ..SensorReadings::default() };
-        let contact = sensors.contact(&right, false).unwrap();
+        let contact = SensorModel::new(model("dvr1").unwrap()).contact(&right, false).unwrap();
         let normal = Vector::new(-math::cos(direction), -math::sin(direction));
         let along = Vector::new(normal.y, -normal.x);
         let mut contacts: Vec<Contact> = (0..6)
             .map(|i| {
-                let heading = direction + 0.9 - 0.05 * f64::from(i % 3);
-                let aside = sensors.support(difference(heading, direction));
-                let at = Point::new(1.0, 2.0) + along * (0.2 * f64::from(i)) + normal * aside;
-                (Pose::new(at.x, at.y, heading), contact)
+                let at = Point::new(1.0, 2.0) + along * (0.2 * f64::from(i)) + normal * RADIUS;
+                (Pose::new(at.x, at.y, direction + 0.9 - 0.05 * f64::from(i % 3)), contact)
             })
             .collect();
         contacts.insert(3, (Pose::new(1.3, 2.6, direction + 0.9), contact));
-        (contacts, sensors)
+        contacts
     }
 
     #[test]
     fn a_wall_is_found_whatever_the_directions_of_the_contacts() {
-        for id in ["dvr1", "octagon"] {
-            for direction in [-1.2, 0.4, 2.9] {
-                let (contacts, sensors) = contacts(id, direction);
-                let (lines, rest) = contact_lines(&contacts, &sensors);
-                assert_eq!((lines.len(), rest.len()), (1, 1), "{id}, {direction}");
-                let found = math::atan2(-lines[0].normal.y, -lines[0].normal.x);
-                assert!(difference(found, direction).abs() < 1e-6, "{id}: {found} for {direction}");
-                assert!(lines[0].off < 1e-6 && (lines[0].length - 1.0).abs() < 1e-6, "{:?}", lines[0]);
-                let on = |point: &Point| lines[0].normal.dot(&(point - Point::new(1.0, 2.0))).abs() < 1e-6;
-                assert!(lines[0].points.len() == 6 && lines[0].points.iter().all(on), "{:?}", lines[0]);
-            }
+        for direction in [-1.2, 0.4, 2.9] {
+            let (lines, rest) = contact_lines(&contacts(direction), RADIUS);
+            assert_eq!((lines.len(), rest.len()), (1, 1), "{direction}");
+            let found = math::atan2(-lines[0].normal.y, -lines[0].normal.x);
+            assert!(difference(found, direction).abs() < 1e-6, "{found} for {direction}");
+            assert!(lines[0].off < 1e-6 && (lines[0].length - 1.0).abs() < 1e-6, "{:?}", lines[0]);
+            let on = |point: &Point| lines[0].normal.dot(&(point - Point::new(1.0, 2.0))).abs() < 1e-6;
+            assert!(lines[0].points.len() == 6 && lines[0].points.iter().all(on), "{:?}", lines[0]);
         }
     }
 
     #[test]
     fn contacts_all_over_are_no_wall() {
-        let (contacts, sensors) = contacts("dvr1", 0.4);
+        let contact = contacts(0.4)[0].1;
         // Around a table's leg.
-        let scattered: Vec<Contact> = (0..7)
+        let around: Vec<Contact> = (0..7)
             .map(|i| {
                 let angle = 0.9 * f64::from(i);
-                let at = Point::new(0.3 * math::cos(angle), 0.3 * math::sin(angle));
-                (Pose::new(at.x, at.y, angle + 2.5), contacts[0].1)
+                (Pose::new(0.3 * math::cos(angle), 0.3 * math::sin(angle), angle + 2.5), contact)
             })
             .collect();
-        assert_eq!(contact_lines(&scattered, &sensors).0.len(), 0);
+        assert_eq!(contact_lines(&around, RADIUS).0.len(), 0);
     }
 }

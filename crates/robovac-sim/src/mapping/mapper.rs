@@ -29,7 +29,7 @@ const PARTICLES: usize = 24;
 /// Distance and turn between two corrections, m and rad (ours: as long as odometry is accurate to a few millimetres).
 const STRETCH: (f64, f64) = (0.5, 1.6);
 /// The same for a robot with nothing but a bumper, m: long enough for several contacts with a wall.
-const BY_CONTACTS: f64 = 1.5;
+const BY_CONTACTS: f64 = 2.2;
 /// Uncertainty of a contact's direction where a wall of the room is in it, rad.
 const BY_WALL: f64 = 0.1;
 /// Readings after which another press of the bumper is a new contact, as switches bounce.
@@ -341,7 +341,7 @@ impl Mapper {
         }
         let heading = self.pose().heading;
         let walls = self.wall.into_iter().chain(self.ekf.axes()).map(|wall| difference(heading, wall));
-        let wall = walls.into_iter().find(|&direction| contact.allows(direction, &self.sensors));
+        let wall = walls.into_iter().find(|&direction| contact.allows(direction));
         wall.map_or(contact, |direction| ContactPoint { direction, deviation: BY_WALL })
     }
 

@@ -131,9 +131,9 @@ impl Multiscan {
         }
         features.add_lone(&self.sightings);
         if sensors.is_bumper_alone() {
-            let (lines, alone) = contact_lines(&self.contacts, sensors);
+            let (lines, alone) = contact_lines(&self.contacts, sensors.radius());
             lines.iter().for_each(|line| features.add_contact_line(line));
-            alone.iter().for_each(|contact| features.add_vague_contact(contact, sensors));
+            alone.iter().for_each(|contact| features.add_vague_contact(contact, sensors.radius()));
         } else {
             for (from, contact) in &self.contacts {
                 features.add_contact(*from, *contact, &lines, sensors.radius());
@@ -271,12 +271,10 @@ impl Features {
     }
 
     /// Adds a contact whose direction only the switches tell.
-    fn add_vague_contact(&mut self, (from, contact): &Contact, sensors: &SensorModel) {
+    fn add_vague_contact(&mut self, (from, contact): &Contact, radius: f64) {
         let (sin, cos) = math::sin_cos(from.heading + contact.direction);
         let normal = Vector::new(-cos, -sin);
-        let radius = 0.5 * (sensors.radius() + sensors.inner_radius());
-        let own = 2.0 * CONTACT + 0.5 * (sensors.radius() - sensors.inner_radius());
-        let (middle, group) = (from.position(), self.next_group());
+        let (middle, group, own) = (from.position(), self.next_group(), 2.0 * CONTACT);
         let at = middle - normal * radius;
         self.points.push(BoundaryPoint { at, normal, is_oriented: false, own, shared: 0.0, group, middle: Some(middle) });
     }

@@ -38,9 +38,8 @@ const SLIDES: f64 = 0.3;
 const AROUND: (f64, f64) = (0.0005, 0.85);
 /// Angle that a switch spans, as a multiple of the standard deviation within it.
 const SWITCHES: f64 = 3.5;
-/// Largest angle between the direction of a wall and of the corner of a polygon that touches it, rad (ours: half an octagon's
-/// side is 0.39).
-const BY_CORNER: f64 = 0.4;
+/// How far beyond that a contact may be, as the heading is uncertain, rad.
+const ALLOWANCE: f64 = 0.1;
 /// Uncertainty of a contact's direction found by light, rad (ours).
 const BY_LIGHT: f64 = 0.1;
 
@@ -65,11 +64,9 @@ pub struct ContactPoint {
 }
 
 impl ContactPoint {
-    /// Whether the switches allow a wall in that direction from the body's origin. A polygon touches it with a corner, which
-    /// lies in another one.
-    pub(super) fn allows(&self, direction: f64, sensors: &SensorModel) -> bool {
-        let aside = if sensors.body == Body::Round { 0.1 } else { BY_CORNER };
-        difference(self.direction, direction).abs() < 0.5 * SWITCHES * self.deviation + aside
+    /// Whether the switches allow a wall in that direction from the body's origin.
+    pub(super) fn allows(&self, direction: f64) -> bool {
+        difference(self.direction, direction).abs() < 0.5 * SWITCHES * self.deviation + ALLOWANCE
     }
 }
 
@@ -231,9 +228,10 @@ impl SensorModel {
         corners.iter().map(|[x, y]| cos * x + sin * y).fold(0.0, f64::max)
     }
 
-    /// Whether contacts are all that it senses of its surroundings.
+    /// Whether contacts of a round body are all that it senses of its surroundings: the middle of such a body is as far from a
+    /// wall that it touches, whatever the direction.
     pub fn is_bumper_alone(&self) -> bool {
-        self.light.is_none() && self.bumper.is_some() && !self.has_laser
+        self.light.is_none() && self.bumper.is_some() && !self.has_laser && self.body == Body::Round
     }
 }
 
