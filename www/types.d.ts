@@ -619,6 +619,8 @@ slip: string,
 noise: [string, string, string, string, string, string, string],
 /** Whether wheels turn only at the speeds that the motor controller can keep. */
 quantised: boolean,
+/** Charge of the battery at the start, percent. */
+start_charge_percent: number,
 /** Layers drawn on the floor. */
 shows: Shows,
 /** How the follower computes its pose. */
@@ -895,6 +897,8 @@ slip: string | null,
 noise: Array<[string, string]> | null,
 /** Whether wheel speeds are quantised. */
 quantised: boolean | null,
+/** Charge of the battery at the start, percent. */
+start_charge_percent: number | null,
 /** How the robot computes its pose. */
 odometry: string | null, };
 
@@ -1041,7 +1045,7 @@ runs: number, failure: string, };
 export type StudyOffer = { entrants: Array<StudyEntrant>, seeds: [number, number, number], minutes: [number, number, number], };
 
 /** Place and conditions of all runs, in words. */
-export type StudyPlace = { room: string, robot: string, slip: string, noise: string, quantised: boolean, };
+export type StudyPlace = { room: string, robot: string, slip: string, noise: string, quantised: boolean, start_charge_percent: number, };
 
 /** Snapshot of a study, one per frame. */
 export type StudyView = { version: number, running: boolean, done: number, total: number, seeds: number, minutes: number, entrants: Array<StudyEntrantView>, };

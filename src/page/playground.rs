@@ -288,6 +288,11 @@ impl Playground {
         self.session.configure(set).map_err(message)
     }
 
+    /// Sets the charge of the battery at the start from the text of a form, percent.
+    pub fn set_start_charge(&mut self, text: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.set_start_charge(text.trim().parse().ok(), text)).map_err(message)
+    }
+
     /// Shows or hides a layer of the picture: `coverage`, `dirt`, `sensors` or `estimate`.
     pub fn show(&mut self, layer: &str, on: bool) -> Result<(), JsValue> {
         self.session.show(layer, on).map_err(message)

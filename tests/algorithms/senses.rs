@@ -463,6 +463,29 @@ fn an_hour_of_driving_empties_the_dvr1() {
 }
 
 #[test]
+fn five_to_six_hours_on_the_dock_charge_the_dvr1() {
+    // 002, section IV.E: "Charging time for the battery is about 5-6 hours". It has no gauge, so the charge of 6 minutes is
+    // driven off again: an hour of driving takes a full battery.
+    let conditions = Conditions { start_charge_percent: 0, ..Conditions::default() };
+    let mut dvr1 = Scene::new("dvr1", dock(), conditions);
+    let on_dock = 0.0203 + dvr1.model.radius;
+    assert!(dvr1.at(on_dock, 1.5, 180.0).battery.on_dock);
+    let charging = 6.0 * 60.0 / 0.015;
+    for _ in 0..charging as u32 {
+        dvr1.step(Drive::STOP);
+    }
+    let speed = dvr1.model.max_wheel_speed;
+    dvr1.at(1.0, 1.0, 0.0);
+    let mut driving = 0.0;
+    while !dvr1.robot.is_empty() {
+        dvr1.step(Drive::wheels(speed, -speed));
+        driving += 1.0;
+    }
+    let hours = charging / driving;
+    assert!((5.0..6.0).contains(&hours), "{hours} h for an hour of driving");
+}
+
+#[test]
 fn roomba_reports_what_its_owners_read() {
     // Open Interface facts, section 6: capacity 2696 mAh; 13.9 V at 14 %, 16.0 V at 91 %.
     for (percent, millivolts) in [(14, 13_900), (91, 16_000)] {

@@ -49,6 +49,7 @@ export function startPanel(app) {
   bind("slip", (p, id) => p.set_slip(id));
   bind("noise", (p, level) => p.set_noise("all", level));
   input("quantised").addEventListener("change", () => change((p) => p.set_quantised(input("quantised").checked)));
+  bind("start-charge", (p, percent) => p.set_start_charge(percent));
   const noises = sensors.map(([sensor, title]) => noiseMenu(title, (level) => change((p) => p.set_noise(sensor, level))));
   byId("noises").replaceChildren(...noises.map(({ field }) => field));
   bind("odometry", (p, id) => p.set_odometry(id));
@@ -137,12 +138,13 @@ function noiseMenu(title, tell) {
 }
 
 /** @param {View} view @param {Show} show */
-function showRealism({ slip, noise, quantised }, show) {
+function showRealism({ slip, noise, quantised, start_charge_percent: charge }, show) {
   const level = noise.every((one) => one === noise[0]) ? (noise[0] ?? "off") : "mixed";
   show(select("slip"), slip);
   show(select("noise"), level);
   show(input("quantised"), String(quantised));
-  const on = [slip !== "none" && "slip", level !== "off" && "noise", quantised && "quantised"].filter(Boolean);
+  show(input("start-charge"), String(charge));
+  const on = [slip !== "none" && "slip", level !== "off" && "noise", quantised && "quantised", charge < 100 && `${charge} % charge`].filter(Boolean);
   setText(byId("realism-note"), on.join(", ") || "ideal");
 }
 

@@ -45,6 +45,8 @@ pub struct ScenarioChoices {
     pub noise: Option<Vec<(String, String)>>,
     /// Whether wheel speeds are quantised.
     pub quantised: Option<bool>,
+    /// Charge of the battery at the start, percent.
+    pub start_charge_percent: Option<u64>,
     /// How the robot computes its pose.
     pub odometry: Option<String>,
 }
@@ -109,8 +111,7 @@ impl ScenarioChoices {
     /// The choices of `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        let Scenario { robot, twin, cell_size, planner, behaviour, slip, noise, quantised, odometry, .. } =
-            scenario.clone();
+        let Scenario { robot, twin, cell_size, planner, behaviour, slip, noise, odometry, .. } = scenario.clone();
         Self {
             robot,
             twin: twin.map(|twin| twin.to_string()),
@@ -121,7 +122,8 @@ impl ScenarioChoices {
             seed: scenario.seed.map(|seed| seed.to_string()),
             slip,
             noise: noise.map(|levels| levels.into_iter().collect()),
-            quantised,
+            quantised: scenario.quantised,
+            start_charge_percent: scenario.start_charge_percent,
             odometry,
         }
     }
@@ -144,6 +146,7 @@ impl ScenarioChoices {
             slip: Some(conditions.slip.id().to_owned()),
             noise: Some(noisy.map(|(name, level)| (name.to_owned(), level.id().to_owned())).collect()),
             quantised: Some(conditions.quantised),
+            start_charge_percent: Some(conditions.start_charge_percent.into()),
             odometry: Some(settings.odometry.id().to_owned()),
         }
     }
@@ -187,6 +190,9 @@ impl ScenarioChoices {
         }
         if let Some(on) = self.quantised {
             settings.conditions.quantised = on;
+        }
+        if let Some(percent) = self.start_charge_percent {
+            at("start_charge_percent", settings.set_start_charge(Some(percent), &percent.to_string()))?;
         }
         if let Some(id) = &self.odometry {
             at("odometry", settings.set_odometry(id))?;

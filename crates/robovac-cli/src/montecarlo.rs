@@ -136,11 +136,12 @@ fn make_all(
 
 /// A Markdown table: medians, with 10 to 90 % of the runs in brackets.
 fn table(head: &StudyHeader<'_>, placement: &Placement, arguments: &Arguments, entries: &[EntrantRuns<'_>]) -> String {
-    let Conditions { slip, noise, quantised, .. } = head.conditions;
+    let Conditions { slip, noise, quantised, start_charge_percent: charge, .. } = head.conditions;
     let quantised = if quantised { ", quantised wheel speeds" } else { "" };
+    let charge = if charge < 100 { format!(", start charge {charge} %") } else { String::new() };
     let (robot, minutes) = (placement.robot.title, head.minutes);
     let mut text = format!(
-        "### {}, {robot}: {} runs of {minutes} min, slip {}, noise {noise}{quantised}\n\n\
+        "### {}, {robot}: {} runs of {minutes} min, slip {}, noise {noise}{quantised}{charge}\n\n\
          | Algorithm | Coverage, % | 90 % after, min | runs | 99 % after, min | runs | Distance, m | Bumps | Falls | Dirt left, % |\n\
          |---{}|\n",
         head.room,

@@ -68,6 +68,7 @@ struct SimulateReport {
     slip: SlipLevel,
     noise: String,
     quantised: bool,
+    start_charge_percent: u8,
     odometry: OdometryModel,
     #[serde(flatten)]
     totals: Totals,
@@ -143,6 +144,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         slip: conditions.slip,
         noise: conditions.noise.to_string(),
         quantised: conditions.quantised,
+        start_charge_percent: conditions.start_charge_percent,
         odometry,
         totals: Totals::of(&run),
         samples,
@@ -212,7 +214,11 @@ impl SimulateReport {
         let mut text = task::summary(algorithm, placement, &self.task);
         let quantised = if self.quantised { ", quantised" } else { "" };
         let _ = writeln!(text, "Wheels    slip: {}, odometry: {}{quantised}", self.slip.id(), self.odometry.id());
-        let _ = writeln!(text, "Sensors   noise: {}\n", self.noise);
+        let _ = writeln!(text, "Sensors   noise: {}", self.noise);
+        if self.start_charge_percent < 100 {
+            let _ = writeln!(text, "Battery   start charge: {} %", self.start_charge_percent);
+        }
+        text.push('\n');
         let _ = writeln!(text, "{:>10}  {:>9}  {:30}  Estimate", "Time", "Coverage", "Pose");
         for sample in &self.samples {
             let coverage = format!("{:.1} %", 100.0 * sample.coverage);

@@ -38,7 +38,7 @@ pub struct Conditions {
     pub noise: Noise,
     /// Whether the wheels turn only at the speeds that the motor controller can keep.
     pub quantised: bool,
-    /// Charge of the battery at the start, percent.
+    /// Charge of the battery at the start, percent, 0 to 100.
     pub start_charge_percent: u8,
     /// Whether empty batteries are replaced. Otherwise the run ends there.
     pub spare_batteries: bool,

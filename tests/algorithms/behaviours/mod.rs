@@ -8,3 +8,5 @@ mod paths;
 mod rooms;
 mod stairs;
 mod support;
+
+pub use docking::room_with_dock;

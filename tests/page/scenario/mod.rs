@@ -46,6 +46,7 @@ const SAMPLE: &str = r#"{
   "slip": "typical",
   "noise": { "cliff": "harsh" },
   "quantised": true,
+  "start_charge_percent": 40,
   "odometry": "straight"
 }"#;
 
@@ -95,7 +96,7 @@ fn everything_in_a_scenario_is_read() {
         (view.algorithm, view.robot, view.seed, view.slip, view.odometry),
         ("bounce", "roomba600", 7, "typical", "straight")
     );
-    assert!(session.link().contains("noise.cliff=harsh&quantised=true"), "{}", session.link());
+    assert!(session.link().contains("noise.cliff=harsh&quantised=true&charge=40"), "{}", session.link());
     assert_eq!(*session.plan().as_ref(), plan);
 }
 
@@ -178,12 +179,12 @@ const STRUCTURE: &[Case] = &[
     (
         "\"version\": 2,",
         "",
-        "\"a.json\", line 37, column 1: missing field `version`; fix that line or export the file again",
+        "\"a.json\", line 38, column 1: missing field `version`; fix that line or export the file again",
     ),
     (
         "\"name\": \"Nook\"",
         "\"title\": \"Nook\"",
-        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `planner`, `behaviour`, `params`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `odometry`; fix that line or export the file again",
+        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `planner`, `behaviour`, `params`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`; fix that line or export the file again",
     ),
     (
         "\"radius\": 0.02",
@@ -199,6 +200,11 @@ const STRUCTURE: &[Case] = &[
         "\"quantised\": true",
         "\"quantised\": 1",
         "\"a.json\", line 35, column 16, quantised: invalid type: integer `1`, expected a boolean; fix that line or export the file again",
+    ),
+    (
+        "\"start_charge_percent\": 40",
+        "\"start_charge_percent\": 0",
+        "\"a.json\", line 36, column 27, start_charge_percent: 0 is out of range; use a percentage from 1 to 100",
     ),
     (
         "\"width\": 8",
@@ -493,6 +499,7 @@ fn version_1_has_no_keys_of_version_2() {
         ("slip", "\"none\""),
         ("noise", "{}"),
         ("quantised", "false"),
+        ("start_charge_percent", "50"),
         ("odometry", "\"arc\""),
     ] {
         let text = format!(

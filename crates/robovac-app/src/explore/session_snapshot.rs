@@ -62,7 +62,7 @@ impl SessionSnapshot {
                 Algorithm::Behaviour(_) => (None, id),
             };
         }
-        choices.quantised = None;
+        (choices.quantised, choices.start_charge_percent) = (None, None);
         Ok(self)
     }
 }

@@ -53,6 +53,8 @@ pub struct SessionView {
     pub noise: [&'static str; SensorKind::ALL.len()],
     /// Whether wheels turn only at the speeds that the motor controller can keep.
     pub quantised: bool,
+    /// Charge of the battery at the start, percent.
+    pub start_charge_percent: u8,
     /// Layers drawn on the floor.
     pub shows: Shows,
     /// How the follower computes its pose.

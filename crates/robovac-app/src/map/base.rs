@@ -66,6 +66,10 @@ impl MapBase {
         let observer = match known {
             Some(known) => {
                 let mapper = mapper(setup.tracking).knowing(known.map().clone(), known.marks().clone());
+                let mapper = match known.dock() {
+                    Some(dock) => mapper.knowing_dock(dock),
+                    None => mapper,
+                };
                 observer.with_mapper(mapper).with_locator(known.locator(robot, setup.odometry, self.seed)?)
             }
             None => {
@@ -84,7 +88,7 @@ impl MapBase {
 /// Key of a session's room, start, robot, conditions and seed; stable between sessions.
 fn place_of(session: &Session) -> String {
     let kept = session.link_pairs().filter(|(key, _)| {
-        ["room", "robot", "twin", "cell", "seed", "slip", "quantised", "start"].contains(&key.as_str())
+        ["room", "robot", "twin", "cell", "seed", "slip", "quantised", "charge", "start"].contains(&key.as_str())
             || key.starts_with("noise.")
     });
     let kept: Vec<String> = kept.map(|(key, value)| format!("{key}={value}")).collect();

@@ -21,6 +21,7 @@ impl MapSession {
             map: estimate.map.clone(),
             marks: estimate.marks.clone(),
             known: stage.known.as_ref().map(|known| (known.name().to_owned(), known.map().clone())),
+            docks: stage.known.as_ref().map_or(Vec::new(), |known| known.docks().to_vec()),
         };
         Some(stored.to_text())
     }
@@ -33,7 +34,7 @@ impl MapSession {
         let known = match (&stored.known, robot) {
             (Some((name, map)), Some(robot)) => {
                 let of_no_use = |_| StoreError::Damaged { what: "the robot can't localise on the given map" };
-                Some(Known::of(map.clone(), name.clone(), robot).map_err(of_no_use)?)
+                Some(Known::of(map.clone(), stored.docks.clone(), name.clone(), robot).map_err(of_no_use)?)
             }
             _ => None,
         };

@@ -103,7 +103,7 @@ pub struct Battery {
     pub capacity_mah: f64,
     /// Nominal voltage, V.
     pub voltage: f64,
-    /// Current into it while it charges, mA; 0 for a robot without a dock.
+    /// Current into it while it charges on a dock, mA; 0 for a robot without contacts for one.
     pub charge_ma: f64,
     /// Whether the robot can read its gauge.
     pub has_gauge: bool,

@@ -51,6 +51,7 @@ const SIDESTEP: f64 = 3.0;
 #[derive(Debug, Clone)]
 pub struct FollowPath {
     robot: RobotModel,
+    model: OdometryModel,
     odometry: Odometry,
     /// With distance and angle, which are reported four times a second: the pose since the last report, by counts.
     since_report: Option<Odometry>,
@@ -106,6 +107,7 @@ impl FollowPath {
     pub fn new(robot: &RobotModel, odometry: OdometryModel, start: Pose, line: Arc<[Point]>) -> Self {
         let mut follower = Self {
             robot: robot.clone(),
+            model: odometry,
             cruise: robot.cruise_speed,
             is_careful: false,
             odometry: Odometry::new(robot, odometry, start),
@@ -135,6 +137,37 @@ impl FollowPath {
         self
     }
 
+    /// A follower of another line from here, with the same estimate of the pose.
+    pub(super) fn onto(&self, line: Arc<[Point]>) -> Self {
+        let mut other = Self { line, next: 0, ..self.clone() };
+        other.next_piece();
+        other
+    }
+
+    /// Takes a reading while something else drives.
+    pub(super) fn watch(&mut self, sensed: &SensorReadings) {
+        self.watch_pose(sensed);
+    }
+
+    /// Corrects its estimate of the pose; the wheels are at rest.
+    pub(super) fn relocate(&mut self, pose: Pose) {
+        self.odometry = Odometry::new(&self.robot, self.model, pose);
+        self.since_report = self.since_report.is_some().then(|| Odometry::new(&self.robot, OdometryModel::Arc, pose));
+    }
+
+    /// Drives on to the corner that was next, from wherever it is.
+    pub(super) fn resume(&mut self) {
+        if self.phase != FollowPhase::Done {
+            self.next -= 1;
+            self.next_piece();
+        }
+    }
+
+    /// The robot.
+    pub(super) fn robot(&self) -> &RobotModel {
+        &self.robot
+    }
+
     fn next_piece(&mut self) {
         self.next += 1;
         self.bumps = 0;
@@ -149,7 +182,7 @@ impl FollowPath {
     }
 
     /// Its estimate of the pose.
-    fn pose(&self) -> Pose {
+    pub(super) fn pose(&self) -> Pose {
         self.since_report.as_ref().unwrap_or(&self.odometry).pose()
     }
 

@@ -18,6 +18,7 @@ pub mod interlock;
 mod manual;
 mod parts;
 mod random_walk;
+mod recharge;
 mod s_path;
 mod spiral;
 mod timing;
@@ -29,6 +30,7 @@ pub use drive_on::drive_on;
 pub use follow_path::FollowPath;
 pub use info::{BehaviourClaims, BehaviourInfo, Setup};
 pub use intent::Intent;
+pub use recharge::Recharge;
 pub use timing::Timing;
 
 use crate::mapping::Mapper;

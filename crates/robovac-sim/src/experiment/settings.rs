@@ -42,7 +42,7 @@ pub struct Settings {
     pub cell_size: f64,
     /// Seed of everything random.
     pub seed: u64,
-    /// Slip and noise.
+    /// Slip, noise and battery.
     pub conditions: Conditions,
     /// How the follower computes its pose.
     pub odometry: OdometryModel,
@@ -241,6 +241,17 @@ impl Settings {
         Ok(())
     }
 
+    /// Sets the charge of the battery at the start, whose text is `text`.
+    pub fn set_start_charge(&mut self, percent: Option<u64>, text: &str) -> Result<(), SettingsError> {
+        let percent = percent.and_then(|percent| u8::try_from(percent).ok()).filter(|percent| (1..=100).contains(percent));
+        self.conditions.start_charge_percent = percent.ok_or_else(|| SettingsError::Invalid {
+            kind: "the start charge",
+            value: text.to_owned(),
+            expected: "a whole number from 1 to 100 (percent)",
+        })?;
+        Ok(())
+    }
+
     /// Chooses how the follower computes its pose.
     pub fn set_odometry(&mut self, id: &str) -> Result<(), SettingsError> {
         let known = || OdometryModel::ALL.map(|(_, name)| name).join(", ");
@@ -284,7 +295,7 @@ impl Settings {
         if self.seed != default.seed {
             push("seed", self.seed.to_string());
         }
-        let Conditions { slip, noise, quantised, .. } = self.conditions;
+        let Conditions { slip, noise, quantised, start_charge_percent, .. } = self.conditions;
         if slip != default.conditions.slip {
             push("slip", slip.id().to_owned());
         }
@@ -293,6 +304,9 @@ impl Settings {
         }
         if quantised {
             push("quantised", quantised.to_string());
+        }
+        if start_charge_percent != default.conditions.start_charge_percent {
+            push("charge", start_charge_percent.to_string());
         }
         if self.odometry != default.odometry {
             push("odometry", self.odometry.id().to_owned());
@@ -328,6 +342,7 @@ impl Settings {
             "slip" => self.set_slip(value)?,
             "noise" => self.set_noise(None, value)?,
             "quantised" => self.conditions.quantised = value == "true",
+            "charge" => self.set_start_charge(value.parse().ok(), value)?,
             "odometry" => self.set_odometry(value)?,
             "show" => self.shows = Shows::from_link(value)?,
             "speed" => self.speed = number("the speed", "a number, 0 for as fast as possible")?.max(0.0),

@@ -11,6 +11,7 @@ use super::{
     reckoning::{Reckoning, Rolling, WheelErrors},
     scan::{ScanMapper, paint_place},
 };
+use crate::docking::{berth, dock_at};
 use nalgebra::{Matrix3, Vector3};
 use robovac_core::{
     geometry::{Pose, Vector, difference},
@@ -137,6 +138,8 @@ pub struct Mapper {
     /// Distance driven since the start, and at the last visit to the dock, m; no dock counts if it didn't start on one.
     travelled: f64,
     docked: Option<f64>,
+    /// Its pose on its dock, once it has been there and knew where it was.
+    berth: Option<Pose>,
     /// Readings so far, while they can be processed again, and how often they have been.
     memory: Option<ReadingMemory>,
     looks: usize,
@@ -165,6 +168,7 @@ impl Mapper {
             is_lost: false,
             travelled: 0.0,
             docked: None,
+            berth: None,
             // Scans need no second look.
             memory: (setup.tracking == Tracking::Corrected && setup.robot.sensors.laser.is_none())
                 .then(ReadingMemory::default),
@@ -179,6 +183,12 @@ impl Mapper {
         self.laser = self.laser.map(|laser| laser.knowing(&map, &marks));
         (self.map, self.marks) = (map, marks);
         (self.memory, self.is_lost) = (None, true);
+        self
+    }
+
+    /// The same with a dock on the map, by which it knows its place when it comes there.
+    pub fn knowing_dock(mut self, dock: Pose) -> Self {
+        self.berth = Some(berth(dock, &self.setup.robot));
         self
     }
 
@@ -214,6 +224,11 @@ impl Mapper {
     /// Whether it stood on a dock before it first moved.
     pub fn began_on_dock(&self) -> bool {
         self.docked.is_some()
+    }
+
+    /// Its pose on its dock, if it knows the dock.
+    pub fn berth(&self) -> Option<Pose> {
+        self.berth
     }
 
     /// Its parameters.
@@ -289,6 +304,9 @@ impl Mapper {
         }
         if self.is_lifted {
             self.put_down();
+        }
+        if sensed.battery.on_dock && corrects {
+            self.moor();
         }
         let contact = self.sensors.contact(sensed, rolled[0] + rolled[1] > 0.0);
         let is_new_contact = contact.is_some() && self.untouched >= BOUNCE;
@@ -377,7 +395,9 @@ impl Mapper {
     fn find_place(&mut self, sensed: &SensorReadings, is_fresh: bool) {
         if self.finder.is_none() && is_fresh {
             let MapperSetup { robot, odometry, seed, .. } = self.setup.clone();
-            self.finder = Locator::new(&self.map, LocatorSetup { robot, odometry, seed }).map(Box::new);
+            let docks: Vec<Pose> = self.berth.iter().map(|&berth| dock_at(berth, &robot)).collect();
+            let locator = Locator::new(&self.map, LocatorSetup { robot, odometry, seed });
+            self.finder = locator.map(|locator| Box::new(locator.knowing_docks(&docks)));
             self.sure = 0;
         }
         let Some(finder) = &mut self.finder else { return };
@@ -468,6 +488,19 @@ impl Mapper {
             }
         }
         self.begin_stretch();
+    }
+
+    /// It is on its dock: a landmark (004, section 4.3). A robot that is lost knows its place there, and one that isn't
+    /// remembers the place of the dock.
+    fn moor(&mut self) {
+        match self.berth {
+            Some(berth) if self.is_lost => {
+                let square = DOCK[0] * DOCK[0];
+                self.relocate(berth, &PoseCovariance { position: [square, 0.0, square], heading: DOCK[1] });
+            }
+            None if !self.is_lost => self.berth = Some(self.pose()),
+            _ => {}
+        }
     }
 
     /// It is on its dock, whose pose is known if it began there.

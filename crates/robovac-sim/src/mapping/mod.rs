@@ -31,7 +31,8 @@
 //!   probability that is learnt from the walls met so far. Where most aren't, as in an attic, this stops by itself.
 //! - *Reprocessing*: after 10, 25 and 60 m, when the wheels are known better, all readings so far are processed again,
 //!   as everything depends on what is mapped first.
-//! - The *dock*, if the robot began there, is an absolute reference.
+//! - The *dock*, if the robot began there, is an absolute reference. A robot that is lost knows its place on a dock where
+//!   it has been before.
 
 mod boundary;
 mod contact_lines;

@@ -16,7 +16,7 @@ pub struct StudyHeader<'a> {
     pub robot: &'a str,
     /// Side of the planning cells, m.
     pub cell_size_m: f64,
-    /// Slip and noise.
+    /// Slip, noise and battery.
     #[serde(skip)]
     pub conditions: Conditions,
     /// How followers of planned paths compute their poses.
@@ -35,6 +35,7 @@ struct JsonStudy<'a> {
     slip: SlipLevel,
     noise: String,
     quantised: bool,
+    start_charge_percent: u8,
     /// The times of all curves' samples, s.
     times_s: Vec<f64>,
     algorithms: Vec<JsonAlgorithm<'a>>,
@@ -85,6 +86,7 @@ pub fn to_json(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
         slip: head.conditions.slip,
         noise: head.conditions.noise.to_string(),
         quantised: head.conditions.quantised,
+        start_charge_percent: head.conditions.start_charge_percent,
         times_s: (0..=SAMPLES).map(|i| 60.0 * head.minutes * i as f64 / SAMPLES as f64).collect(),
         algorithms: entries.iter().map(JsonAlgorithm::of).collect(),
     };
@@ -95,12 +97,12 @@ pub fn to_json(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
 /// A table with a header line, one line per run; empty for missing values.
 pub fn to_csv(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     let mut csv = String::from(
-        "room,robot,slip,noise,quantised,minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
+        "room,robot,slip,noise,quantised,start charge [%],minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
          time [s],distance [m],bumps,falls,dirt left [%],digest,measure\n",
     );
-    let Conditions { slip, quantised, .. } = head.conditions;
+    let Conditions { slip, quantised, start_charge_percent, .. } = head.conditions;
     let common = format!(
-        "{},{},{},{},{quantised},{}",
+        "{},{},{},{},{quantised},{start_charge_percent},{}",
         quoted(head.room),
         head.robot,
         slip.id(),

@@ -425,6 +425,7 @@ impl Session {
         scenario.slip = choices.slip;
         scenario.noise = choices.noise.map(|levels| levels.into_iter().collect());
         scenario.quantised = choices.quantised;
+        scenario.start_charge_percent = choices.start_charge_percent;
         scenario.odometry = choices.odometry;
         scenario.to_json()
     }

@@ -89,6 +89,7 @@ impl Session {
             slip: conditions.slip.id(),
             noise: SensorKind::ALL.map(|(kind, _)| conditions.noise.of(kind).id()),
             quantised: conditions.quantised,
+            start_charge_percent: conditions.start_charge_percent,
             shows: self.settings.shows,
             odometry: self.settings.odometry.id(),
             speed: self.settings.speed,

@@ -88,6 +88,9 @@ pub struct Scenario {
     /// Whether wheel speeds are limited to the steps of the robot's interface.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quantised: Option<bool>,
+    /// Charge of the battery at the start, percent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start_charge_percent: Option<u64>,
     /// How the robot computes its pose.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub odometry: Option<String>,
@@ -103,6 +106,7 @@ struct ScenarioHeader {
     slip: Option<IgnoredAny>,
     noise: Option<IgnoredAny>,
     quantised: Option<IgnoredAny>,
+    start_charge_percent: Option<IgnoredAny>,
     odometry: Option<IgnoredAny>,
     twin: Option<IgnoredAny>,
 }
@@ -141,7 +145,7 @@ impl ScenarioHeader {
     /// An invalid value of the header, by its path.
     fn flaw(&self) -> Option<(&'static str, Flaw)> {
         let version = self.version.as_ref()?;
-        let Self { objects, behaviour, slip, noise, quantised, odometry, twin, .. } = self;
+        let Self { objects, behaviour, slip, noise, quantised, start_charge_percent, odometry, twin, .. } = self;
         match version.as_u64() {
             Some(1) => [
                 ("objects", objects),
@@ -149,6 +153,7 @@ impl ScenarioHeader {
                 ("slip", slip),
                 ("noise", noise),
                 ("quantised", quantised),
+                ("start_charge_percent", start_charge_percent),
                 ("odometry", odometry),
                 ("twin", twin),
             ]
@@ -188,6 +193,7 @@ impl Scenario {
             slip: None,
             noise: None,
             quantised: None,
+            start_charge_percent: None,
             odometry: None,
         }
     }
@@ -242,6 +248,9 @@ impl Scenario {
             return Err(("behaviour".to_owned(), Flaw::TwoAlgorithms));
         }
         in_range("resolution", self.resolution, [MIN_RESOLUTION, MAX_RESOLUTION], "metres per cell")?;
+        if let Some(percent) = self.start_charge_percent {
+            in_range("start_charge_percent", percent as f64, [1.0, 100.0], "a percentage")?;
+        }
         let poses = self.objects.iter().enumerate().filter_map(|(index, object)| match object {
             ScenarioObject::Dock(pose) => Some((format!("objects[{index}].dock.heading_deg"), pose.heading_deg)),
             ScenarioObject::VirtualWall(beam) => {

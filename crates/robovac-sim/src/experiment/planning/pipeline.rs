@@ -2,7 +2,7 @@
 
 use crate::{
     Conditions, Run, RunSetup, World,
-    controller::{self, BehaviourInfo, Behaviours, FollowPath, Setup},
+    controller::{self, BehaviourInfo, Behaviours, FollowPath, Recharge, Setup},
 };
 use coverage_planners::{
     Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
@@ -110,13 +110,19 @@ impl RoomSetup {
         RunSetup { floor: Arc::clone(floor), world: Arc::clone(world), robot: robot.clone(), conditions, seed }
     }
 
-    /// A run along `line` (corners, m) by dead reckoning. Empty batteries are replaced, as plans are compared by the
-    /// floor that they clean, with energy as a separate number.
+    /// A run along `line` (corners, m) by dead reckoning. A robot that can dock goes to its dock when the battery is low,
+    /// and goes on where it stopped. Without a dock empty batteries are replaced, as plans are compared by the floor that
+    /// they clean, with energy as a separate number.
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
         let follower = self.follower(&self.robot, line, odometry);
         let follower = if self.world.drop_offs.is_empty() { follower } else { follower.carefully() };
-        let conditions = Conditions { spare_batteries: true, ..conditions };
-        Run::new(&self.setup(conditions, seed), Box::new(follower))
+        match Recharge::new(&follower, &self.floor, &self.world.docks, seed) {
+            Some(recharge) => Run::new(&self.setup(conditions, seed), Box::new(recharge)),
+            None => {
+                let conditions = Conditions { spare_batteries: true, ..conditions };
+                Run::new(&self.setup(conditions, seed), Box::new(follower))
+            }
+        }
     }
 
     /// The follower of `line` (corners, m) from the start, for `robot`, which is this one or its calibrated model.
