@@ -13,8 +13,8 @@ use robovac_core::{
 use robovac_sim::{
     Conditions, Noise, NoiseLevel, Run, RunSetup, SlipLevel, World,
     controller::{self, Setup},
-    montecarlo::quantile,
     mapping::{MapTruth, Mapper, MapperSetup, PoseCovariance, RESOLUTION, Tracking},
+    montecarlo::quantile,
 };
 use std::sync::Arc;
 
@@ -154,9 +154,8 @@ fn along_walls(room_id: &str, robot_id: &str, seeds: std::ops::Range<u64>) -> ([
     let robot = model(robot_id).unwrap();
     for seed in seeds {
         let mut drive = run(room_id, robot_id, "wall_follow", seed);
-        let mut mappers = [Tracking::Corrected, Tracking::Odometry].map(|way| {
-            Mapper::new(MapperSetup { seed, ..mapper(robot, drive.pose(), way).setup().clone() })
-        });
+        let mut mappers = [Tracking::Corrected, Tracking::Odometry]
+            .map(|way| Mapper::new(MapperSetup { seed, ..mapper(robot, drive.pose(), way).setup().clone() }));
         while drive.time_s() < 1200.0 {
             drive.step();
             mappers.iter_mut().for_each(|mapper| mapper.update(drive.sensors()));

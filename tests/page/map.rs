@@ -123,7 +123,10 @@ fn the_thesis_grid_is_drawn_measured_and_exported_in_the_same_run() {
     let [thesis, same] = survey.figures().expect("there is a run");
     assert_eq!(same, odometry);
     // By odometry as printed: its pose is about that of the other column, and floor is known in squares of 20 cm.
-    assert!(thesis.boundary > 0.02 && thesis.known > 0.1 && thesis.right > 0.5 && thesis != own, "{thesis:?}, ours {own:?}");
+    assert!(
+        thesis.boundary > 0.02 && thesis.known > 0.1 && thesis.right > 0.5 && thesis != own,
+        "{thesis:?}, ours {own:?}"
+    );
     let plan = survey.to_plan("thesis").expect("something is known");
     assert_eq!((plan.occupancy.width(), plan.occupancy.height(), plan.resolution), (100, 100, 0.1));
     let map = survey.shown().expect("there is a robot");
@@ -339,9 +342,14 @@ fn every_explorer_can_be_chosen_and_links_bring_choices_back() {
     for info in explorers() {
         let mut survey = small();
         survey.set("explorer", info.id).expect("it is offered");
-        for (key, value) in
-            [("track", "odometry"), ("wheels", "harsh"), ("senses", "off"), ("grid", "thesis"), ("layers", "belief,dirt"), ("pace", "4")]
-        {
+        for (key, value) in [
+            ("track", "odometry"),
+            ("wheels", "harsh"),
+            ("senses", "off"),
+            ("grid", "thesis"),
+            ("layers", "belief,dirt"),
+            ("pace", "4"),
+        ] {
             survey.set(key, value).expect(key);
         }
         let link = survey.setup().to_link();

@@ -14,9 +14,7 @@ use robovac_core::{
 };
 use robovac_sim::{
     Run, STEP_S, controller,
-    mapping::{
-        MapQuality, MapTruth, Mapper, MapperSetup, OccupancyMap, RESOLUTION, SeenBoundary, ThesisMap, Tracking,
-    },
+    mapping::{MapQuality, MapTruth, Mapper, MapperSetup, OccupancyMap, RESOLUTION, SeenBoundary, ThesisMap, Tracking},
     montecarlo::quantile,
 };
 use serde::Serialize;
@@ -163,7 +161,13 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         };
         let mappers = ways.iter().map(|&way| Kept::Mapper(Box::new(Mapper::new(setup(way)))));
         let thesis = has_thesis.then(|| Kept::Thesis(Box::new(ThesisMap::new(&prepared.robot, prepared.floor.start))));
-        outcomes.extend(follow(run, mappers.chain(thesis).map(Followed::new).collect(), prepared.robot.sensors.laser, arguments.minutes, seed));
+        outcomes.extend(follow(
+            run,
+            mappers.chain(thesis).map(Followed::new).collect(),
+            prepared.robot.sensors.laser,
+            arguments.minutes,
+            seed,
+        ));
     }
     let names: Vec<&str> = ways.iter().map(|way| way.id()).chain(has_thesis.then_some(THESIS)).collect();
     Ok(if arguments.json { output::json(&outcomes) } else { to_text(&names, &outcomes) })
@@ -197,13 +201,7 @@ impl Followed {
 }
 
 /// Drives to the end with mappers that listen; a behaviour that makes a map of its own drives by that.
-fn follow(
-    mut run: Run,
-    mut mappers: Vec<Followed>,
-    laser: Option<Laser>,
-    minutes: f64,
-    seed: u64,
-) -> Vec<MapOutcome> {
+fn follow(mut run: Run, mut mappers: Vec<Followed>, laser: Option<Laser>, minutes: f64, seed: u64) -> Vec<MapOutcome> {
     let most_steps = (60.0 * minutes / STEP_S) as u64;
     let mut readings = Vec::with_capacity(BATCH);
     let (mut seen, mut last) = (SeenBoundary::default(), None);

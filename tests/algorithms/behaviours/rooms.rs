@@ -89,7 +89,8 @@ fn time_left_at_home(plan: &FloorPlan, info: &BehaviourInfo, seed: u64) -> f64 {
 
 /// Rooms that are measured: offices and halls are too large for 20 minutes; one hall stands for them.
 fn rooms() -> impl Iterator<Item = &'static RoomInfo> {
-    let is_measured = |room: &&RoomInfo| !matches!(room.kind, RoomKind::Office | RoomKind::Large) || room.id == "hall20";
+    let is_measured =
+        |room: &&RoomInfo| !matches!(room.kind, RoomKind::Office | RoomKind::Large) || room.id == "hall20";
     ROOMS.iter().copied().filter(is_measured)
 }
 
@@ -195,18 +196,33 @@ fn behaviours_work_well_and_poorly_where_they_say() {
             }
         };
         let [best, worst] = [standing.rank(shines.room), standing.rank(fails.room)];
-        expect(best.map(|[better, _]| better < 0.34), &format!("{} isn't one of its best rooms: {best:?}", shines.room));
-        expect(worst.map(|[_, worse]| worse < 0.34), &format!("{} isn't one of its worst rooms: {worst:?}", fails.room));
+        expect(
+            best.map(|[better, _]| better < 0.34),
+            &format!("{} isn't one of its best rooms: {best:?}", shines.room),
+        );
+        expect(
+            worst.map(|[_, worse]| worse < 0.34),
+            &format!("{} isn't one of its worst rooms: {worst:?}", fails.room),
+        );
         let ratios = standing.ratio(shines.room).zip(standing.ratio(fails.room));
-        expect(ratios.map(|(best, worst)| best > 1.05 * worst), &format!("hardly better where it works well: {ratios:?}"));
+        expect(
+            ratios.map(|(best, worst)| best > 1.05 * worst),
+            &format!("hardly better where it works well: {ratios:?}"),
+        );
         for example in [shines, fails] {
             let own = standing.value(example.room, info.id);
             let values = standing.others(example.room);
             if example.why.contains("more than any other") {
-                expect(own.map(|own| values.iter().all(|&other| other <= own)), &format!("not the best in {}", example.room));
+                expect(
+                    own.map(|own| values.iter().all(|&other| other <= own)),
+                    &format!("not the best in {}", example.room),
+                );
             }
             if example.why.contains("less than any other") {
-                expect(own.map(|own| values.iter().all(|&other| other >= own)), &format!("not the last in {}", example.room));
+                expect(
+                    own.map(|own| values.iter().all(|&other| other >= own)),
+                    &format!("not the last in {}", example.room),
+                );
             }
         }
     }

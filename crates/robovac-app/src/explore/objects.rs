@@ -168,22 +168,20 @@ pub fn reshaped(plan: &FloorPlan, object: &Object, handle: usize, to: Point) -> 
         Object::Furniture { outline }
         | Object::LowObstacle { outline, .. }
         | Object::DropOff { outline }
-        | Object::Carpet { outline } => {
-            match (is_rectangle(outline), outline.as_slice()) {
-                (true, &[a, b, c, d]) => {
-                    let corners = [a, b, c, d];
-                    let at = |offset: usize| corners[(handle + offset) % 4];
-                    let fixed = at(2);
-                    let (one, other) = ((at(3) - fixed).normalize(), (at(1) - fixed).normalize());
-                    let along = |side: Vector| side * (to - fixed).dot(&side).max(LEAST_SIDE);
-                    let mut set = |offset: usize, point| outline[(handle + offset) % 4] = point;
-                    set(0, fixed + along(one) + along(other));
-                    set(1, fixed + along(other));
-                    set(3, fixed + along(one));
-                }
-                _ => move_point(outline, handle, to),
+        | Object::Carpet { outline } => match (is_rectangle(outline), outline.as_slice()) {
+            (true, &[a, b, c, d]) => {
+                let corners = [a, b, c, d];
+                let at = |offset: usize| corners[(handle + offset) % 4];
+                let fixed = at(2);
+                let (one, other) = ((at(3) - fixed).normalize(), (at(1) - fixed).normalize());
+                let along = |side: Vector| side * (to - fixed).dot(&side).max(LEAST_SIDE);
+                let mut set = |offset: usize, point| outline[(handle + offset) % 4] = point;
+                set(0, fixed + along(one) + along(other));
+                set(1, fixed + along(other));
+                set(3, fixed + along(one));
             }
-        }
+            _ => move_point(outline, handle, to),
+        },
         Object::Mover { path, .. } => move_point(path, handle, to),
     }
     tidy(plan, &object)

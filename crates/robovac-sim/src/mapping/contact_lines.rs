@@ -99,7 +99,8 @@ impl ContactLine {
     fn fit(contacts: &[Contact], normal: Vector, radius: f64) -> Option<Self> {
         let mut line = Self { normal, points: Vec::new(), off: 0.0, length: 0.0 };
         for _ in 0..ROUNDS {
-            let points: Vec<Point> = contacts.iter().filter_map(|contact| touched(contact, line.normal, radius)).collect();
+            let points: Vec<Point> =
+                contacts.iter().filter_map(|contact| touched(contact, line.normal, radius)).collect();
             let count = points.len() as f64;
             if points.len() < LEAST {
                 return None;

@@ -276,7 +276,15 @@ impl Features {
         let normal = Vector::new(-cos, -sin);
         let (middle, group, own) = (from.position(), self.next_group(), 2.0 * CONTACT);
         let at = middle - normal * radius;
-        self.points.push(BoundaryPoint { at, normal, is_oriented: false, own, shared: 0.0, group, middle: Some(middle) });
+        self.points.push(BoundaryPoint {
+            at,
+            normal,
+            is_oriented: false,
+            own,
+            shared: 0.0,
+            group,
+            middle: Some(middle),
+        });
     }
 }
 

@@ -141,14 +141,18 @@ mod tests {
         for degrees in [0.0_f64, 90.0, -90.0, 180.0, 17.0] {
             let start = Pose::new(3.35, 4.4, degrees.to_radians());
             let thesis = at_a_wall(start);
-            for (cell, status) in [((49, 50), Occupancy::Free), ((57, 50), Occupancy::Occupied), ((60, 50), Occupancy::Unknown)] {
+            for (cell, status) in
+                [((49, 50), Occupancy::Free), ((57, 50), Occupancy::Occupied), ((60, 50), Occupancy::Unknown)]
+            {
                 let local = thesis.at(f64::from(cell.0) + 0.5, f64::from(cell.1) + 0.5);
                 // Off the centre, where cells of the map meet.
                 let point = start.to_world(Point::new(local.x + 0.012, local.y + 0.012));
                 assert_eq!(thesis.map().occupancy(thesis.map().cell_at(point)), status, "{degrees}: {cell:?}");
             }
-            let known = |map: &OccupancyMap| map.iter().filter(|&(cell, _)| map.occupancy(cell) != Occupancy::Unknown).count();
-            let of_grid = thesis.grid().to_occupancy().values().iter().filter(|&&cell| cell != Occupancy::Unknown).count();
+            let known =
+                |map: &OccupancyMap| map.iter().filter(|&(cell, _)| map.occupancy(cell) != Occupancy::Unknown).count();
+            let of_grid =
+                thesis.grid().to_occupancy().values().iter().filter(|&&cell| cell != Occupancy::Unknown).count();
             let share = known(thesis.map()) as f64 / of_grid as f64;
             assert!((share - 4.0).abs() < 0.5, "{degrees}: {share} cells for each of the thesis'");
             let pose = thesis.pose();
