@@ -470,12 +470,16 @@ activity: string,
 params: Params,
 /** How the robot estimates its pose. */
 tracking: string,
+/** What to expect of the robot's maps, if it has nothing but a bumper; else empty. */
+expectation: string,
 /** How wheel counts are converted to motion. */
 counts: string,
 /** Level of wheel slip. */
 wheels: string,
 /** Level of sensor noise; empty if the kinds differ. */
 senses: string,
+/** The grid that is shown, measured and exported. */
+grid: string,
 /** Layers that are shown. */
 layers: Array<string>,
 /** Set speed, times real time; 0 for as fast as possible. */

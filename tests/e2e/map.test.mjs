@@ -294,6 +294,21 @@ test("the map is exported as a ROS map that comes back, and becomes a room", asy
   assert.match(await app.room(), /as mapped/);
 });
 
+test("the thesis' grid of the same run is shown, and exported in its own cells", async (t) => {
+  const { page, app } = await openMap(t);
+  const own = await explore(app, 120);
+  const before = await picture(page);
+  await page.locator("#map-grid").selectOption("thesis");
+  await page.locator("#map-here").getByText("Thesis").waitFor();
+  await app.poll(() => picture(page), (now) => now !== before);
+  const thesis = await figures(app);
+  assert.ok(thesis.time === own.time && thesis.mapped !== own.mapped, JSON.stringify([own, thesis]));
+  await app.poll(() => page.url(), (url) => url.includes("grid=thesis"));
+  const files = await exported(page);
+  assert.match(files.find(({ name }) => name.endsWith(".yaml")).bytes.toString(), /resolution: 0\.1\n/);
+  assert.match(files.find(({ name }) => name.endsWith(".pgm")).bytes.toString("latin1"), /^P5\n100 100 255\n/);
+});
+
 test("maps that can't be opened are explained, and the current one stays", async (t) => {
   const { page, app } = await openMap(t);
   const before = await explore(app, 40);

@@ -89,6 +89,10 @@ pub(super) fn objects(
                 trace(context, view, outline, true);
                 (palette.furniture, palette.furniture_line)
             }
+            Object::LowObstacle { outline, .. } => {
+                trace(context, view, outline, true);
+                (palette.carpet, palette.furniture_line)
+            }
             Object::Leg { at, radius } => {
                 disc(*at, *radius)?;
                 (palette.furniture, palette.furniture_line)

@@ -5,6 +5,7 @@ mod docking;
 mod exploring;
 mod papers;
 mod paths;
+mod rooms;
 mod stairs;
 mod support;
 

@@ -10,6 +10,8 @@ use robovac_core::{
 const CLICK: f64 = 0.08;
 /// Shortest side of a drawn object, m.
 const LEAST_SIDE: f64 = 0.05;
+/// Height of a low obstacle, m: that of a cable cover, and less than the DVR-1's bumper is above the floor.
+const LOW: f64 = 0.015;
 /// Radius of a table's leg, m.
 const TABLE_LEG: f64 = 0.025;
 /// Largest distance from a click to the wall at which a dock or lighthouse is placed, m.
@@ -22,6 +24,8 @@ const STROLL: f64 = 1.0;
 pub enum PlaceableKind {
     /// A box that stands on the floor.
     Furniture,
+    /// A low obstacle, which passes under some bumpers.
+    LowObstacle,
     /// Four legs.
     Table,
     /// A drop-off.
@@ -42,8 +46,9 @@ pub enum PlaceableKind {
 
 impl PlaceableKind {
     /// All kinds with their names on the page's buttons.
-    pub const ALL: [(Self, &'static str); 9] = [
+    pub const ALL: [(Self, &'static str); 10] = [
         (Self::Furniture, "furniture"),
+        (Self::LowObstacle, "low_obstacle"),
         (Self::Table, "table"),
         (Self::Stairs, "stairs"),
         (Self::Carpet, "carpet"),
@@ -71,6 +76,7 @@ impl PlaceableKind {
             |width: f64, depth: f64| if is_click { rect_around(plan, from, width, depth) } else { rect(from, to) };
         let objects = match self {
             Self::Furniture => vec![Object::Furniture { outline: usual(0.8, 0.4) }],
+            Self::LowObstacle => vec![Object::LowObstacle { outline: usual(0.9, 0.06), height: LOW }],
             Self::Stairs => vec![Object::DropOff { outline: usual(0.9, 1.0) }],
             Self::Carpet => vec![Object::Carpet { outline: usual(1.6, 1.1) }],
             Self::Table => {
@@ -159,22 +165,23 @@ pub fn reshaped(plan: &FloorPlan, object: &Object, handle: usize, to: Point) -> 
             *length = limited((to - pose.position()).norm(), BEAMS);
             *pose = looking(pose.position(), to);
         }
-        Object::Furniture { outline } | Object::DropOff { outline } | Object::Carpet { outline } => {
-            match (is_rectangle(outline), outline.as_slice()) {
-                (true, &[a, b, c, d]) => {
-                    let corners = [a, b, c, d];
-                    let at = |offset: usize| corners[(handle + offset) % 4];
-                    let fixed = at(2);
-                    let (one, other) = ((at(3) - fixed).normalize(), (at(1) - fixed).normalize());
-                    let along = |side: Vector| side * (to - fixed).dot(&side).max(LEAST_SIDE);
-                    let mut set = |offset: usize, point| outline[(handle + offset) % 4] = point;
-                    set(0, fixed + along(one) + along(other));
-                    set(1, fixed + along(other));
-                    set(3, fixed + along(one));
-                }
-                _ => move_point(outline, handle, to),
+        Object::Furniture { outline }
+        | Object::LowObstacle { outline, .. }
+        | Object::DropOff { outline }
+        | Object::Carpet { outline } => match (is_rectangle(outline), outline.as_slice()) {
+            (true, &[a, b, c, d]) => {
+                let corners = [a, b, c, d];
+                let at = |offset: usize| corners[(handle + offset) % 4];
+                let fixed = at(2);
+                let (one, other) = ((at(3) - fixed).normalize(), (at(1) - fixed).normalize());
+                let along = |side: Vector| side * (to - fixed).dot(&side).max(LEAST_SIDE);
+                let mut set = |offset: usize, point| outline[(handle + offset) % 4] = point;
+                set(0, fixed + along(one) + along(other));
+                set(1, fixed + along(other));
+                set(3, fixed + along(one));
             }
-        }
+            _ => move_point(outline, handle, to),
+        },
         Object::Mover { path, .. } => move_point(path, handle, to),
     }
     tidy(plan, &object)
@@ -189,7 +196,7 @@ pub fn object_at(objects: &[Object], at: Point, reach: f64) -> Option<usize> {
             Object::Dock { pose } => near(pose.to_world(Point::new(0.08, 0.0)), 0.16).then_some(0),
             Object::VirtualWall { pose, .. } => near(pose.position(), 0.1).then_some(0),
             Object::Mover { path, .. } => path.first().is_some_and(|&start| near(start, 0.15)).then_some(0),
-            Object::Furniture { outline } => encloses(outline, at).then_some(1),
+            Object::Furniture { outline } | Object::LowObstacle { outline, .. } => encloses(outline, at).then_some(1),
             Object::Dirt { at, radius } => near(*at, *radius).then_some(2),
             Object::DropOff { outline } => encloses(outline, at).then_some(3),
             Object::Carpet { outline } => encloses(outline, at).then_some(4),
@@ -219,7 +226,10 @@ pub fn in_words(objects: &[Object]) -> String {
 /// Its corners, or its position.
 fn points(object: &Object) -> Vec<Point> {
     match object {
-        Object::Furniture { outline } | Object::DropOff { outline } | Object::Carpet { outline } => outline.clone(),
+        Object::Furniture { outline }
+        | Object::LowObstacle { outline, .. }
+        | Object::DropOff { outline }
+        | Object::Carpet { outline } => outline.clone(),
         Object::Mover { path, .. } => path.clone(),
         Object::Leg { at, .. } | Object::Dirt { at, .. } => vec![*at],
         Object::Dock { pose } | Object::VirtualWall { pose, .. } => vec![pose.position()],
@@ -230,6 +240,7 @@ fn mapped(object: &Object, map: &dyn Fn(Point) -> Point) -> Object {
     let mut object = object.clone();
     match &mut object {
         Object::Furniture { outline: points }
+        | Object::LowObstacle { outline: points, .. }
         | Object::DropOff { outline: points }
         | Object::Carpet { outline: points }
         | Object::Mover { path: points, .. } => points.iter_mut().for_each(|p| *p = map(*p)),

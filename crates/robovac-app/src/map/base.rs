@@ -7,7 +7,7 @@ use robovac_sim::{
     Conditions, Run,
     controller::Setup,
     experiment::planning::RoomSetup,
-    mapping::{MapObserver, Mapper, MapperSetup, Tracking},
+    mapping::{MapObserver, Mapper, MapperSetup, ThesisMap, Tracking},
 };
 use std::sync::Arc;
 
@@ -72,9 +72,11 @@ impl MapBase {
                 };
                 observer.with_mapper(mapper).with_locator(known.locator(robot, setup.odometry, self.seed)?)
             }
-            // A controller with a map of its own acts by that.
-            None if controller.mapper().is_none() => observer.with_mapper(mapper(setup.tracking)),
-            None => observer,
+            None => {
+                let observer = observer.with_thesis(ThesisMap::new(robot, start));
+                // A controller with a map of its own acts by that.
+                if controller.mapper().is_none() { observer.with_mapper(mapper(setup.tracking)) } else { observer }
+            }
         };
         let run = Run::new(&prepared.setup(conditions, self.seed), controller).observed(Box::new(observer));
         let resolution = run.mapper()?.map().resolution();

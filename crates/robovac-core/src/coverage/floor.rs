@@ -220,7 +220,7 @@ impl Laid {
             let resolution = fine_resolution(plan);
             (resample(plan, resolution), resolution)
         };
-        let obstacles = shapes::obstacles(plan);
+        let obstacles = shapes::obstacles_for(plan, robot);
         let walls = Walls::new(blocked.clone(), obstacles.clone(), resolution, robot.radius);
         let mut barred = shapes::drop_offs(plan);
         if robot.sensors.infrared {

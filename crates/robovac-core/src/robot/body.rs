@@ -140,6 +140,8 @@ pub struct Bumper {
     pub half_arc: f64,
     /// A contact this far off the middle or less presses both switches, rad.
     pub both_within: f64,
+    /// Height of its lower edge above the floor, m: lower obstacles pass under it. 0 where no source gives it.
+    pub height: f64,
 }
 
 /// Six infrared distance sensors around the front.

@@ -73,7 +73,10 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         use_when: "When the battery runs low. It needs infrared receivers; in large or winding rooms the search is \
             slow.",
         shines: Example { room: "room12ft", why: "In a single room the beams are found quickly." },
-        fails: Example { room: "maze", why: "Walls block the beams, so the dock is found only by chance." },
+        fails: Example {
+            room: "flat",
+            why: "From other rooms no beam is seen, so the robot must first find the right door by chance.",
+        },
     },
     claims: BehaviourClaims { ends: true, cleans: false, walls_only: false, manual: false, explores: false },
     params: &[],

@@ -48,8 +48,8 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
                blocked, with the reason shown.",
         complexity: "O(1) time and memory per step.",
         use_when: "To clean one spot, to get to know a robot and its sensors, or to see how hard complete coverage is.",
-        shines: Example { room: "room12ft", why: "One room that is easy to keep in mind." },
-        fails: Example { room: "clutter", why: "Try to cover everything." },
+        shines: Example { room: "empty", why: "Lanes are long: there is little to steer." },
+        fails: Example { room: "maze", why: "Narrow ways turn every few steps: you steer all the time." },
     },
     claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: true, explores: false },
     params: &[ParamSpec {

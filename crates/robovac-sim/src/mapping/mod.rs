@@ -35,6 +35,7 @@
 //!   it has been before.
 
 mod boundary;
+mod contact_lines;
 mod layer;
 pub mod locate;
 mod mapper;
@@ -53,6 +54,7 @@ mod reckoning;
 mod scan;
 mod seen_boundary;
 mod thesis_grid;
+mod thesis_map;
 
 pub use layer::TiledLayer;
 pub use mapper::{Mapper, MapperSetup, RESOLUTION, Tracking};
@@ -63,3 +65,4 @@ pub use pose_covariance::PoseCovariance;
 pub use quality::{MapQuality, MapTruth};
 pub use seen_boundary::SeenBoundary;
 pub use thesis_grid::{CellStatus, ThesisGrid};
+pub use thesis_map::ThesisMap;

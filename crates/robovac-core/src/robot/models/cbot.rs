@@ -50,7 +50,7 @@ pub(super) const CBOT: RobotModel = RobotModel {
     radius: 0.223_606_797_749_979,
     wheels: WheelLayout::Differential,
     sensors: SensorSuite {
-        bumper: Some(Bumper { half_arc: FRAC_PI_2, both_within: 0.26 }),
+        bumper: Some(Bumper { half_arc: FRAC_PI_2, both_within: 0.26, height: 0.0 }),
         cliffs: [Some([0.14, 0.09]), Some([0.19, 0.05]), Some([0.19, -0.05]), Some([0.14, -0.09])],
         light_bumper: None,
         infrared: false,

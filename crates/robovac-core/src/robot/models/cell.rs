@@ -26,7 +26,7 @@ pub const fn cell_robot(cell: f64) -> RobotModel {
         radius: 0.45 * cell,
         wheels: WheelLayout::Differential,
         sensors: SensorSuite {
-            bumper: Some(Bumper { half_arc: core::f64::consts::FRAC_PI_2, both_within: 0.35 }),
+            bumper: Some(Bumper { half_arc: core::f64::consts::FRAC_PI_2, both_within: 0.35, height: 0.0 }),
             cliffs: [
                 Some([0.25 * cell, 0.4 * cell]),
                 Some([0.44 * cell, 0.1 * cell]),

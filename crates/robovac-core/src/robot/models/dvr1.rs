@@ -21,7 +21,8 @@ const SPEED: f64 = TAU * WHEEL_RADIUS * REVOLUTIONS;
 /// DVR-1.
 ///
 /// Of 002: a round body; r, R and N above, which give 0.30 m/s and a quarter turn in R / (4 r N) = 0.625 s (equation 2); a
-/// bumper of two switches that spans 120 degrees, and three cliff sensors at the left, front and right (section III,
+/// bumper of two switches that spans 120 degrees, 2 cm above the floor, and three cliff sensors at the left, front and
+/// right (section III,
 /// figures 5 and 15); two side brushes; a battery of 6 V and 4.5 Ah that lasts for about an hour and charges in 5 to 6
 /// hours (section IV.E), so with 4.5 Ah / 5.5 h. It finds no dock by itself and has no receivers for virtual walls, which
 /// are future work there, nor a gauge, nor wheel drop switches; it charges where a person puts it on a dock.
@@ -41,7 +42,7 @@ pub(super) const DVR_1: RobotModel = RobotModel {
     radius: BODY_RADIUS,
     wheels: WheelLayout::Differential,
     sensors: SensorSuite {
-        bumper: Some(Bumper { half_arc: FRAC_PI_3, both_within: 0.26 }),
+        bumper: Some(Bumper { half_arc: FRAC_PI_3, both_within: 0.26, height: 0.02 }),
         cliffs: [Some([0.057, 0.1224]), Some([0.135, 0.0]), Some([0.135, 0.0]), Some([0.057, -0.1224])],
         light_bumper: None,
         infrared: false,

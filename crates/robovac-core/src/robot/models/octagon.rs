@@ -36,7 +36,7 @@ pub(super) const OCTAGON: RobotModel = RobotModel {
     radius: HALF * 1.082_392_200_292_394,
     wheels: WheelLayout::Omnidirectional,
     sensors: SensorSuite {
-        bumper: Some(Bumper { half_arc: PI, both_within: 0.35 }),
+        bumper: Some(Bumper { half_arc: PI, both_within: 0.35, height: 0.0 }),
         cliffs: [Some([0.07, 0.16]), Some([0.17, 0.05]), Some([0.17, -0.05]), Some([0.07, -0.16])],
         light_bumper: None,
         infrared: false,

@@ -26,7 +26,7 @@ pub(super) const ROOMBA_600: RobotModel = RobotModel {
     radius: 0.174_25,
     wheels: WheelLayout::Differential,
     sensors: SensorSuite {
-        bumper: Some(Bumper { half_arc: 1.553, both_within: 0.35 }),
+        bumper: Some(Bumper { half_arc: 1.553, both_within: 0.35, height: 0.0 }),
         cliffs: [Some([0.063, 0.148]), Some([0.154, 0.042]), Some([0.154, -0.042]), Some([0.063, -0.148])],
         light_bumper: Some(LightBumper {
             angles: [1.169, 0.559, 0.21, -0.21, -0.559, -1.169],
