@@ -1,8 +1,11 @@
 // Messages between the page and its workers. What comes from Rust is in types.d.ts.
-import type { BenchResult } from "./types";
+import type { BenchResult, SessionSnapshot } from "./types";
 
 /** A planning request, the result of `take_plan_request` and the argument of `plan`. */
 export type PlanRequest = { id: number };
+
+/** A run to be written as a bag: of Explore, or of the Map tab with its link and stored state. */
+export type BagRequest = { snapshot: SessionSnapshot } & ({ corners: Float64Array; inputs: Float64Array; end_s: number } | { link: string; stored: string });
 
 /** Messages to and from the planning worker. Cells are x, y, x, y, ... */
 export type ToWorker =
@@ -11,6 +14,7 @@ export type ToWorker =
   | { type: "prove"; request: PlanRequest; cells: Uint32Array }
   | { type: "trial"; request: { id: number } }
   | { type: "runs"; request: { id: number } }
+  | { type: "bag"; request: { id: number } & BagRequest }
   | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
 /** Cost of a plan, and its lower bound. */
 export type Proof = Float64Array;
@@ -33,6 +37,8 @@ export type FromRuns = { type: "ran"; id: number; outcomes: Float64Array } | { t
 export type ReadMap = { name: string; width: number; cells: Uint8Array };
 
 export type FromReader = { type: "read"; id: number; map: ReadMap } | { type: "failed"; id: number; message: string };
+
+export type FromBag = { type: "bagged"; id: number; bytes: Uint8Array } | { type: "failed"; id: number; message: string };
 
 /** Messages of the benchmark's worker. */
 export type FromBench =
