@@ -10,7 +10,8 @@ use robovac_playground::wire::message;
 use wasm_bindgen::prelude::*;
 
 /// What is missing, as a sentence for users.
-const MISFIT: &str = "There is no run: the robot doesn't fit into this room. Move its start, or choose a smaller robot.";
+const MISFIT: &str =
+    "There is no run: the robot doesn't fit into this room. Move its start, or choose a smaller robot.";
 
 /// The run of a playground: `snapshot`, `corners`, `inputs` and the end of the run are the playground's. Blocks until it
 /// was simulated again; throws a sentence for users.

@@ -109,12 +109,11 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let is_over = end_requested()?;
     let participant = Participant::new(&arguments.node)?;
     let pace = Pace { epoch_s: if is_simulated { 0.0 } else { since_1970() }, ..Pace::LIVE };
-    let namespaces: &[String] =
-        if arguments.namespace.is_empty() { &[String::new()] } else { &arguments.namespace };
+    let namespaces: &[String] = if arguments.namespace.is_empty() { &[String::new()] } else { &arguments.namespace };
     let robots = namespaces.iter().zip(0..).map(|(namespace, i)| scene.robot(&participant, namespace, i, pace));
     let mut robots = robots.collect::<Result<Vec<Robot>, Failure>>()?;
     for robot in &mut robots {
-        robot.node.publish(robot.topics.take())?;
+        robot.publish()?;
         say(&format!("{} is ready in domain {}", robot.node.name(), participant.domain()));
     }
     let mut began = Instant::now();
@@ -166,8 +165,7 @@ impl<'a> Scene<'a> {
             Some(id) => {
                 let planner = plan::planner(id)?;
                 let params = arguments.params.checked(planner.params)?;
-                let task =
-                    PlanningTask { placement: placement.clone(), planner, params, seed: arguments.params.seed };
+                let task = PlanningTask { placement: placement.clone(), planner, params, seed: arguments.params.seed };
                 let began = Instant::now();
                 let solution = task.solve(|| began.elapsed().as_secs_f64(), None)?;
                 (solution.prepared, solution.planned.line.to_vec())
@@ -229,7 +227,13 @@ impl Robot {
         if self.run.is_finished() {
             self.topics.finish(&self.run);
         }
-        self.node.publish(self.topics.take().filter(|message| self.remote.is_none() || *message.topic != topic::CMD_VEL))
+        self.publish()
+    }
+
+    /// Publishes what there is; commands only if they don't come from that topic.
+    fn publish(&mut self) -> Result<(), Failure> {
+        let is_remote = self.remote.is_some();
+        self.node.publish(self.topics.take().filter(|message| !is_remote || *message.topic != topic::CMD_VEL))
     }
 }
 

@@ -6,7 +6,10 @@ use coverage_planners::{
     sweep::{LinkOrder, Sweep, SweepError, SweepSetup, in_frame, planned_for, sweep},
 };
 use floor_drawing::{Traced, is_drawing, is_dxf};
-use robovac_app::{export::{PathFormat, path_bag}, floor_plan::sweep_dxf};
+use robovac_app::{
+    export::{PathFormat, path_bag},
+    floor_plan::sweep_dxf,
+};
 use robovac_core::{
     cspace::{CspaceError, Outline},
     geometry::{Point, Vector},

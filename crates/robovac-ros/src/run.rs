@@ -199,9 +199,8 @@ impl RunTopics {
     fn tell_poses(&mut self, run: &Run) {
         let now = self.now(run);
         let poses = [self.odometry.pose(), compose(self.origin, run.pose())];
-        let speeds = self.told.map_or([[0.0; 3]; 2], |(at, before)| {
-            [0, 1].map(|i| velocity(before[i], poses[i], now - at))
-        });
+        let speeds =
+            self.told.map_or([[0.0; 3]; 2], |(at, before)| [0, 1].map(|i| velocity(before[i], poses[i], now - at)));
         self.told = Some((now, poses));
         let [pose, truth] = poses;
         self.put(&topic::ODOM, now, message::odometry(now, ODOM, pose, speeds[0]));

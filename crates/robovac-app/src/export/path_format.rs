@@ -1,12 +1,12 @@
 //! Files of a path.
 
+use super::run_bag::BAG_TYPE;
 use coverage_planners::sweep::{program, to_csv, to_ros_path};
 use robovac_core::{
     geometry::Point,
     robot::{RobotModel, model},
 };
 use robovac_link::commands_text;
-use super::run_bag::BAG_TYPE;
 use serde::{Deserialize, Serialize};
 
 /// The robot of command files: only its drive speaks the Open Interface.

@@ -97,3 +97,57 @@ impl RunBag {
 pub fn path_bag(plan: &FloorPlan, robot: &RobotModel, path: &[Point], heading: f64) -> Result<Vec<u8>, BagError> {
     file_of(path_topics(&SourceMap { plan, robot, path }, heading))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::geometry::Pose;
+
+    /// A session that was driven for a while, lifted, put down and driven on; and the digest of its state.
+    fn driven(link: &str) -> (Session, f64, u64) {
+        let mut session = Session::new();
+        session.restore(link).unwrap();
+        session.plan_now(|| 0.0);
+        session.run_ahead(5.0);
+        session.lift();
+        session.run_ahead(0.6);
+        session.put_down(Pose::new(1.1, 1.2, 0.3));
+        session.run_ahead(5.0);
+        let run = session.recording().unwrap().run();
+        let (end_s, digest) = (run.time_s(), run.digest());
+        (session, end_s, digest)
+    }
+
+    #[test]
+    fn the_bag_of_a_run_is_of_that_very_run() {
+        for link in ["room=bedroom&behaviour=bounce&slip=typical", "room=bedroom&planner=boustrophedon&slip=typical"] {
+            let (session, end_s, digest) = driven(link);
+            let line = session.planned().map_or(Vec::new(), |planned| planned.line.to_vec());
+            let numbers = RunBag::inputs_to_numbers(session.recording().unwrap().inputs());
+            let inputs = RunBag::inputs_from_numbers(&numbers);
+            assert_eq!(inputs, session.recording().unwrap().inputs());
+            // Another session, as in a worker: it has no plan.
+            let mut other = Session::new();
+            other.follow(&session.snapshot()).unwrap();
+            let (bytes, found) = RunBag::of_session(&other, line, inputs, end_s).unwrap().unwrap().finish().unwrap();
+            assert_eq!(found, digest, "{link}");
+            assert!(bytes.starts_with(b"\x89MCAP0") && bytes.len() > 50_000, "{link}: {} bytes", bytes.len());
+        }
+    }
+
+    #[test]
+    fn the_bag_of_a_mapping_run_is_of_that_very_run() {
+        let mut session = Session::new();
+        session.restore("room=bedroom").unwrap();
+        let mut mapping = MapSession::new();
+        mapping.take(&session);
+        mapping.set("explorer", "wall_follow").unwrap();
+        mapping.run_ahead(8.0);
+        let mut other = MapSession::new();
+        other.take(&session);
+        other.restore(&mapping.setup().to_link()).unwrap();
+        other.resume(&mapping.store().unwrap()).unwrap();
+        let (_, digest) = RunBag::of_mapping(&other).unwrap().unwrap().finish().unwrap();
+        assert_eq!(digest, mapping.run().unwrap().digest());
+    }
+}
