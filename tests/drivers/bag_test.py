@@ -65,6 +65,12 @@ def robot_on_map(at, transforms):
     return place
 
 
+def is_wall(grid, column, row):
+    """Whether a cell is occupied; everything outside is."""
+    info = grid.info
+    return not (0 <= column < info.width and 0 <= row < info.height) or grid.data[row * info.width + column] == 100
+
+
 def same(name, ours, theirs):
     """Both readers have read the same numbers."""
     assert ours.keys() == theirs.keys(), (name, ours.keys() ^ theirs.keys())
@@ -109,7 +115,7 @@ def check_run(program, folder):
     first = plan.poses[0].pose.position
     assert math.hypot(first.x - report["samples"][0]["pose"]["x"], first.y - report["samples"][0]["pose"]["y"]) < 1e-9
     assert seconds(plan.poses[-1].header.stamp) > 60, plan.poses[-1]
-    # A scan hits what the map has: most points of the first one end at an occupied cell, or beside one.
+    # A scan hits what the map has: the points of the first one end at an occupied cell, or beside one. The outside is wall.
     (_, mounted), = messages["/tf_static"]
     (link,) = mounted.transforms
     assert (link.header.frame_id, link.child_frame_id) == ("base_link", "laser"), link
@@ -123,9 +129,9 @@ def check_run(program, folder):
             continue
         hits += 1
         angle = turn + scan.angle_min + i * scan.angle_increment
-        column, row = ((at + distance * way) / room.info.resolution for at, way in ((x, math.cos(angle)), (y, math.sin(angle))))
-        near = ((int(column + dx), int(row + dy)) for dx in (-1, 0, 1) for dy in (-1, 0, 1))
-        found += any(0 <= i < room.info.width and 0 <= j < room.info.height and room.data[j * room.info.width + i] == 100 for i, j in near)
+        column, row = (math.floor((at + distance * way) / room.info.resolution) for at, way in ((x, math.cos(angle)), (y, math.sin(angle))))
+        near = ((column + dx, row + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1))
+        found += any(is_wall(room, i, j) for i, j in near)
     assert hits > 100 and found / hits > 0.95, (hits, found)
     assert abs(scan.angle_min + (len(scan.ranges) - 1) * scan.angle_increment - scan.angle_max) < 1e-4, scan.angle_max
     # Commands are what the wheels follow.
@@ -165,16 +171,16 @@ def check_map(program, folder):
     assert len(known) >= 6 and known[-1] > known[0], known
     (_, truth), = messages["/ground_truth/map"]
     _, last = messages["/map"][-1]
-    # The walls of the map are walls of the room, or next to one.
-    off = [last.info.origin.position.x, last.info.origin.position.y]
+    # The walls of the map are walls of the room, or of its outside, or next to them.
+    room = truth.info
     walls = right = 0
     for i, cell in enumerate(last.data):
         if cell != 100:
             continue
         walls += 1
-        x, y = (off[0] + (i % last.info.width + 0.5) * last.info.resolution, off[1] + (i // last.info.width + 0.5) * last.info.resolution)
-        column, row = int(x // truth.info.resolution), int(y // truth.info.resolution)
-        right += any(truth.data[j * truth.info.width + i] == 100 for i in range(max(column - 2, 0), min(column + 3, truth.info.width)) for j in range(max(row - 2, 0), min(row + 3, truth.info.height)))
+        x = last.info.origin.position.x + (i % last.info.width + 0.5) * last.info.resolution
+        y = last.info.origin.position.y + (i // last.info.width + 0.5) * last.info.resolution
+        right += any(is_wall(truth, math.floor(x / room.resolution) + dx, math.floor(y / room.resolution) + dy) for dx in (-2, 0, 2) for dy in (-2, 0, 2))
     assert walls > 20 and right / walls > 0.9, (walls, right)
 
 
