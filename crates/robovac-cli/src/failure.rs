@@ -34,7 +34,7 @@ impl Failure {
     pub fn bag(path: &Path, error: BagError) -> Self {
         match error {
             BagError::File(error) => Self::io(path.display(), &error),
-            other => Self::system(format!("{}: {other}; please report this", path.display())),
+            other @ BagError::Format(_) => Self::system(format!("{}: {other}; please report this", path.display())),
         }
     }
 

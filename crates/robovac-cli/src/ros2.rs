@@ -42,15 +42,15 @@ const LOST: Duration = Duration::from_millis(500);
 const LAG_S: f64 = 0.5;
 
 /// Simulate a robot as a node of ROS 2, without an installation of it: it publishes map, odometry, frames and sensors,
-/// and is driven by cmd_vel, or by --planner or --behaviour
+/// and is driven by velocity commands, or by --planner or --behaviour
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
     placement: PlacementArguments,
-    /// Planner that drives instead of cmd_vel, see "robovac planners"
+    /// Planner that drives instead of commands, see "robovac planners"
     #[arg(long, value_name = "ID", conflicts_with = "behaviour")]
     planner: Option<String>,
-    /// Behaviour that drives instead of cmd_vel, see "robovac behaviours"
+    /// Behaviour that drives instead of commands, see "robovac behaviours"
     #[arg(long, value_name = "ID")]
     behaviour: Option<String>,
     #[command(flatten)]
@@ -62,7 +62,7 @@ pub struct Arguments {
     namespace: Vec<String>,
     #[command(flatten)]
     node: NodeArguments,
-    /// Simulated time: stamps count from 0, and /clock is published, for nodes with use_sim_time
+    /// Simulated time: stamps count from 0, and /clock is published, for nodes that use it
     #[arg(long)]
     sim_time: bool,
     /// Speed, times real time; other than 1 implies --sim-time

@@ -45,7 +45,7 @@ pub struct Arguments {
     /// Simulated time limit [default: none; 1800 for behaviours that never finish]
     #[arg(long, value_name = "SECONDS", value_parser = parse_seconds, allow_hyphen_values = true)]
     max_time: Option<f64>,
-    /// Write ROS 2 messages as MCAP, for Foxglove, RViz and "ros2 bag"
+    /// Write ROS 2 messages as MCAP, for Foxglove and "ros2 bag"
     #[arg(long, value_name = "FILE")]
     mcap: Option<PathBuf>,
     /// Write one JSON object instead of a table and a summary

@@ -145,7 +145,8 @@ impl Kind {
         while let Some(&(package, name)) = named.get(next) {
             next += 1;
             let fields = fields(package, name);
-            text += &format!("{}\nMSG: {package}/{name}\n{fields}", "=".repeat(80));
+            text.push_str(&"=".repeat(80));
+            text.extend(["\nMSG: ", package, "/", name, "\n", fields]);
             for found in types_in(fields).filter_map(known) {
                 if !named.contains(&found) {
                     named.push(found);

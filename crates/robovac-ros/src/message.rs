@@ -305,7 +305,7 @@ mod tests {
 
     #[test]
     fn unknown_floor_is_minus_one() {
-        let plan = robovac_core::floor_plan::FloorPlan {
+        let plan = FloorPlan {
             name: String::new(),
             note: String::new(),
             resolution: 0.5,
