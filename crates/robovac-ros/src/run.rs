@@ -33,7 +33,7 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// For files: ten poses a second, from 0; a half hour of a Roomba takes about 20 MB.
+    /// For files: ten poses a second, from 0; a half hour of a Roomba takes 35 MB.
     pub const FILE: Self = Self { epoch_s: 0.0, odometry_s: 0.1 };
     /// For nodes: what planners of local paths expect, from 0.
     pub const LIVE: Self = Self { epoch_s: 0.0, odometry_s: 0.045 };
