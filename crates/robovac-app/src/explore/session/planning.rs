@@ -206,7 +206,7 @@ impl Session {
         match RoomSetup::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
             Ok(prepared) => {
                 self.requests += 1;
-                let Settings { algorithm, ref params, conditions, seed, .. } = self.settings;
+                let Settings { algorithm, ref params, seed, .. } = self.settings;
                 match algorithm {
                     Algorithm::Planner(planner) => {
                         let (params, job) = (params.clone(), prepared.job.clone());
@@ -224,14 +224,13 @@ impl Session {
                         });
                     }
                     // No planning: a behaviour doesn't know the room.
-                    Algorithm::Behaviour(behaviour) => {
-                        let behaviours = self.settings.behaviours();
-                        let run = prepared.run_one_of(behaviours, behaviour, params, conditions, seed);
-                        self.recording = run.map(RunRecording::new);
-                    }
+                    Algorithm::Behaviour(_) => {}
                 }
                 self.warn_of_closed_off(&prepared);
                 self.prepared = Some(prepared);
+                if algorithm.behaviour().is_some() {
+                    self.recording = self.new_run(&Arc::new([])).map(RunRecording::new);
+                }
             }
             Err(error) => {
                 self.prepared = None;
