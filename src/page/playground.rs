@@ -8,6 +8,7 @@ use js_sys::{Array, Float64Array};
 use robovac_app::{
     RobotView, Scene, Viewport,
     explore::{Brush, Catalogue, FloorTool, ObjectTool, PageView, RobotEntry, Session},
+    export::RunBag,
 };
 use robovac_core::{
     floor_plan::Object,
@@ -392,6 +393,11 @@ impl Playground {
     /// Corners of the line that was planned, x and y in turn, m; none if there is no plan.
     pub fn corners(&self) -> Vec<f64> {
         self.session.planned().map_or(Vec::new(), |planned| planned.line.iter().flat_map(|p| [p.x, p.y]).collect())
+    }
+
+    /// A person's inputs of the run, for `run_bag`.
+    pub fn inputs(&self) -> Vec<f64> {
+        self.session.recording().map_or(Vec::new(), |recording| RunBag::inputs_to_numbers(recording.inputs()))
     }
 
     // ---- pointer and keys

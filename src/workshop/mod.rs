@@ -10,6 +10,7 @@ mod montecarlo;
 mod plan_job;
 mod read_map;
 mod replay;
+mod run_bag;
 mod runner;
 mod session_mirror;
 mod trial;

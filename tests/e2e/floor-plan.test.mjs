@@ -97,7 +97,7 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
   await screenshot("floor-plan-sweep");
   assert.match(await page.locator("#floor-plan-floor").getAttribute("aria-label"), /sweep of [\d.]+ metres/);
 
-  const starts = { dxf: /^\s*0\r?\n\s*SECTION|^\s*999/, program: /^; planned   for an octagon, 0\.400 m wide\n; robot     moves as the Omnidirectional octagon/, commands: /^# planned   for an octagon, 0\.400 m wide\n# runs on   Roomba 600/, csv: /^x/, poses: /./ };
+  const starts = { dxf: /^\s*0\r?\n\s*SECTION|^\s*999/, program: /^; planned   for an octagon, 0\.400 m wide\n; robot     moves as the Omnidirectional octagon/, commands: /^# planned   for an octagon, 0\.400 m wide\n# runs on   Roomba 600/, csv: /^x/, poses: /./, bag: /^\x89MCAP0/ };
   for (const [format, start] of Object.entries(starts)) {
     const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`[data-format=${format}]`).click()]);
     const content = fs.readFileSync(await download.path(), "latin1");

@@ -5,6 +5,7 @@ import { test } from "node:test";
 import { App, seconds, taken } from "./app.mjs";
 import { openPage } from "./harness.mjs";
 import { anyFile } from "./maps.mjs";
+import { messagesOf } from "./mcap.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 /** A small room, mapped fast. */
@@ -267,6 +268,18 @@ test("what another version has stored is explained and kept aside", async (t) =>
   assert.match(fs.readFileSync(await download.path(), "utf8"), /robovac-survey/);
   // The page goes on.
   await explore(app, 20);
+});
+
+test("a mapping run goes out as a ROS 2 bag", async (t) => {
+  const { page, app } = await openMap(t);
+  assert.ok(await page.locator("#map-bag").isDisabled(), "there is no run yet");
+  const { time } = await explore(app, 60);
+  const [download] = await taken(page, 1, () => page.locator("#map-bag").click());
+  const messages = messagesOf(fs.readFileSync(await download.path()));
+  const maps = messages["/map"];
+  assert.ok(maps.length > 5 && maps.at(-1)[1].length > maps[0][1].length, `${maps.length} maps`);
+  assert.ok(Math.abs(maps.at(-1)[0] - time) < 1.1, `${maps.at(-1)[0]} s of ${time} s`);
+  assert.equal(messages["/ground_truth/map"].length, 1);
 });
 
 test("the map is exported as a ROS map that comes back, and becomes a room", async (t) => {

@@ -1,6 +1,7 @@
 //! `map`: quality of a robot's maps, with and without drift correction.
 
 use super::{
+    bag_file::BagFile,
     conditions::ConditionsArguments,
     failure::Failure,
     output,
@@ -12,13 +13,22 @@ use robovac_core::{
     geometry::{Pose, difference},
     robot::{Laser, SensorReadings},
 };
+use robovac_ros::{Pace, RunTopics, SourceMap};
 use robovac_sim::{
     Run, STEP_S, controller,
-    mapping::{MapQuality, MapTruth, Mapper, MapperSetup, OccupancyMap, RESOLUTION, SeenBoundary, ThesisMap, Tracking},
+    mapping::{
+        MapObserver, MapQuality, MapTruth, Mapper, MapperSetup, OccupancyMap, RESOLUTION, SeenBoundary, ThesisMap,
+        Tracking,
+    },
     montecarlo::quantile,
 };
 use serde::Serialize;
-use std::{fmt::Write, sync::Arc, time::Instant};
+use std::{
+    fmt::Write,
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::Instant,
+};
 
 /// Readings that are taken at once, so that measuring the time takes none: a second.
 const BATCH: usize = 67;
@@ -49,6 +59,9 @@ pub struct Arguments {
     /// Grid of the map
     #[arg(long, value_name = "GRID", default_value = "own")]
     grid: MapGrid,
+    /// Write ROS 2 messages of the run with the first seed as MCAP, with the first kind of tracking's map
+    #[arg(long, value_name = "FILE")]
+    mcap: Option<PathBuf>,
     /// Write JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -140,7 +153,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let id = &arguments.behaviour;
     let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
     let params = arguments.params.checked(info.params)?;
-    let prepared = arguments.placement.placement(DEFAULT_ROBOT)?.prepare()?;
+    let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
+    let prepared = placement.prepare()?;
     let conditions = arguments.conditions.conditions();
     let ways: &[Tracking] = match arguments.tracking {
         TrackingWays::Odometry => &[Tracking::Odometry],
@@ -159,6 +173,13 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
             odometry: arguments.conditions.odometry,
             seed,
         };
+        if let Some(path) = arguments.mcap.as_deref().filter(|_| seed == first) {
+            let observer = MapObserver::default().with_mapper(Mapper::new(setup(ways[0])));
+            let run = prepared.run_behaviour(info, &params, conditions, seed);
+            let run = run.ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?.observed(Box::new(observer));
+            let source = SourceMap { plan: &placement.plan, robot: &prepared.robot, path: &[] };
+            record(run, &source, arguments.minutes, path)?;
+        }
         let mappers = ways.iter().map(|&way| Kept::Mapper(Box::new(Mapper::new(setup(way)))));
         let thesis = has_thesis.then(|| Kept::Thesis(Box::new(ThesisMap::new(&prepared.robot, prepared.floor.start))));
         outcomes.extend(follow(
@@ -171,6 +192,21 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     }
     let names: Vec<&str> = ways.iter().map(|way| way.id()).chain(has_thesis.then_some(THESIS)).collect();
     Ok(if arguments.json { output::json(&outcomes) } else { to_text(&names, &outcomes) })
+}
+
+/// Drives once more with the mapper in the run, and writes its messages.
+fn record(mut run: Run, source: &SourceMap<'_>, minutes: f64, path: &Path) -> Result<(), Failure> {
+    let mut bag = BagFile::create(path)?;
+    let most_steps = (60.0 * minutes / STEP_S) as u64;
+    let mut topics = RunTopics::new(source, &run, Pace::FILE);
+    while !run.is_finished() && run.steps() < most_steps {
+        run.step();
+        topics.step(&run);
+        bag.put_all(topics.take())?;
+    }
+    topics.finish(&run);
+    bag.put_all(topics.take())?;
+    bag.finish()
 }
 
 /// A map that follows a run, and how far off its pose was.

@@ -64,6 +64,11 @@ impl RunRecording {
         Self { inputs, ..self }
     }
 
+    /// The same from the start again, without what was simulated so far.
+    pub fn again(&self) -> Self {
+        Self::within(self.key_frames[0].clone(), 0).with_inputs(self.inputs.clone())
+    }
+
     /// A person's inputs, with the number of steps before each.
     pub fn inputs(&self) -> &[(u64, Input)] {
         &self.inputs

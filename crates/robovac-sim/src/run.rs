@@ -5,7 +5,7 @@ use crate::controller::{Controller, drive_on, interlock::Blocked};
 use robovac_core::{
     coverage::{CoverageTracker, ReachableFloor},
     geometry::{Point, Pose, difference},
-    robot::{Odometry, OdometryModel, RobotModel, RobotPort, SensorReadings},
+    robot::{Drive, Odometry, OdometryModel, RobotModel, RobotPort, SensorReadings},
 };
 use std::{any::Any, collections::VecDeque, sync::Arc};
 
@@ -315,6 +315,11 @@ impl Run {
     /// The latest sensor reading.
     pub fn sensors(&self) -> &SensorReadings {
         self.robot.sensors()
+    }
+
+    /// The wheel speeds that the robot was last commanded.
+    pub fn commanded(&self) -> Drive {
+        self.robot.commanded()
     }
 
     /// Distance driven, m.

@@ -73,6 +73,11 @@ impl SimRobot {
         self.pose
     }
 
+    /// Commanded wheel speeds.
+    pub fn commanded(&self) -> Drive {
+        self.wanted
+    }
+
     /// Present wheel speeds.
     #[inline]
     pub fn speed(&self) -> Drive {

@@ -2,7 +2,7 @@
 
 use super::{DrawingPart, DrawingSession, DrawingSource};
 use crate::{
-    export::{ExportFile, PathFormat},
+    export::{ExportFile, PathFormat, path_bag},
     floor_plan::sweep_dxf,
 };
 use coverage_planners::sweep::{Sweep, in_frame, planned_for};
@@ -32,6 +32,9 @@ impl DrawingSession {
         let (path, heading) = in_frame(&sweep.path, start, room.plan.origin);
         let bytes = match format.text((&path, heading), model, &planned) {
             Some(text) => text.into_bytes(),
+            None if format == PathFormat::Bag => {
+                path_bag(&room.plan, model, &sweep.path, start).map_err(|error| error.to_string())?
+            }
             None => self.dxf(room, sweep)?,
         };
         let (ending, kind) = format.file_type();

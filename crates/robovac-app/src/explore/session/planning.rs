@@ -3,15 +3,15 @@
 use super::{Planning, Session, sentence};
 use crate::explore::{PlanSearch, SessionState, Showing, opening};
 use coverage_planners::{CoveragePath, Film, FilmFrame, PlanError, PlannerInfo, ProgressReport, Proof};
-use robovac_core::{coverage::FloorError, floor_plan};
+use robovac_core::{coverage::FloorError, floor_plan, geometry::Point};
 use robovac_sim::{
-    RunRecording,
+    Run, RunRecording,
     experiment::{
         Algorithm, Settings,
         planning::{PlanAnswer, PlanRequest, Planned, RoomSetup},
     },
 };
-use std::ops::ControlFlow;
+use std::{ops::ControlFlow, sync::Arc};
 
 /// Least coverage of the reachable floor without a warning.
 const LEAST_COVERAGE: f64 = 0.75;
@@ -110,8 +110,7 @@ impl Session {
         let Some(prepared) = &self.prepared else { return };
         match Planned::new(prepared, &answer) {
             Ok(planned) => {
-                let Settings { conditions, odometry, seed, .. } = self.settings;
-                self.recording = Some(RunRecording::new(planned.run(prepared, conditions, odometry, seed)));
+                self.recording = self.new_run(&planned.line).map(RunRecording::new);
                 let PlanAnswer { path, trace, proof, .. } = answer;
                 planning.film.take(&ProgressReport { done: 1.0, walk: &path.cells, line: &[], proof });
                 self.film = Showing::new(&planning.film.take_frames(), &prepared.planning_grid, self.holds_films);
@@ -122,6 +121,20 @@ impl Session {
                 self.begin_film();
             }
             Err(error) => self.planner_failed(&error.to_string()),
+        }
+    }
+
+    /// A run from the start: along `line` (corners, m) for a planner or a path from elsewhere. `None` if the robot doesn't fit, or if the
+    /// behaviour isn't available.
+    pub(crate) fn new_run(&self, line: &Arc<[Point]>) -> Option<Run> {
+        let prepared = self.prepared.as_ref()?;
+        let Settings { algorithm, ref params, ref path, conditions, odometry, seed, .. } = self.settings;
+        match algorithm {
+            _ if path.is_some() => Some(prepared.run_along(line, conditions, odometry, seed)),
+            Algorithm::Planner(_) => Some(prepared.run_along(line, conditions, odometry, seed)),
+            Algorithm::Behaviour(behaviour) => {
+                prepared.run_one_of(self.settings.behaviours(), behaviour, params, conditions, seed)
+            }
         }
     }
 
@@ -215,13 +228,11 @@ impl Session {
         match self.lay_out() {
             Ok(prepared) => {
                 self.requests += 1;
-                let Settings { algorithm, ref params, ref path, conditions, odometry, seed, .. } = self.settings;
+                let Settings { algorithm, ref params, ref path, seed, .. } = self.settings;
                 match algorithm {
                     // No planning: it was planned elsewhere.
                     _ if let Some(path) = path => {
-                        let planned = Planned::along(&prepared, path, 0.0);
-                        self.recording = Some(RunRecording::new(planned.run(&prepared, conditions, odometry, seed)));
-                        self.planned = Some(planned);
+                        self.planned = Some(Planned::along(&prepared, path, 0.0));
                     }
                     Algorithm::Planner(planner) => {
                         let (params, job) = (params.clone(), prepared.job.clone());
@@ -239,14 +250,14 @@ impl Session {
                         });
                     }
                     // No planning: a behaviour doesn't know the room.
-                    Algorithm::Behaviour(behaviour) => {
-                        let behaviours = self.settings.behaviours();
-                        let run = prepared.run_one_of(behaviours, behaviour, params, conditions, seed);
-                        self.recording = run.map(RunRecording::new);
-                    }
+                    Algorithm::Behaviour(_) => {}
                 }
                 self.warn_of_closed_off(&prepared);
                 self.prepared = Some(prepared);
+                let line = self.planned.as_ref().map(|planned| Arc::clone(&planned.line));
+                if line.is_some() || algorithm.behaviour().is_some() {
+                    self.recording = self.new_run(&line.unwrap_or_default()).map(RunRecording::new);
+                }
             }
             Err(error) => {
                 self.prepared = None;
