@@ -273,7 +273,7 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   // What has one name is one number.
   const { cells } = first.rows.find(({ name }) => name === "Growing spirals");
   await app.poll(() => app.metric("Above the minimum"), ({ plan }) => /%/.test(plan));
-  for (const [there, here] of [["Coverage"], ["Above the minimum"], ["Length", "Distance"], ["Time"], ["Turning"], ["Steps"], ["Revisits"], ["Swept again"]]) {
+  for (const [there, here] of [["Coverage"], ["Above the minimum"], ["Length", "Distance"], ["Time"], ["Turned in all"], ["Steps"], ["Revisits"], ["Swept again"]]) {
     const { plan } = await app.metric(here ?? there);
     assert.equal(plan.replace(/ ?(%|m|°)$/, ""), cells[first.columns.indexOf(there) - 1], there);
   }

@@ -142,7 +142,7 @@ function titleOf({ catalogue }, { room, robot, slip, noise, quantised }, { minut
   const all = rows.every(({ explores }) => explores);
   const what = all ? "Boundary found" : rows.some(({ explores }) => explores) ? "Coverage (boundary found, for explorers)" : "Coverage";
   const title = catalogue.robots.find(({ id }) => id === robot)?.title ?? robot;
-  return `${what} over ${minutes} minutes: ${room}, ${title}, slip ${slip}, noise ${noise}${quantised ? ", quantised wheels" : ""}`;
+  return `${what} over ${minutes} minutes: ${room}, ${title}, slip ${slip}, noise ${noise}${quantised ? ", rounded wheel speeds" : ""}`;
 }
 
 /** @param {View} view @param {Offer} offer @param {HTMLElement[]} items */

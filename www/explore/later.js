@@ -35,17 +35,43 @@ export async function startLater(app) {
       () => import("./placing.js").then(({ startPlacing }) => startPlacing(app)),
     ),
     later(
+      ({ room }) => room.id === "" || hasOwnRooms(),
+      () => import("./own-rooms.js").then(({ startMenu }) => startMenu(app)),
+    ),
+    later(
+      ({ state }) => state === "finished",
+      () => import("./ending.js").then(({ startEnding }) => startEnding(app)),
+    ),
+    later(
+      ({ message, tool, search }) => message !== "" || tool === "place" || search.text !== "",
+      () => import("./clear.js").then(({ startClear }) => startClear(app)),
+    ),
+    later(
+      () => false,
+      () => import("./layers.js").then(({ startLayers }) => startLayers(app)),
+    ),
+    later(
       ({ search }) => search.film !== null || search.text !== "",
       () => import("./film.js").then(({ startFilm }) => startFilm(app)),
     ),
   ];
-  void visit.then(() => import("../help.js").then(({ fillHelp }) => fillHelp(byId("help-text"))).catch(console.warn));
+  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips()), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe())])).catch(console.warn);
   const view = app.playground.view();
   updateFolds(view);
   // A part that loads slowly doesn't delay the page.
   const patience = new Promise((end) => setTimeout(end, PAUSE));
   await Promise.race([Promise.all(parts.map((part) => part.begin(view))), patience]);
   return (now) => parts.forEach((part) => part.update(now));
+}
+
+const help = () => import("../help.js").then(({ fillHelp }) => fillHelp(byId("help-text")));
+
+function hasOwnRooms() {
+  try {
+    return localStorage.getItem("own-rooms") !== null;
+  } catch {
+    return false;
+  }
 }
 
 /**

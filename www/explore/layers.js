@@ -1,12 +1,21 @@
 // @ts-check
 // The menu of layers shown on the floor.
-import { button, byId } from "../dom.js";
+import { button, byId, make } from "../dom.js";
+
+/** @type {[layer: string, title: string, tip: string][]} */
+const LAYERS = [
+  ["coverage", "Coverage", "How often each spot was swept."],
+  ["dirt", "Dirt", "Dirt left on the floor."],
+  ["sensors", "Sensors", "Where the sensors measure: points for cliff sensors, rays for light bumper and laser."],
+  ["estimate", "Estimated trail", "Pose and trail estimated from wheel counts, next to the true ones."],
+];
 
 /** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */
 export function startLayers(app) {
   const menu = byId("layers");
   const opener = button("layers-open");
-  const boxes = [...menu.querySelectorAll("input")];
+  const boxes = LAYERS.map(([layer]) => make("input", { type: "checkbox", "data-layer": layer }));
+  menu.append(...boxes.map((box, i) => make("label", { className: "check", "data-tip": LAYERS[i]?.[2] ?? "" }, box, make("span", { className: "label" }, LAYERS[i]?.[1] ?? ""))));
   opener.disabled = false;
 
   /** @param {boolean} open */

@@ -42,8 +42,13 @@ export function startPanel(app) {
     const control = byId(id);
     control.addEventListener("change", () => change((p) => set(p, Reflect.get(control, "value"))));
   };
-  bind("room", (p, id) => p.select_room(id));
+  // Own rooms stand in the menu by their ids, behind a colon.
+  bind("room", (p, id) => (id.startsWith(":") ? void openOwn(app, id.slice(1)) : p.select_room(id)));
   bind("algorithm", (p, id) => p.select_algorithm(id));
+  // From then on the keys drive, and don't go on in the menu.
+  select("algorithm").addEventListener("change", ({ currentTarget }) => {
+    if (behaviours.some(({ id, manual }) => manual && id === Reflect.get(currentTarget ?? {}, "value"))) byId("floor").focus();
+  });
   bind("robot", (p, id) => (id === TWIN ? p.restore(`twin=${twin}`) : p.select_robot(id)));
   bind("cell-size", (p, metres) => p.set_cell_size(Number(metres)));
   bind("slip", (p, id) => p.set_slip(id));
@@ -91,12 +96,15 @@ export function startPanel(app) {
     byId("params-more").replaceChildren(...fields.slice(FEW));
   };
 
+  /** Of the algorithm. */
+  let title = "";
   return (view) => {
     const { room } = view;
     showRoom(room, rooms);
     show(select("room"), room.id);
     show(select("algorithm"), view.algorithm);
     showRobot(view);
+    setText(byId("now"), `${title}, ${select("robot").selectedOptions[0]?.textContent ?? ""}`);
     show(select("cell-size"), String(view.cell_size_m));
     showRealism(view, show);
     noises.forEach(({ menu }, index) => show(menu, view.noise[index] ?? "off"));
@@ -112,6 +120,7 @@ export function startPanel(app) {
     const algorithm = algorithms.find(({ id }) => id === view.algorithm);
     if (algorithm && changed(byId("params"), "algorithm", algorithm.id)) {
       buildParams(algorithm);
+      title = algorithm.title;
       setText(byId("algorithm-kind"), algorithm.manual ? "you drive" : algorithm.kind === "planner" ? "path planner" : "reactive behaviour");
       setText(byId("algorithm-note"), algorithm.summary);
       setText(byId("explainer-title"), algorithm.title);
@@ -122,6 +131,12 @@ export function startPanel(app) {
       if (value !== undefined) for (const control of controls) show(control, String(value));
     }
   };
+}
+
+/** @param {App} app @param {string} id */
+async function openOwn(app, id) {
+  const { openRoom } = await import("./own-rooms.js");
+  await openRoom(app, id);
 }
 
 /** @param {string} label @param {AlgorithmEntry[]} entries */
@@ -142,7 +157,7 @@ function showRealism({ slip, noise, quantised }, show) {
   show(select("slip"), slip);
   show(select("noise"), level);
   show(input("quantised"), String(quantised));
-  const on = [slip !== "none" && "slip", level !== "off" && "noise", quantised && "quantised"].filter(Boolean);
+  const on = [slip !== "none" && "slip", level !== "off" && "noise", quantised && "rounded speeds"].filter(Boolean);
   setText(byId("realism-note"), on.join(", ") || "ideal");
 }
 

@@ -5,7 +5,7 @@ use crate::explore::{PlanSearch, SessionState, Showing, opening};
 use coverage_planners::{CoveragePath, Film, FilmFrame, PlanError, PlannerInfo, ProgressReport, Proof};
 use robovac_core::floor_plan;
 use robovac_sim::{
-    RunRecording,
+    Run, RunRecording,
     experiment::{
         Algorithm, Settings,
         planning::{PlanAnswer, PlanRequest, Planned, RoomSetup},
@@ -110,14 +110,15 @@ impl Session {
         let Some(prepared) = &self.prepared else { return };
         match Planned::new(prepared, &answer) {
             Ok(planned) => {
-                let Settings { conditions, odometry, seed, .. } = self.settings;
-                self.recording = Some(RunRecording::new(planned.run(prepared, conditions, odometry, seed)));
                 let PlanAnswer { path, trace, proof, .. } = answer;
                 planning.film.take(&ProgressReport { done: 1.0, walk: &path.cells, proof });
                 self.film = Showing::new(&planning.film.take_frames(), &prepared.planning_grid, self.holds_films);
                 self.search = (!trace.is_empty()).then(|| PlanSearch::new(prepared, &planned, &path.cells, trace));
                 let coverage = planned.drive.coverage;
                 self.planned = Some(planned);
+                if let Some(run) = self.fresh_run() {
+                    self.record(run);
+                }
                 self.warn_of_coarse_cells(coverage);
                 self.begin_film();
             }
@@ -176,14 +177,49 @@ impl Session {
         }
     }
 
+    /// A run from the start, once there is a plan for those that need one.
+    pub(super) fn fresh_run(&self) -> Option<Run> {
+        let (settings, prepared) = (&self.settings, self.prepared.as_ref()?);
+        let Settings { conditions, odometry, seed, .. } = *settings;
+        match settings.algorithm {
+            Algorithm::Planner(_) => Some(self.planned.as_ref()?.run(prepared, conditions, odometry, seed)),
+            // No planning: a behaviour doesn't know the room.
+            Algorithm::Behaviour(behaviour) => {
+                prepared.run_one_of(settings.behaviours(), behaviour, &settings.params, conditions, seed)
+            }
+        }
+    }
+
+    /// Begins with a run.
+    pub(super) fn record(&mut self, run: Run) {
+        self.runs += 1;
+        let run = match &self.before {
+            Some(before) => run.after(before),
+            None => run,
+        };
+        self.recording = Some(RunRecording::new(run));
+    }
+
+    /// Lays the room out again after a change of it; what was swept stays swept, where it still is floor.
+    pub(super) fn prepare_changed(&mut self) {
+        let run = self.recording.as_ref().map(RunRecording::run).filter(|run| run.steps() > 0).cloned();
+        let before = run.or_else(|| self.before.take());
+        self.lay_out(before);
+    }
+
     /// Lays the room out again and requests a plan.
     pub(super) fn prepare(&mut self) {
+        self.lay_out(None);
+    }
+
+    fn lay_out(&mut self, before: Option<Run>) {
         // After a finished run a change starts the next one.
         self.playing |= self.state() == SessionState::Finished;
         self.planned = None;
         self.search = None;
         self.film = None;
         self.recording = None;
+        self.before = before;
         self.planning = None;
         self.pacer.restart();
         self.is_opening = self.is_opening
@@ -194,7 +230,7 @@ impl Session {
         match RoomSetup::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
             Ok(prepared) => {
                 self.requests += 1;
-                let Settings { algorithm, ref params, conditions, seed, .. } = self.settings;
+                let Settings { algorithm, ref params, seed, .. } = self.settings;
                 match algorithm {
                     Algorithm::Planner(planner) => {
                         let (params, job) = (params.clone(), prepared.job.clone());
@@ -211,15 +247,15 @@ impl Session {
                             film: Film::default(),
                         });
                     }
-                    // No planning: a behaviour doesn't know the room.
-                    Algorithm::Behaviour(behaviour) => {
-                        let behaviours = self.settings.behaviours();
-                        let run = prepared.run_one_of(behaviours, behaviour, params, conditions, seed);
-                        self.recording = run.map(RunRecording::new);
-                    }
+                    Algorithm::Behaviour(_) => {}
                 }
                 self.warn_of_closed_off(&prepared);
                 self.prepared = Some(prepared);
+                if self.planning.is_none()
+                    && let Some(run) = self.fresh_run()
+                {
+                    self.record(run);
+                }
             }
             Err(error) => {
                 self.prepared = None;
