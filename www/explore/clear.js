@@ -11,14 +11,14 @@ export function startClear(app) {
   /** The lower end of the text about a search, which never moves up, so that the pictures of its film stay in place. */
   let told = 0;
   addEventListener("resize", () => (told = 0));
-  const below = (/** @type {string} */ id) => {
+  const below = (/** @type {string} */ id, gap = GAP) => {
     const node = document.getElementById(id);
-    return node?.checkVisibility() ? node.getBoundingClientRect().bottom - stage.getBoundingClientRect().top + GAP : 0;
+    return node?.checkVisibility() ? node.getBoundingClientRect().bottom - stage.getBoundingClientRect().top + gap : 0;
   };
 
   return ({ search: { film, text } }) => {
     told = film === null && !text ? 0 : Math.max(told, below("search-box"));
-    const next = Math.max(told, below("message"), below("ending"), below("kinds"));
+    const next = Math.max(told, below("message"), below("ending"), below("kinds"), below("tools", 2));
     if (changed(stage, "clear", next)) app.playground.keep_clear(next);
   };
 }

@@ -43,7 +43,7 @@ export async function startLater(app) {
       () => import("./ending.js").then(({ startEnding }) => startEnding(app)),
     ),
     later(
-      ({ message, tool, search }) => message !== "" || tool === "place" || search.text !== "",
+      ({ message, tool, search, state }) => message !== "" || tool === "place" || search.text !== "" || state === "finished",
       () => import("./clear.js").then(({ startClear }) => startClear(app)),
     ),
     later(

@@ -114,7 +114,8 @@ impl Session {
             play: state.allows(Action::Play),
             pause: state.allows(Action::Pause),
             step: state.allows(Action::Step),
-            reset: state.allows(Action::Reset),
+            // At the start, it begins anew with a dirty floor.
+            reset: state.allows(Action::Reset) || (state == SessionState::Ready && self.before.is_some()),
             cancel: state.allows(Action::Cancel),
             keep: state.allows(Action::Cancel) && self.can_keep(),
             seek: state.allows(Action::Seek),
