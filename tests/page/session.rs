@@ -393,15 +393,22 @@ fn best_walk_so_far_is_kept() {
 
 /// Lets a film run to its end, and collects what is said meanwhile.
 fn watched(session: &mut Session) -> Vec<String> {
-    let mut told = Vec::new();
-    for _ in 0..60 * 40 {
+    let mut told: Vec<String> = Vec::new();
+    let mut frames = 0;
+    for _ in 0..20 * 200 {
         let text = session.view().search.text;
         assert_eq!(session.picture().is_none(), text.contains("finished"), "{text}");
         if told.last() != Some(&text) {
+            // Nobody reads more than 18 characters a second, and looks at the picture, too.
+            let (seconds, length) = (f64::from(frames) / 20.0, told.last().map_or(0, String::len));
+            assert!(seconds >= length as f64 / 18.0, "{seconds} s for {:?}", told.last());
             told.push(text);
+            frames = 0;
         }
-        session.frame(1.0 / 60.0, &mut || true);
+        frames += 1;
+        session.frame(0.05, &mut || true);
     }
+    assert!(told.len() > 1 && told[told.len() - 1].contains("finished"), "{told:?}");
     told
 }
 
@@ -473,8 +480,11 @@ fn film_that_is_held_goes_on_by_hand() {
     session.turn_film(false);
     assert_eq!(at(&session), 1);
     session.hold_film(false);
-    for _ in 0..120 {
+    for _ in 0..60 * 12 {
         session.frame(1.0 / 60.0, &mut || true);
+        if at(&session) != 1 {
+            break;
+        }
     }
     assert_eq!(at(&session), 2);
     for _ in 0..100 {
