@@ -368,7 +368,7 @@ fn nearest(at: Point, fits: impl Fn(Point) -> bool) -> Option<Point> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use robovac_core::{floor_plan::Occupancy, grid::Grid};
+    use robovac_core::grid::{Cell, Grid, Occupancy};
 
     #[test]
     fn person_beside_a_wall_gets_a_way_that_fits() {
@@ -377,7 +377,7 @@ mod tests {
         for y in 0..60 {
             for x in 0..80 {
                 if x == 0 || y == 0 || x == 79 || y == 59 {
-                    occupancy[robovac_core::grid::Cell::new(x, y)] = Occupancy::Occupied;
+                    occupancy[Cell::new(x, y)] = Occupancy::Occupied;
                 }
             }
         }
