@@ -50,8 +50,11 @@ pub const INFO: PlannerInfo = PlannerInfo {
             O(b²).",
         use_when: "The first choice for known rooms: few turns, hardly any revisits, and fast even in a hall. Slanted \
                    or ragged walls split the room into many small parts, which costs efficiency.",
-        shines: Example { room: "empty", why: "Long lanes from wall to wall; hardly any cell is visited twice. Swept again can still be high: it counts \
-                  the strips where a tool wider than a cell overlaps the neighbouring lane." },
+        shines: Example {
+            room: "empty",
+            why: "Long lanes from wall to wall; hardly any cell is visited twice. Swept again can still be high: it counts \
+                  the strips where a tool wider than a cell overlaps the neighbouring lane.",
+        },
         fails: Example {
             room: "spiral",
             why: "All lanes have one direction, so half of the arms are swept across, in short lanes with many turns.",

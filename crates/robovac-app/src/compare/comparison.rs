@@ -52,9 +52,8 @@ impl Comparison {
     /// A comparison of some planners in the session's room.
     pub fn new() -> Self {
         let planners = PLANNERS.iter().map(|planner| Algorithm::Planner(planner));
-        let cleans = |algorithm: &Algorithm| {
-            algorithm.behaviour().is_some_and(|info| info.claims.cleans && !info.claims.manual)
-        };
+        let cleans =
+            |algorithm: &Algorithm| algorithm.behaviour().is_some_and(|info| info.claims.cleans && !info.claims.manual);
         let entrants: Vec<Entrant> = planners.chain(Algorithm::all().filter(cleans)).map(Entrant::new).collect();
         let chosen = (0..PLANNERS.len()).filter(|&i| FIRST.contains(&entrants[i].id())).collect();
         let mut comparison = Self {

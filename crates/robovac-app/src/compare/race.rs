@@ -119,13 +119,12 @@ impl Race {
     pub fn places(&self) -> Vec<usize> {
         let won: Vec<Option<f64>> = self.lanes.iter().map(RaceLane::won_s).collect();
         let lanes = || self.lanes.iter().zip(&won);
-        let is_ahead = |(a, a_won): (&RaceLane, &Option<f64>), (b, b_won): (&RaceLane, &Option<f64>)| {
-            match (a_won, b_won) {
+        let is_ahead =
+            |(a, a_won): (&RaceLane, &Option<f64>), (b, b_won): (&RaceLane, &Option<f64>)| match (a_won, b_won) {
                 (Some(a), Some(b)) => a < b,
                 (None, None) => a.run().coverage() > b.run().coverage(),
                 (won, _) => won.is_some(),
-            }
-        };
+            };
         lanes().map(|lane| 1 + lanes().filter(|&other| is_ahead(other, lane)).count()).collect()
     }
 

@@ -153,11 +153,7 @@ fn first(frame: &FilmFrame, (number, all): (usize, usize), is_chosen: bool, plan
 }
 
 /// The pictures of an improvement: the walk before with the changing parts, the parts that stay, and the walk after.
-fn improvement(
-    [former, latter]: [&FilmFrame; 2],
-    total: u32,
-    planning_grid: &PlanningGrid,
-) -> [Picture; 3] {
+fn improvement([former, latter]: [&FilmFrame; 2], total: u32, planning_grid: &PlanningGrid) -> [Picture; 3] {
     let change = WalkDiff::between(&former.walk, &latter.walk);
     let which = if latter.number > former.number + 1 {
         format!("Improvements {} to {} of {total}", former.number + 1, latter.number)

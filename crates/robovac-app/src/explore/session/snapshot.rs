@@ -96,7 +96,11 @@ impl Session {
             speed: self.settings.speed,
             speed_factor: self.pacer.speed_factor(),
             time_s: run.map_or(0.0, Run::time_s),
-            swept_before: self.recording.as_ref().filter(|_| self.before.is_some()).map_or(0.0, RunRecording::first_coverage),
+            swept_before: self
+                .recording
+                .as_ref()
+                .filter(|_| self.before.is_some())
+                .map_or(0.0, RunRecording::first_coverage),
             run_end_s: self.recording.as_ref().map_or(0.0, RunRecording::end_s),
             coverage: run.map_or(0.0, Run::coverage),
             overlap: run.map_or(0.0, |r| r.tracker().overlap()),
