@@ -1,6 +1,6 @@
 // @ts-check
 // Parts of the page that the opening scene doesn't need, loaded when needed or after the first input.
-import { byId, typed } from "../dom.js";
+import { button, byId, typed } from "../dom.js";
 import { updateFolds } from "./view.js";
 
 /**
@@ -21,6 +21,11 @@ const visit = new Promise((/** @type {(event: unknown) => void} */ come) => {
  * function to be called in every frame */
 export async function startLater(app) {
   const { behaviours } = app.catalogue;
+  /** Whether their menu was asked for before it was there. */
+  let wantsLayers = false;
+  const layers = button("layers-open");
+  layers.disabled = false;
+  layers.addEventListener("click", () => (wantsLayers = true), { once: true });
   const parts = [
     later(
       () => typed("senses-fold", HTMLDetailsElement).open,
@@ -47,8 +52,8 @@ export async function startLater(app) {
       () => import("./clear.js").then(({ startClear }) => startClear(app)),
     ),
     later(
-      () => false,
-      () => import("./layers.js").then(({ startLayers }) => startLayers(app)),
+      () => wantsLayers,
+      () => import("./layers.js").then(({ startLayers }) => startLayers(app, wantsLayers)),
     ),
     later(
       ({ search }) => search.film !== null || search.text !== "",

@@ -10,13 +10,12 @@ const LAYERS = [
   ["estimate", "Estimated trail", "Pose and trail estimated from wheel counts, next to the true ones."],
 ];
 
-/** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */
-export function startLayers(app) {
+/** @param {import("../main.js").App} app @param {boolean} isWanted Opens the menu at once. @returns {(view: import("../types").PageView) => void} */
+export function startLayers(app, isWanted) {
   const menu = byId("layers");
   const opener = button("layers-open");
   const boxes = LAYERS.map(([layer]) => make("input", { type: "checkbox", "data-layer": layer }));
   menu.append(...boxes.map((box, i) => make("label", { className: "check", "data-tip": LAYERS[i]?.[2] ?? "" }, box, make("span", { className: "label" }, LAYERS[i]?.[1] ?? ""))));
-  opener.disabled = false;
 
   /** @param {boolean} open */
   const show = (open) => {
@@ -24,6 +23,7 @@ export function startLayers(app) {
     opener.setAttribute("aria-expanded", String(open));
     if (open) boxes[0]?.focus();
   };
+  if (isWanted) show(true);
   opener.addEventListener("click", () => show(menu.hidden === true));
   document.addEventListener("pointerdown", ({ target }) => {
     if (!menu.hidden && target instanceof Node && !menu.contains(target) && !opener.contains(target)) show(false);
