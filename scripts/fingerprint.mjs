@@ -29,7 +29,11 @@ fs.writeFileSync(index, fs.readFileSync(index, "utf8").replace(/\s*<link data-tr
 /** Comments are for whoever reads the sources: those that have lines of their own stay there. */
 const OWN_LINES = /^[ \t]*(?:\/\/.*|\/\*\*(?:(?!\*\/)[^])*\*\/[ \t]*)$\n?/gm;
 
+/** In a style sheet, indentation goes as well. */
+const CSS_SPARE = /\/\*(?:(?!\*\/)[^])*\*\/\n*|^[ \t]+|^\n/gm;
+
 for (const file of filesBelow(page).filter((name) => /\.(html|js|css)$/.test(name))) {
   const text = rewriteReferences(file, (_target, reference) => `${reference}?v=${version}`);
-  fs.writeFileSync(file, file.endsWith(".js") ? text.replace(OWN_LINES, "") : text);
+  const lean = file.endsWith(".js") ? text.replace(OWN_LINES, "") : file.endsWith(".css") ? text.replace(CSS_SPARE, "") : text;
+  fs.writeFileSync(file, lean);
 }

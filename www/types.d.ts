@@ -116,7 +116,9 @@ kind: "planner" | "behaviour", mark: Mark, complete: boolean, deterministic: boo
 /** Snapshot of a comparison, one per frame. */
 export type ComparisonView = { version: number, set: string, sets: Array<[string, string]>, seeds: number, rooms: Array<string>,
 /** Number of the session's room in `rooms`. */
-done: number, total: number, cancelled: boolean, entrants: Array<EntrantView>, race: RaceView | null, };
+done: number, total: number, cancelled: boolean, entrants: Array<EntrantView>,
+/** Chosen entrants that could race, but don't: nine race at most. */
+waiting: Array<number>, race: RaceView | null, };
 
 /** Which requests are allowed. */
 export type ConnectionActions = {
@@ -272,7 +274,11 @@ remedy: string,
 /** Whether control can be taken back at once. */
 can_rearm: boolean, };
 
-export type EntrantView = { id: string, chosen: boolean, params: Params,
+export type EntrantView = { id: string, kind: "planner" | "behaviour",
+/** With a number for copies. */
+title: string, mark: Mark,
+/** 1, or 2 and up for copies; 0 for one that was removed. */
+copy: number, chosen: boolean, params: Params,
 /** `out`, `trying`, `done` or `failed`. */
 state: "out" | "trying" | "done" | "failed",
 /** 0 to 1. */
@@ -378,8 +384,10 @@ words: string, };
 export type FloorTool = "view" | "wall" | "erase" | "start" | "place";
 
 export type LaneView = {
-/** Number of the planner in `entrants`. */
-entrant: number, coverage: number, time_s: number, distance_m: number, turning_deg: number, finished: boolean,
+/** Its number in `entrants`. */
+entrant: number,
+/** When it had swept 95 % and arrived, s. */
+won_s: number | null, coverage: number, time_s: number, distance_m: number, turning_deg: number, finished: boolean,
 /** Rank, from 1. */
 place: number, };
 
@@ -639,6 +647,9 @@ speed: number,
 speed_factor: number,
 /** Displayed time, s. */
 time_s: number,
+/** Share of the reachable floor that was swept before the room was changed, which began the run again; 0 if it
+ * wasn't. */
+swept_before: number,
 /** Furthest simulated time, s. */
 run_end_s: number,
 /** Swept share of the reachable floor. */
@@ -1059,7 +1070,7 @@ export type StudyEntrantView = { chosen: boolean, params: Params,
 runs: number, failure: string, };
 
 /** The choices available for a study. */
-export type StudyOffer = { entrants: Array<StudyEntrant>, seeds: [number, number, number], minutes: [number, number, number], };
+export type StudyOffer = { entrants: Array<StudyEntrant>, seeds: [number, number, number], minutes: [number, number, number, number], };
 
 /** Place and conditions of all runs, in words. */
 export type StudyPlace = { room: string, robot: string, slip: string, noise: string, quantised: boolean, start_charge_percent: number, };

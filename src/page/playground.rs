@@ -341,6 +341,16 @@ impl Playground {
         self.session.plan_version() as f64
     }
 
+    /// A number that changes with the room, but not with changes of it: undo brings it back.
+    pub fn room_lineage(&self) -> u32 {
+        self.session.room_lineage()
+    }
+
+    /// Renames the room, which is then an own one.
+    pub fn rename_room(&mut self, name: &str) {
+        self.session.rename_room(name);
+    }
+
     /// Room and settings for `SessionMirror.follow`, without an own room whose version is `known`.
     #[wasm_bindgen(unchecked_return_type = "rust.SessionSnapshot")]
     pub fn snapshot(&self, known: Option<f64>) -> Result<JsValue, JsValue> {
@@ -368,7 +378,7 @@ impl Playground {
         self.session.step();
     }
 
-    /// Returns to the start.
+    /// Returns to the start; what was swept before the room was changed isn't any more.
     pub fn reset(&mut self) {
         self.session.reset();
     }

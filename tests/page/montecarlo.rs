@@ -322,3 +322,17 @@ fn exports_tell_every_run_and_the_same_summary() {
         to_csv(&head, &failed).lines().all(|line| line.replace("\"no, thanks\"", "").split(',').count() == columns)
     );
 }
+
+#[test]
+fn time_of_a_run_follows_from_the_room_until_it_is_chosen() {
+    let minutes = |link: &str, study: &mut Study| {
+        study.take(&session(link));
+        study.minutes()
+    };
+    let mut study = Study::new();
+    let small = minutes("room=room12ft&robot=roomba600", &mut study);
+    let large = minutes("room=flat&robot=roomba600", &mut study);
+    assert!(small < large, "{small} and {large}");
+    study.set_minutes(10);
+    assert_eq!(minutes("room=warehouse&robot=roomba600", &mut study), 10);
+}

@@ -393,15 +393,22 @@ fn best_walk_so_far_is_kept() {
 
 /// Lets a film run to its end, and collects what is said meanwhile.
 fn watched(session: &mut Session) -> Vec<String> {
-    let mut told = Vec::new();
-    for _ in 0..60 * 40 {
+    let mut told: Vec<String> = Vec::new();
+    let mut frames = 0;
+    for _ in 0..20 * 200 {
         let text = session.view().search.text;
         assert_eq!(session.picture().is_none(), text.contains("finished"), "{text}");
         if told.last() != Some(&text) {
+            // Nobody reads more than 18 characters a second, and looks at the picture, too.
+            let (seconds, length) = (f64::from(frames) / 20.0, told.last().map_or(0, String::len));
+            assert!(seconds >= length as f64 / 18.0, "{seconds} s for {:?}", told.last());
             told.push(text);
+            frames = 0;
         }
-        session.frame(1.0 / 60.0, &mut || true);
+        frames += 1;
+        session.frame(0.05, &mut || true);
     }
+    assert!(told.len() > 1 && told[told.len() - 1].contains("finished"), "{told:?}");
     told
 }
 
@@ -473,8 +480,11 @@ fn film_that_is_held_goes_on_by_hand() {
     session.turn_film(false);
     assert_eq!(at(&session), 1);
     session.hold_film(false);
-    for _ in 0..120 {
+    for _ in 0..60 * 12 {
         session.frame(1.0 / 60.0, &mut || true);
+        if at(&session) != 1 {
+            break;
+        }
     }
     assert_eq!(at(&session), 2);
     for _ in 0..100 {
@@ -682,7 +692,7 @@ fn robot_that_is_picked_up_drops_its_wheels_and_goes_on_elsewhere() {
     let sensed = session.recording().unwrap().run().sensors();
     assert!(!sensed.wheel_dropped() && (run(&session).position() - Point::new(4.0, 3.0)).norm() < 0.1);
     let events: Vec<_> = session.recording().unwrap().run().events().iter().map(|e| e.what.to_string()).collect();
-    for expected in ["picked up", "wheel drop", "put down"] {
+    for expected in ["lifted", "wheel drop", "put down"] {
         assert!(events.iter().any(|event| event == expected), "{expected} is missing in {events:?}");
     }
 }
@@ -738,4 +748,47 @@ fn what_a_person_did_happens_again_after_scrubbing() {
     session.frame(0.0, &mut || true);
     session.lift();
     assert!((session.recording().unwrap().end_s() - 30.0).abs() < 0.02, "the future is another one");
+}
+
+#[test]
+fn what_is_clean_stays_clean_when_the_room_is_changed() {
+    let mut session = opened();
+    session.run_ahead(600.0);
+    let before = session.view().coverage;
+    assert!(before > 0.1, "{before}");
+    session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
+    session.go_on_stroke(Point::new(2.4, 1.5));
+    session.end_stroke();
+    session.plan_now(|| 0.0);
+    let view = session.view();
+    assert!(view.time_s < 1.0 && (view.coverage - before).abs() < 0.05, "{} after {before}", view.coverage);
+    assert!((view.swept_before - view.coverage).abs() < 0.01, "{}", view.swept_before);
+    // A second change before the robot has moved, and its undo, lose nothing.
+    session.begin_stroke(Brush::Wall, Point::new(3.0, 1.5));
+    session.end_stroke();
+    session.plan_now(|| 0.0);
+    session.undo();
+    session.plan_now(|| 0.0);
+    assert!((session.view().coverage - before).abs() < 0.05, "{} after {before}", session.view().coverage);
+    // Back to the start begins with a dirty floor, and so does another room.
+    session.reset();
+    assert!(session.view().coverage < 0.02 && session.view().swept_before == 0.0);
+    session.run_ahead(300.0);
+    session.select_room("empty").expect("it ships");
+    session.plan_now(|| 0.0);
+    assert!(session.view().coverage < 0.02);
+}
+
+#[test]
+fn link_says_whether_the_search_is_shown() {
+    let mut session = opened();
+    assert!(!session.link().contains("search="));
+    session.show_search(true);
+    let link = session.link();
+    let mut other = opened();
+    other.restore(&link).expect("it was just written");
+    assert!(other.link() == link && link.ends_with("&search=1"), "{link}");
+    // A link that changes only the robot leaves it as it is.
+    other.restore("robot=cell").expect("the robot exists");
+    assert!(other.link().contains("search=1"));
 }

@@ -142,7 +142,7 @@ function titleOf({ catalogue }, { room, robot, slip, noise, quantised, start_cha
   const all = rows.every(({ explores }) => explores);
   const what = all ? "Boundary found" : rows.some(({ explores }) => explores) ? "Coverage (boundary found, for explorers)" : "Coverage";
   const title = catalogue.robots.find(({ id }) => id === robot)?.title ?? robot;
-  return `${what} over ${minutes} minutes: ${room}, ${title}, slip ${slip}, noise ${noise}${quantised ? ", quantised wheels" : ""}${charge < 100 ? `, start charge ${charge} %` : ""}`;
+  return `${what} over ${minutes} minutes: ${room}, ${title}, slip ${slip}, noise ${noise}${quantised ? ", rounded wheel speeds" : ""}${charge < 100 ? `, start charge ${charge} %` : ""}`;
 }
 
 /** @param {View} view @param {Offer} offer @param {HTMLElement[]} items */

@@ -47,8 +47,13 @@ export function startPanel(app) {
     const control = byId(id);
     control.addEventListener("change", () => change((p) => set(p, Reflect.get(control, "value"))));
   };
-  bind("room", (p, id) => p.select_room(id));
+  // Own rooms stand in the menu by their ids, behind a colon.
+  bind("room", (p, id) => (id.startsWith(":") ? void openOwnRoom(app, id.slice(1)) : p.select_room(id)));
   bind("algorithm", (p, id) => p.select_algorithm(id));
+  // From then on the keys drive, and don't go on in the menu.
+  select("algorithm").addEventListener("change", ({ currentTarget }) => {
+    if (behaviours.some(({ id, manual }) => manual && id === Reflect.get(currentTarget ?? {}, "value"))) byId("floor").focus();
+  });
   const openOwn = () => {
     // The menu shows what holds until the robot is used.
     shown.clear();
@@ -120,12 +125,15 @@ export function startPanel(app) {
     byId("params-more").replaceChildren(...fields.slice(FEW));
   };
 
+  /** Of the algorithm. */
+  let title = "";
   return (view) => {
     const { room } = view;
     showRoom(room, rooms);
     show(select("room"), room.id);
     showAlgorithm(view);
     showRobot(view);
+    setText(byId("now"), `${title}, ${select("robot").selectedOptions[0]?.textContent ?? ""}`);
     const size = String(view.cell_size_m);
     if (shown.get(cells) !== size && ![...cells.options].some(({ value }) => value === size)) cells.append(new Option(centimetres(view.cell_size_m), size));
     show(cells, size);
@@ -143,6 +151,7 @@ export function startPanel(app) {
     const algorithm = algorithms.find(({ id }) => id === view.algorithm);
     if (algorithm && changed(byId("params"), "algorithm", `${algorithm.id} ${view.path_corners}`)) {
       buildParams(view.path_corners ? { ...algorithm, params: [] } : algorithm);
+      title = view.path_corners ? "Planned path" : algorithm.title;
       setText(byId("algorithm-kind"), view.path_corners ? "planned path" : algorithm.manual ? "you drive" : algorithm.kind === "planner" ? "path planner" : "reactive behaviour");
       setText(byId("algorithm-note"), view.path_corners ? `Planned in the tab Floor plan: ${view.path_corners.toLocaleString("en")} corners, driven as they are` : algorithm.summary);
       setText(byId("explainer-title"), algorithm.title);
@@ -153,6 +162,12 @@ export function startPanel(app) {
       if (value !== undefined) for (const control of controls) show(control, String(value));
     }
   };
+}
+
+/** @param {App} app @param {string} id */
+async function openOwnRoom(app, id) {
+  const { openRoom } = await import("./own-rooms.js");
+  await openRoom(app, id);
 }
 
 /** @param {string} label @param {AlgorithmEntry[]} entries */
@@ -174,7 +189,7 @@ function showRealism({ slip, noise, quantised, start_charge_percent: charge }, s
   show(select("noise"), level);
   show(input("quantised"), String(quantised));
   show(input("start-charge"), String(charge));
-  const on = [slip !== "none" && "slip", level !== "off" && "noise", quantised && "quantised", charge < 100 && `${charge} % charge`].filter(Boolean);
+  const on = [slip !== "none" && "slip", level !== "off" && "noise", quantised && "rounded speeds", charge < 100 && `${charge} % charge`].filter(Boolean);
   setText(byId("realism-note"), on.join(", ") || "ideal");
 }
 

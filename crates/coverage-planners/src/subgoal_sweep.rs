@@ -78,8 +78,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     params: &[
         ParamSpec {
             id: "scan_lines",
-            label: "Scan width",
-            help: "Rows of cells between scan lines; cells left in between are cleaned at the end.",
+            label: "Lane spacing",
+            help: "Rows of cells between lanes, the paper's scan width; cells left in between are cleaned at the end.",
             kind: ParamKind::Number { min: 1.0, max: 10.0, step: 1.0, default: 1.0, unit: "rows" },
         },
         ParamSpec {

@@ -174,7 +174,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
             seed,
         };
         if let Some(path) = arguments.mcap.as_deref().filter(|_| seed == first) {
-            let observer = MapObserver::default().with_mapper(Mapper::new(setup(ways[0])));
+            let mapper = Mapper::new(setup(ways.first().copied().unwrap_or_default()));
+            let observer = MapObserver::default().with_mapper(mapper);
             let run = prepared.run_behaviour(info, &params, conditions, seed);
             let run = run.ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?.observed(Box::new(observer));
             let source = SourceMap { plan: &placement.plan, robot: &prepared.robot, path: &[] };

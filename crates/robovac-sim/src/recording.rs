@@ -94,6 +94,11 @@ impl RunRecording {
         &self.curve
     }
 
+    /// Coverage at the beginning: above that of the start alone if the floor was swept before.
+    pub fn first_coverage(&self) -> f64 {
+        self.curve.first().map_or(0.0, |&(_, coverage)| coverage)
+    }
+
     /// Changes when the displayed run is replaced rather than continued.
     pub fn version(&self) -> u64 {
         self.version

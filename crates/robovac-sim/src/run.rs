@@ -112,6 +112,13 @@ impl Run {
         }
     }
 
+    /// The same on floor that `earlier`, a run in the same room before it was changed, has already swept.
+    pub fn after(mut self, earlier: &Self) -> Self {
+        self.tracker.take_over(&self.floor, &earlier.tracker);
+        self.life.take_over(&earlier.life);
+        self
+    }
+
     /// Adds an observer.
     pub fn observed(mut self, observer: Box<dyn RunObserver>) -> Self {
         self.observer = Some(observer);

@@ -186,10 +186,10 @@ pub const METRICS: &[MetricInfo] = &[
     ),
     lower(
         "turning",
-        "Turning",
-        ("°", 0),
-        "Sum of all turning angles along the path, including the turn at the start.",
-        |n| Some(n.drive.turning_deg),
+        "Turned in all",
+        ("turns", 1),
+        "Sum of all turning angles along the path, including the turn at the start, in full turns of 360°.",
+        |n| Some(n.drive.turning_deg / 360.0),
     ),
     lower("steps", "Steps", ("", 0), "Steps of the walk between planning cells.", |n| Some(n.walk?.steps as f64)),
     lower(

@@ -18,6 +18,11 @@ const TABLE_LEG: f64 = 0.025;
 const TO_WALL: f64 = 1.0;
 /// Distance that a person placed by a click walks to either side, m, if there is room.
 const STROLL: f64 = 1.0;
+/// Distance that it keeps from walls, m.
+const OFF_WALL: f64 = 0.05;
+/// Step of looking for room, m, and the farthest that a mover is moved away from a wall, m.
+const STRIDE: f64 = 0.02;
+const ASIDE: f64 = 0.5;
 
 /// Kinds of objects that can be placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,7 +109,7 @@ impl PlaceableKind {
             }
             Self::Person | Self::Pet => {
                 let who = if self == Self::Person { Who::Person } else { Who::Pet };
-                let path = if is_click { stroll(plan, from) } else { vec![from, to] };
+                let path = if is_click { stroll(plan, who, from) } else { vec![from, to] };
                 vec![Object::Mover { who, path }]
             }
         };
@@ -343,13 +348,61 @@ fn against_wall(plan: &FloorPlan, at: Point) -> Pose {
     }
 }
 
-/// A way back and forth through a point, horizontal or vertical, wherever there is more room.
-fn stroll(plan: &FloorPlan, at: Point) -> Vec<Point> {
-    let ways = [Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)].map(|side| {
-        // A little less, to keep off the wall.
-        let far = |direction| (way(plan, at, direction, STROLL + 0.3) - 0.3).max(0.0);
-        (at - side * far(-side), at + side * far(side))
-    });
-    let longest = ways.into_iter().max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()));
-    longest.filter(|(a, b)| (b - a).norm() > 0.1).map_or_else(|| vec![at], |(a, b)| vec![a, b])
+/// A way back and forth near a point, horizontal or vertical, wherever there is more room; the mover keeps off walls.
+fn stroll(plan: &FloorPlan, who: Who, at: Point) -> Vec<Point> {
+    let radius = who.radius() + OFF_WALL;
+    let fits = |centre: Point| {
+        let edge = (0..16).map(|i| math::TAU * f64::from(i) / 16.0);
+        let mut all = edge.map(|angle| centre + Vector::new(math::cos(angle), math::sin(angle)) * radius);
+        is_floor(plan, centre) && all.all(|point| is_floor(plan, point))
+    };
+    let at = nearest(at, fits).unwrap_or(at);
+    let far = |direction: Vector| {
+        let steps = (STROLL / STRIDE) as u32;
+        let free = (1..=steps).take_while(|&i| fits(at + direction * (f64::from(i) * STRIDE)));
+        at + direction * (free.count() as f64 * STRIDE)
+    };
+    let ways = [Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)].map(|side| [far(-side), far(side)]);
+    let longest = ways.into_iter().max_by(|a, b| (a[1] - a[0]).norm().total_cmp(&(b[1] - b[0]).norm()));
+    longest.filter(|[a, b]| (b - a).norm() > 0.1).map_or_else(|| vec![at], Vec::from)
+}
+
+/// The point nearest to `at` that `fits`, at most [`ASIDE`] away.
+fn nearest(at: Point, fits: impl Fn(Point) -> bool) -> Option<Point> {
+    (0..=(ASIDE / STRIDE) as u32).find_map(|ring| {
+        let distance = f64::from(ring) * STRIDE;
+        let looks = (0..32).map(|i| math::TAU * f64::from(i) / 32.0);
+        looks.map(|angle| at + Vector::new(math::cos(angle), math::sin(angle)) * distance).find(|&point| fits(point))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::grid::{Cell, Grid, Occupancy};
+
+    #[test]
+    fn person_beside_a_wall_gets_a_way_that_fits() {
+        // 4 m by 3 m with a wall of one cell around it.
+        let mut occupancy = Grid::filled(80, 60, Occupancy::Free);
+        for y in 0..60 {
+            for x in 0..80 {
+                if x == 0 || y == 0 || x == 79 || y == 59 {
+                    occupancy[Cell::new(x, y)] = Occupancy::Occupied;
+                }
+            }
+        }
+        let origin = Pose::new(0.0, 0.0, 0.0);
+        let (name, note) = (String::new(), String::new());
+        let plan = FloorPlan { name, note, resolution: 0.05, occupancy, objects: Vec::new(), start: None, origin };
+        for at in [Point::new(0.06, 1.5), Point::new(2.0, 2.94), Point::new(3.94, 0.06), Point::new(2.0, 1.5)] {
+            for (kind, who) in [(PlaceableKind::Person, Who::Person), (PlaceableKind::Pet, Who::Pet)] {
+                let objects = kind.drawn(&plan, at, at);
+                let [Object::Mover { path, .. }] = objects.as_slice() else { panic!("{objects:?}") };
+                assert!(path.len() == 2 && (path[1] - path[0]).norm() > 0.9, "{at}: {path:?}");
+                let off = |p: &Point| (p.x - 0.05).min(3.95 - p.x).min(p.y - 0.05).min(2.95 - p.y);
+                assert!(path.iter().all(|p| off(p) >= who.radius()), "{at}: {path:?}");
+            }
+        }
+    }
 }

@@ -69,6 +69,9 @@ pub struct SessionView {
     pub speed_factor: f64,
     /// Displayed time, s.
     pub time_s: f64,
+    /// Share of the reachable floor that was swept before the room was changed, which began the run again; 0 if it
+    /// wasn't.
+    pub swept_before: f64,
     /// Furthest simulated time, s.
     pub run_end_s: f64,
     /// Swept share of the reachable floor.

@@ -113,6 +113,25 @@ impl CoverageTracker {
         }
     }
 
+    /// Takes over what was swept before, where it is reachable here: passes of an earlier tracker over the same grid.
+    /// Does nothing if the grids differ.
+    pub fn take_over(&mut self, floor: &ReachableFloor, earlier: &Self) {
+        let Self { visits, covered, passes, dirty, .. } = self;
+        let is_same = (visits.width(), visits.height()) == (earlier.visits.width(), earlier.visits.height());
+        if !is_same || self.resolution.to_bits() != earlier.resolution.to_bits() {
+            return;
+        }
+        let cells = visits.values_mut().iter_mut().zip(floor.floor.values()).zip(earlier.visits.values());
+        for ((count, &is_reachable), &before) in cells {
+            if is_reachable && before > 0 {
+                *covered += usize::from(*count == 0);
+                *count = count.saturating_add(before);
+                *passes += u64::from(before);
+            }
+        }
+        *dirty = Some((0, visits.len().saturating_sub(1)));
+    }
+
     /// Lifts the tool: at the next place it is set down instead of sweeping there.
     pub fn lift(&mut self) {
         self.last = None;

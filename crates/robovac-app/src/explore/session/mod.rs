@@ -16,7 +16,7 @@ use robovac_core::{
     robot::CustomRobot,
 };
 use robovac_sim::{
-    Input, RunRecording, STEP_S,
+    Input, Run, RunRecording, STEP_S,
     controller::{self, Behaviours, Joystick},
     experiment::{
         KEPT_PATH, Settings, SettingsError,
@@ -32,6 +32,8 @@ const CARRIED_M: f64 = 0.1;
 
 /// Name in links of a room that was drawn or loaded: it is kept.
 const OWN_ROOM: &str = "own";
+/// Key in links of whether the search is shown.
+const SEARCH: &str = "search";
 
 /// Room, settings, plan and run, with all actions on them.
 ///
@@ -45,6 +47,10 @@ pub struct Session {
     planning: Option<Planning>,
     planned: Option<Planned>,
     recording: Option<RunRecording>,
+    /// The run before the room was changed; what it has swept stays swept.
+    before: Option<Run>,
+    /// Number of runs begun.
+    runs: u32,
     playing: bool,
     pacer: FramePacer,
     requests: u32,
@@ -111,6 +117,8 @@ impl Session {
             planning: None,
             planned: None,
             recording: None,
+            before: None,
+            runs: 0,
             playing: true,
             pacer: FramePacer::default(),
             requests: 0,
@@ -236,7 +244,7 @@ impl Session {
         self.playing = true;
         self.message = None;
         if state == SessionState::Failed {
-            self.prepare();
+            self.prepare_changed();
         }
     }
 
@@ -264,10 +272,13 @@ impl Session {
         }
     }
 
-    /// Returns to the start and pauses.
+    /// Returns to the start and pauses. What was swept before the room was changed isn't any more.
     pub fn reset(&mut self) {
         self.pause();
-        self.seek(0.0);
+        match self.before.take().and_then(|_| self.fresh_run()) {
+            Some(run) => self.record(run),
+            None => self.seek(0.0),
+        }
     }
 
     /// Seeks another time within the time simulated so far, s.
@@ -377,6 +388,7 @@ impl Session {
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
         let mut settings = self.settings.clone();
         let mut room = None;
+        let mut shows_search = None;
         let pairs = link.trim_start_matches('#').split('&').filter(|p| !p.is_empty());
         let pairs = pairs.map(|p| p.split_once('=').unwrap_or((p, "")));
         // Robot and planner bring defaults of their own, which must not override the link's other values.
@@ -388,12 +400,15 @@ impl Session {
             } else if key == "path" && value == KEPT_PATH {
                 // It came with the room.
                 settings.path = Some(self.settings.path.clone().ok_or(SettingsError::FarPath)?);
+            } else if key == SEARCH {
+                shows_search = Some(value == "1");
             } else {
                 settings.take_link(key, value)?;
             }
         }
         let room = room.filter(|&id| id != OWN_ROOM).map(known_room).transpose()?;
         let start = settings.start.take();
+        self.shows_search = shows_search.unwrap_or(self.shows_search);
         self.replace(settings, room.map(|room| ((room.build)(), Some(room.id))), start);
         Ok(())
     }
@@ -466,7 +481,8 @@ impl Session {
         let is_linked = settings.path_link().is_none_or(|path| path != KEPT_PATH);
         let room = self.editor.room().filter(|_| is_linked).unwrap_or(OWN_ROOM);
         let room = ("room".to_owned(), room.to_owned());
-        std::iter::once(room).chain(settings.to_link())
+        let search = self.shows_search.then(|| (SEARCH.to_owned(), "1".to_owned()));
+        std::iter::once(room).chain(settings.to_link()).chain(search)
     }
 
     // ---- drawing
@@ -494,7 +510,7 @@ impl Session {
         }
         if self.editor.end() {
             self.message = None;
-            self.prepare();
+            self.prepare_changed();
         }
     }
 
@@ -513,7 +529,7 @@ impl Session {
             Ok(prepared) => {
                 self.message = None;
                 self.editor.set_start(Some(rounded(prepared.floor.start)));
-                self.prepare();
+                self.prepare_changed();
             }
             Err(error) => self.say("error", sentence(&error.to_string())),
         }
@@ -521,18 +537,34 @@ impl Session {
 
     /// Undoes the last change of the room.
     pub fn undo(&mut self) {
+        let lineage = self.editor.lineage();
         if self.editor.undo() {
             self.message = None;
-            self.prepare();
+            self.prepare_if_same(lineage);
         }
     }
 
     /// Redoes the last undone change.
     pub fn redo(&mut self) {
+        let lineage = self.editor.lineage();
         if self.editor.redo() {
             self.message = None;
-            self.prepare();
+            self.prepare_if_same(lineage);
         }
+    }
+
+    fn prepare_if_same(&mut self, lineage: u32) {
+        if self.editor.lineage() == lineage { self.prepare_changed() } else { self.prepare() }
+    }
+
+    /// A number that changes with the room, but not with changes of it.
+    pub fn room_lineage(&self) -> u32 {
+        self.editor.lineage()
+    }
+
+    /// Renames the room, which is then an own one.
+    pub fn rename_room(&mut self, name: &str) {
+        self.editor.rename(name);
     }
 
     /// Clears the undo and redo history.

@@ -110,13 +110,15 @@ impl Session {
         let Some(prepared) = &self.prepared else { return };
         match Planned::new(prepared, &answer) {
             Ok(planned) => {
-                self.recording = self.new_run(&planned.line).map(RunRecording::new);
                 let PlanAnswer { path, trace, proof, .. } = answer;
                 planning.film.take(&ProgressReport { done: 1.0, walk: &path.cells, line: &[], proof });
                 self.film = Showing::new(&planning.film.take_frames(), &prepared.planning_grid, self.holds_films);
                 self.search = (!trace.is_empty()).then(|| PlanSearch::new(prepared, &planned, &path.cells, trace));
                 let coverage = planned.drive.coverage;
                 self.planned = Some(planned);
+                if let Some(run) = self.fresh_run() {
+                    self.record(run);
+                }
                 self.warn_of_coarse_cells(coverage);
                 self.begin_film();
             }
@@ -190,7 +192,7 @@ impl Session {
     }
 
     /// The room laid out for the robot: along its path, if that was planned elsewhere.
-    fn lay_out(&self) -> Result<RoomSetup, FloorError> {
+    fn room_setup(&self) -> Result<RoomSetup, FloorError> {
         let (plan, robot, start) = (self.plan(), self.settings.robot_model(), self.editor.start());
         let Settings { cell_size, ref path, .. } = self.settings;
         match path {
@@ -211,21 +213,50 @@ impl Session {
         RoomSetup::new(self.plan(), &self.settings.robot_model(), cell_size, self.editor.start()).ok()
     }
 
+    /// A run from the start, once there is a path for those that need one.
+    pub(super) fn fresh_run(&self) -> Option<Run> {
+        let line = self.planned.as_ref().map(|planned| Arc::clone(&planned.line));
+        let needs_line = self.settings.path.is_some() || self.settings.algorithm.planner().is_some();
+        if needs_line && line.is_none() { None } else { self.new_run(&line.unwrap_or_default()) }
+    }
+
+    /// Begins with a run.
+    pub(super) fn record(&mut self, run: Run) {
+        self.runs += 1;
+        let run = match &self.before {
+            Some(before) => run.after(before),
+            None => run,
+        };
+        self.recording = Some(RunRecording::new(run));
+    }
+
+    /// Lays the room out again after a change of it; what was swept stays swept, where it still is floor.
+    pub(super) fn prepare_changed(&mut self) {
+        let run = self.recording.as_ref().map(RunRecording::run).filter(|run| run.steps() > 0).cloned();
+        let before = run.or_else(|| self.before.take());
+        self.lay_out(before);
+    }
+
     /// Lays the room out again and requests a plan.
     pub(super) fn prepare(&mut self) {
+        self.lay_out(None);
+    }
+
+    fn lay_out(&mut self, before: Option<Run>) {
         // After a finished run a change starts the next one.
         self.playing |= self.state() == SessionState::Finished;
         self.planned = None;
         self.search = None;
         self.film = None;
         self.recording = None;
+        self.before = before;
         self.planning = None;
         self.pacer.restart();
         self.is_opening = self.is_opening
             && self.editor.room() == Some(floor_plan::ROOMS[0].id)
             && self.editor.start().is_none()
             && self.settings.plans_like(&self.settings.defaults());
-        match self.lay_out() {
+        match self.room_setup() {
             Ok(prepared) => {
                 self.requests += 1;
                 let Settings { algorithm, ref params, ref path, seed, .. } = self.settings;
@@ -254,9 +285,10 @@ impl Session {
                 }
                 self.warn_of_closed_off(&prepared);
                 self.prepared = Some(prepared);
-                let line = self.planned.as_ref().map(|planned| Arc::clone(&planned.line));
-                if line.is_some() || algorithm.behaviour().is_some() {
-                    self.recording = self.new_run(&line.unwrap_or_default()).map(RunRecording::new);
+                if self.planning.is_none()
+                    && let Some(run) = self.fresh_run()
+                {
+                    self.record(run);
                 }
             }
             Err(error) => {

@@ -33,8 +33,10 @@ impl Session {
             // Both only grow, and one of them with every change.
             plan_version: self.editor.version() + u64::from(self.requests),
             floor: self.prepared.as_ref().map(|p| &*p.floor),
-            tracker: run.map(Run::tracker),
-            run_version: (u64::from(self.requests) << 32) + self.recording.as_ref().map_or(0, RunRecording::version),
+            // While another path is planned, what was swept before is seen.
+            tracker: run.or(self.before.as_ref()).map(Run::tracker),
+            run_version: (u64::from(self.requests + self.runs) << 32)
+                + self.recording.as_ref().map_or(0, RunRecording::version),
             planned: self.planned.as_ref().map_or(&[], |p| &p.line),
             preview: self.preview(),
             film,
@@ -99,6 +101,11 @@ impl Session {
             speed: self.settings.speed,
             speed_factor: self.pacer.speed_factor(),
             time_s: run.map_or(0.0, Run::time_s),
+            swept_before: self
+                .recording
+                .as_ref()
+                .filter(|_| self.before.is_some())
+                .map_or(0.0, RunRecording::first_coverage),
             run_end_s: self.recording.as_ref().map_or(0.0, RunRecording::end_s),
             coverage: run.map_or(0.0, Run::coverage),
             overlap: run.map_or(0.0, |r| r.tracker().overlap()),
@@ -116,7 +123,8 @@ impl Session {
             play: state.allows(Action::Play),
             pause: state.allows(Action::Pause),
             step: state.allows(Action::Step),
-            reset: state.allows(Action::Reset),
+            // At the start, it begins anew with a dirty floor.
+            reset: state.allows(Action::Reset) || (state == SessionState::Ready && self.before.is_some()),
             cancel: state.allows(Action::Cancel),
             keep: state.allows(Action::Cancel) && self.can_keep(),
             seek: state.allows(Action::Seek),
