@@ -16,6 +16,7 @@ mod info;
 mod intent;
 pub mod interlock;
 mod manual;
+mod online_snake;
 mod parts;
 mod random_walk;
 mod s_path;
@@ -151,6 +152,7 @@ registry! {
         explore::until_obstacle,
         explore::edge,
         explore::frontier,
+        online_snake,
     }
 }
 
