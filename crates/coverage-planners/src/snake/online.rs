@@ -88,6 +88,12 @@ impl OnlineSnake {
         self.free.is_set(cell) && !self.walk.memory.is_left(cell)
     }
 
+    /// Cells that aren't free as far as it has seen, beside visited ones.
+    pub fn border(&self) -> impl Iterator<Item = Cell> {
+        let is_border = |cell: Cell| cell.neighbours().into_iter().any(|next| self.is_visited(next));
+        self.free.iter().filter(move |&(cell, &is_free)| !is_free && is_border(cell)).map(|(cell, _)| cell)
+    }
+
     /// Cells that have been seen and not visited.
     pub fn left(&self) -> usize {
         self.walk.memory.left

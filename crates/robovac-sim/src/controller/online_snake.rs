@@ -38,8 +38,8 @@ use std::collections::BTreeMap;
 const CELLS: usize = 256;
 /// Distance up to which cells are looked at, m: farther away a scanner's points lie too far apart.
 const SIGHT: f64 = 3.0;
-/// How much nearer to the centre of an occupied cell of the map than its radius the body may come, m: half a cell.
-const SLACK: f64 = 0.025;
+/// How much nearer to the centre of an occupied cell of the map than its radius the body may come, m.
+const SLACK: f64 = 0.01;
 /// Distance from a cell's centre at which the robot has arrived, m.
 const THERE: f64 = 0.03;
 /// Distance off the line between two centres from which on it first returns to the one that it comes from, m.
@@ -53,6 +53,8 @@ const ALIGNED: f64 = 0.99;
 const SHORT: f64 = 0.03;
 /// Way back from obstacles and from edges, m.
 const BACK: f64 = 0.03;
+/// How often it backs off from an obstacle that keeps it from turning, before it takes the way there for blocked.
+const MOST_TURNS: u32 = 4;
 const BACK_FROM_EDGE: f64 = 0.1;
 /// Time for a cell, s: at first, and per metre of the way to it.
 const PATIENCE: (f64, f64) = (12.0, 15.0);
@@ -107,8 +109,9 @@ struct SnakeDrive {
     /// Cells in which it met something.
     met: BTreeMap<Cell, Met>,
     phase: SnakePhase,
-    /// Whether it has turned round since it came to the cell.
+    /// Whether it has turned round since it came to the cell, and how often it couldn't turn there.
     has_looked: bool,
+    stuck_turns: u32,
     lookout: Option<Lookout>,
     is_lifted: bool,
     search: RelocaliseSearch,
@@ -157,6 +160,7 @@ impl SnakeDrive {
             met: BTreeMap::new(),
             phase: SnakePhase::Look,
             has_looked: true,
+            stuck_turns: 0,
             lookout: Lookout::new(setup.robot),
             is_lifted: false,
             search: RelocaliseSearch::new(setup),
@@ -257,7 +261,7 @@ impl SnakeDrive {
     /// It has come to the next cell; goes on without a stop where the rules lead straight on.
     fn arrive(&mut self, next: Cell, towards: Direction) {
         self.snake.arrive();
-        self.has_looked = false;
+        (self.has_looked, self.stuck_turns) = (false, 0);
         self.look();
         let onward = self.snake.next().filter(|&cell| next.direction_to(cell) == Some(towards));
         let Some(cell) = onward else { return self.choose() };
@@ -283,10 +287,13 @@ impl SnakeDrive {
         self.phase = SnakePhase::Choose;
     }
 
-    /// Tries once more where it met something that can have gone; whether there is such a place.
+    /// Tries once more where it met something that can have gone, and where it can't see; whether there is such a place.
     fn forgive(&mut self) -> bool {
         let once: Vec<Cell> = self.met.iter().filter(|(_, met)| **met == Met::Once).map(|(cell, _)| *cell).collect();
-        let mut is_any = false;
+        let unseen: Vec<Cell> =
+            self.snake.border().filter(|cell| !self.met.contains_key(cell) && self.fits(*cell).is_none()).collect();
+        let mut is_any = !unseen.is_empty();
+        unseen.into_iter().for_each(|cell| self.snake.see(cell, true));
         for cell in once {
             let fits = self.fits(cell) != Some(false);
             self.met.insert(cell, if fits { Met::Forgiven } else { Met::Barred });
@@ -385,7 +392,13 @@ impl Behaviour for SnakeDrive {
             return self.search.on_obstruction(pilot, obstruction);
         }
         let is_bump = obstruction.kind == ObstructionKind::Bump;
-        self.meet(!is_bump);
+        let is_turning = matches!(&self.phase, SnakePhase::Drive { route, .. } if !route.is_driving());
+        if is_bump && is_turning && self.stuck_turns < MOST_TURNS {
+            self.stuck_turns += 1;
+            self.phase = SnakePhase::Choose;
+        } else {
+            self.meet(!is_bump);
+        }
         pilot.answer(obstruction, if is_bump { BACK } else { BACK_FROM_EDGE }, &[]);
     }
 
