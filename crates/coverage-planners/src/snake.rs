@@ -53,8 +53,12 @@
 //! ```
 
 mod memory;
+mod online;
 mod program;
 mod text;
+mod walk;
+
+pub use online::OnlineSnake;
 
 use super::{BuildPlanner, PlannerClaims, PlannerInfo, Search};
 use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};

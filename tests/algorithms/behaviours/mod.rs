@@ -3,6 +3,7 @@
 mod contract;
 mod docking;
 mod exploring;
+mod online_snake;
 mod papers;
 mod paths;
 mod rooms;

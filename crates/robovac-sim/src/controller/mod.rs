@@ -17,6 +17,7 @@ mod info;
 mod intent;
 pub mod interlock;
 mod manual;
+mod online_snake;
 mod parts;
 mod random_walk;
 mod recharge;
@@ -156,6 +157,7 @@ registry! {
         explore::until_obstacle,
         explore::edge,
         explore::frontier,
+        online_snake,
     }
 }
 
