@@ -61,7 +61,7 @@ pub enum ImportError {
     /// A file is a drawing, from which a room must be traced first.
     #[error(
         "\"{name}\" is {kind}, from which a room must be traced first; open it in the Floor plan tab of the page or \
-         use \"robovac convert\" (save a DWG as DXF first)"
+         use \"robovac convert\""
     )]
     IsADrawing {
         /// The file.

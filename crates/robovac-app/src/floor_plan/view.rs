@@ -1,11 +1,16 @@
 //! View model of the Floor plan tab, as one plain object.
 
-use super::{Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, size_in_words};
+use super::{
+    Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, paper_units, size_in_words,
+};
 use crate::amount::amount;
 use coverage_planners::{stage::LineEndContact, sweep::Sweep};
 use floor_drawing::Role;
 use robovac_core::{cspace::Outline, geometry::Point};
 use serde::Serialize;
+
+/// Lengths of a floor plan's longer side, m, that nobody is asked about (ours): from a closet to a house.
+const USUAL: [f64; 2] = [2.0, 60.0];
 
 /// Snapshot of a drawing session.
 #[derive(Debug, Clone, Serialize)]
@@ -24,6 +29,12 @@ pub struct DrawingView {
     pub size: Option<String>,
     /// The units in the menu, with the size that the source would have in each.
     pub units: Vec<UnitView>,
+    /// Whether a room's cells can be chosen: an image's pixels are finer than they.
+    pub has_cells: bool,
+    /// A size that is unusual for a room, in words, until it is confirmed; empty otherwise.
+    pub asks: String,
+    /// Angle by which the walls are askew, degrees; `None` if they are straight or have no common direction.
+    pub askew: Option<f64>,
     /// Layers of a drawing.
     pub layers: Vec<LayerView>,
     /// Number of strokes of a drawing.
@@ -78,7 +89,7 @@ pub struct FloorPlanView {
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct UnitView {
     /// Its name.
-    pub name: &'static str,
+    pub name: String,
     /// Metres per unit.
     pub metre: f64,
     /// The size that the drawing would have.
@@ -169,12 +180,15 @@ impl DrawingSession {
             units: UNITS
                 .iter()
                 .filter(|_| drawing.is_some())
-                .map(|unit| UnitView {
-                    name: unit.name,
-                    metre: unit.metre,
-                    size: size_in_words(size.x * unit.metre, size.y * unit.metre),
-                })
+                .map(|unit| (unit.name.to_owned(), unit.metre))
+                .chain(paper_units(source))
+                .map(|(name, metre)| UnitView { name, metre, size: size_in_words(size.x * metre, size.y * metre) })
                 .collect(),
+            has_cells: drawing.is_some()
+                || matches!(source, DrawingSource::Image { .. })
+                    && settings.metre.is_some_and(|metre| settings.has_fine_pixels(metre)),
+            asks: self.asks().unwrap_or_default(),
+            askew: self.askew(),
             layers: drawing.map_or(Vec::new(), |drawing| {
                 let with_role = drawing.layers.iter().zip(&settings.roles);
                 with_role.map(|(layer, &role)| layer_view(layer, role)).collect()
@@ -200,6 +214,17 @@ impl DrawingSession {
         };
         view.words = description(&view);
         view
+    }
+
+    /// The size of the room, if nobody has confirmed that it is so large or small.
+    fn asks(&self) -> Option<String> {
+        let (settings, room) = (self.settings(), self.room()?);
+        if matches!(self.source(), DrawingSource::Map { .. }) || settings.confirmed == settings.metre {
+            return None;
+        }
+        let (width, height) = (room.plan.width_m(), room.plan.height_m());
+        let is_usual = (USUAL[0]..=USUAL[1]).contains(&width.max(height));
+        (!is_usual).then(|| size_in_words(width, height))
     }
 
     fn room_view(&self) -> Option<TracedRoomView> {
