@@ -9,6 +9,7 @@ mod map;
 mod map_files;
 mod montecarlo;
 mod opening;
+mod pictures;
 mod scenario;
 mod session;
 mod types;

@@ -207,7 +207,6 @@ mod tests {
     fn drawings_are_called_what_they_are() {
         for (content, kind) in [
             ("  0\nSECTION\n  2\nENTITIES\n", "a DXF"),
-            ("AC1032\0", "a DWG"),
             ("\u{feff}<svg xmlns='http://www.w3.org/2000/svg'/>", "an SVG"),
             ("{\"type\": \"FeatureCollection\", \"features\": []}", "a GeoJSON"),
         ] {
@@ -215,5 +214,9 @@ mod tests {
             let message = Import::read(&[file]).unwrap_err().to_string();
             assert!(message.starts_with(&format!("\"house\" is {kind} drawing, from which a room")), "{message}");
         }
+        // Opened where drawings are: the message doesn't send one there.
+        let dwg = SourceFile { name: "house.dwg".to_owned(), bytes: b"AC1032\0".to_vec() };
+        let message = Import::read(&[dwg]).unwrap_err().to_string();
+        assert!(message.contains("save it as DXF") && !message.contains("tab"), "{message}");
     }
 }

@@ -107,7 +107,9 @@ fn found(drawing: &Drawing) -> Option<(Vec<usize>, Vec<usize>)> {
     }
     let mut title = Vec::new();
     if let Some(block) = block {
-        if area(&block) > TITLE_BLOCK * area(inner) {
+        let (low, high) = (block.low - inner.low, inner.high - block.high);
+        let is_in_corner = low.x.min(high.x) <= near && low.y.min(high.y) <= near;
+        if !is_in_corner || area(&block) > TITLE_BLOCK * area(inner) {
             return None;
         }
         let is_in = |b: &BoundingBox| (b.low - block.low).min() >= -near && (block.high - b.high).min() >= -near;

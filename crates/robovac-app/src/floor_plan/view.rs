@@ -12,6 +12,10 @@ use serde::Serialize;
 /// Lengths of a floor plan's longer side, m, that nobody is asked about (ours): from a closet to a house.
 const USUAL: [f64; 2] = [2.0, 60.0];
 
+fn is_usual(longer_side: f64) -> bool {
+    (USUAL[0]..=USUAL[1]).contains(&longer_side)
+}
+
 /// Snapshot of a drawing session.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
@@ -181,7 +185,7 @@ impl DrawingSession {
                 .iter()
                 .filter(|_| drawing.is_some())
                 .map(|unit| (unit.name.to_owned(), unit.metre))
-                .chain(paper_units(source))
+                .chain(paper_units(source).into_iter().filter(|(_, metre)| is_usual(size.max() * metre)))
                 .map(|(name, metre)| UnitView { name, metre, size: size_in_words(size.x * metre, size.y * metre) })
                 .collect(),
             has_cells: drawing.is_some()
@@ -223,8 +227,7 @@ impl DrawingSession {
             return None;
         }
         let (width, height) = (room.plan.width_m(), room.plan.height_m());
-        let is_usual = (USUAL[0]..=USUAL[1]).contains(&width.max(height));
-        (!is_usual).then(|| size_in_words(width, height))
+        (!is_usual(width.max(height))).then(|| size_in_words(width, height))
     }
 
     fn room_view(&self) -> Option<TracedRoomView> {
