@@ -39,7 +39,7 @@ fn file(image: &GrayImage, name: &str, format: ImageFormat) -> SourceFile {
 }
 
 fn opened(image: &GrayImage) -> DrawingSession {
-    let mut session = DrawingSession::open(&[file(image, "scan.pgm", ImageFormat::Pnm)]).unwrap();
+    let mut session = DrawingSession::open(&[file(image, "scan.png", ImageFormat::Png)]).unwrap();
     change(&mut session, |settings| settings.metre = Some(PIXEL));
     session
 }
@@ -178,7 +178,8 @@ fn a_leak_is_marked_where_it_is() {
     let mut session = DrawingSession::open(&[askew_room(true)]).unwrap();
     change(&mut session, |settings| settings.part = DrawingPart::Room { at: [6500.0, 3500.0] });
     let mark = session.mark().unwrap();
-    assert!((mark.at - Point::new(5500.0, 2060.0)).norm() < 300.0, "{:?}", mark.at);
+    // Before the opening, by half its width: the ring around it shows both.
+    assert!((mark.at - Point::new(5500.0, 2060.0)).norm() < 500.0, "{:?}", mark.at);
     assert!((0.6..1.0).contains(&mark.width), "{}", mark.width);
     assert!(session.fault().contains("opening about 0.") && !session.fault().contains('('), "{}", session.fault());
     change(&mut session, |settings| settings.gap = 0.9);

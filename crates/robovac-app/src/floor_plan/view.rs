@@ -220,13 +220,16 @@ impl DrawingSession {
         view
     }
 
-    /// The size of the room, if nobody has confirmed that it is so large or small.
+    /// The size of the room, or of all of it where there is none, if nobody has confirmed that it is so large or small.
     fn asks(&self) -> Option<String> {
-        let (settings, room) = (self.settings(), self.room()?);
-        if matches!(self.source(), DrawingSource::Map { .. }) || settings.confirmed == settings.metre {
+        let (settings, whole) = (self.settings(), self.source().extent().1);
+        let metre = settings.metre?;
+        if matches!(self.source(), DrawingSource::Map { .. }) || settings.confirmed == Some(metre) {
             return None;
         }
-        let (width, height) = (room.plan.width_m(), room.plan.height_m());
+        let (width, height) = self
+            .room()
+            .map_or((whole.x * metre, whole.y * metre), |room| (room.plan.width_m(), room.plan.height_m()));
         (!is_usual(width.max(height))).then(|| size_in_words(width, height))
     }
 
