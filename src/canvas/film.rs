@@ -1,6 +1,6 @@
 //! Draws a picture of a search film.
 
-use crate::canvas::line;
+use crate::canvas::lines::line;
 use robovac_app::{FilmScene, Palette, Viewport, explore::FilmInk};
 use robovac_core::geometry::Point;
 use web_sys::OffscreenCanvasRenderingContext2d;

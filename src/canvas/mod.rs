@@ -6,33 +6,30 @@
 
 pub mod film;
 pub mod layer;
+pub mod lines;
 pub mod objects;
 pub mod robot;
+mod scale_bar;
 pub mod search;
 pub mod sensed;
+mod shapes;
 
-use layer::{OffscreenLayer, VisitsPicture, cell_picture};
+use layer::{OffscreenLayer, VisitsPicture};
+use lines::{grid_lines, line, to_css, to_world, trail};
 use objects::{CanvasPen, DrawPass};
 use robovac_app::{Palette, RobotView, Scene, Viewport};
 use robovac_core::{
     floor_plan::Object,
     geometry::{Point, Pose, Vector},
-    grid::{Cell, Grid, Occupancy, outlines},
+    grid::Cell,
 };
 use robovac_sim::experiment::Shows;
+use shapes::{FillShape, Shapes};
 use wasm_bindgen::{JsCast, JsValue};
-use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, OffscreenCanvasRenderingContext2d, Path2d};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, OffscreenCanvasRenderingContext2d};
 
-/// Corners above which shapes are drawn as pictures of cells.
-const MOST_CORNERS: usize = 40_000;
-/// Corners in view above which the planned line isn't drawn: it would only be a grey veil.
-const MOST_PLANNED: usize = 60_000;
 /// Pixels per cell from which on the grid is drawn.
 const GRID_FROM: f64 = 16.0;
-/// Width of the canvas below which there is no room for a scale bar between legend and zoom, CSS pixels.
-const LEAST_FOR_SCALE_BAR: f64 = 626.0;
-/// Pieces of different strength in the trail.
-const TRAIL_PIECES: usize = 16;
 
 /// Draws onto one canvas of the page.
 #[derive(Debug)]
@@ -73,22 +70,6 @@ struct SceneStill {
     start: Option<Pose>,
     lifted: Option<usize>,
     dark: bool,
-}
-
-/// Cells in a form that can be filled.
-#[derive(Debug)]
-enum FillShape {
-    Path(Path2d),
-    Picture(OffscreenLayer),
-}
-
-/// Shapes made from one version of the plan.
-#[derive(Debug)]
-struct Shapes {
-    version: (u64, bool),
-    walls: FillShape,
-    unknown: FillShape,
-    unreachable: Option<FillShape>,
 }
 
 impl Canvas {
@@ -180,7 +161,7 @@ impl Canvas {
         if let (Some(unreachable), Some(floor)) = (&shapes.unreachable, fine) {
             unreachable.fill(below, viewport, floor.resolution, floor.floor.height(), palette.unreachable)?;
             if let FillShape::Path(path) = unreachable {
-                hatch(below, path, viewport, floor.resolution, palette)?;
+                lines::hatch(below, path, viewport, floor.resolution, palette)?;
             }
         }
         to_css(below, viewport)?;
@@ -276,99 +257,7 @@ impl Canvas {
             context.set_stroke_style_str(palette.accent);
             context.stroke_rect(corner.x - 0.5 * side, corner.y - 0.5 * side, side, side);
         }
-        scale_bar(context, viewport, palette)
-    }
-}
-
-impl Shapes {
-    fn new(scene: &Scene<'_>, palette: &Palette) -> Result<Self, JsValue> {
-        let occupancy = &scene.plan.occupancy;
-        let unreachable = scene.floor.map(|floor| {
-            let mut left_out = floor.floor.map(|&reached| !reached);
-            for (index, value) in left_out.values_mut().iter_mut().enumerate() {
-                let fine = floor.floor.cell(index);
-                *value &= occupancy.get(scene.plan.cell_at(floor.centre(fine))).is_some_and(|o| o.is_free());
-            }
-            FillShape::new(&left_out, palette.unreachable)
-        });
-        Ok(Self {
-            version: (scene.plan_version, scene.dark),
-            // Single cells have no edge, so a picture has the edge's colour.
-            walls: FillShape::new(&occupancy.map(|&o| o == Occupancy::Occupied), palette.wall_line)?,
-            unknown: FillShape::new(&occupancy.map(|&o| o == Occupancy::Unknown), palette.unknown)?,
-            unreachable: unreachable.transpose()?,
-        })
-    }
-}
-
-impl FillShape {
-    /// The set cells, as a path in units of cells if that isn't too long.
-    fn new(cells: &Grid<bool>, colour: &str) -> Result<Self, JsValue> {
-        let Some(loops) = outlines(cells, MOST_CORNERS) else {
-            let colour = parse_colour(colour);
-            return Ok(Self::Picture(cell_picture(cells, |&is_set| if is_set { colour } else { [0; 4] })?));
-        };
-        let path = Path2d::new()?;
-        for corners in &loops {
-            for (i, corner) in corners.iter().enumerate() {
-                let (x, y) = (f64::from(corner.x), f64::from(corner.y));
-                if i == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
-            }
-            path.close_path();
-        }
-        Ok(Self::Path(path))
-    }
-
-    /// Draws the edges of the cells, if they are known as a path.
-    fn edge(
-        &self,
-        context: &OffscreenCanvasRenderingContext2d,
-        viewport: &Viewport,
-        resolution: f64,
-        colour: &str,
-    ) -> Result<(), JsValue> {
-        if let Self::Path(path) = self {
-            to_world(context, viewport, resolution)?;
-            context.set_line_width(1.25 / (viewport.scale * resolution));
-            context.set_line_join("miter");
-            context.set_stroke_style_str(colour);
-            context.stroke_with_path(path);
-        }
-        Ok(())
-    }
-
-    /// Fills the cells, each `resolution` metres wide, of a grid with `rows` rows.
-    fn fill(
-        &self,
-        context: &OffscreenCanvasRenderingContext2d,
-        viewport: &Viewport,
-        resolution: f64,
-        rows: usize,
-        colour: &str,
-    ) -> Result<(), JsValue> {
-        match self {
-            Self::Path(path) => {
-                to_world(context, viewport, resolution)?;
-                context.set_fill_style_str(colour);
-                context.fill_with_path_2d(path);
-            }
-            Self::Picture(layer) => {
-                to_css(context, viewport)?;
-                let top_left = viewport.to_screen(Point::new(0.0, rows as f64 * resolution));
-                let size = resolution * viewport.scale;
-                let (width, height) = (f64::from(layer.canvas.width()) * size, f64::from(layer.canvas.height()) * size);
-                // Crisp cells once they are larger than pixels.
-                context.set_image_smoothing_enabled(size < 2.0);
-                context.draw_image_with_offscreen_canvas_and_dw_and_dh(
-                    &layer.canvas,
-                    top_left.x,
-                    top_left.y,
-                    width,
-                    height,
-                )?;
-            }
-        }
-        Ok(())
+        scale_bar::draw(context, viewport, palette)
     }
 }
 
@@ -455,168 +344,4 @@ fn as_layer(context: &CanvasRenderingContext2d) -> &OffscreenCanvasRenderingCont
 fn device_size(viewport: &Viewport) -> (u32, u32) {
     let size = viewport.size * viewport.pixel_ratio;
     (size.x.round().max(1.0) as u32, size.y.round().max(1.0) as u32)
-}
-
-/// One unit is `unit` metres from now on, y up.
-fn to_world(context: &OffscreenCanvasRenderingContext2d, viewport: &Viewport, unit: f64) -> Result<(), JsValue> {
-    let ratio = viewport.pixel_ratio;
-    let scale = viewport.scale * ratio * unit;
-    context.set_transform(scale, 0.0, 0.0, -scale, viewport.origin.x * ratio, viewport.origin.y * ratio)
-}
-
-/// One unit is a CSS pixel from now on, y down.
-fn to_css(context: &OffscreenCanvasRenderingContext2d, viewport: &Viewport) -> Result<(), JsValue> {
-    let ratio = viewport.pixel_ratio;
-    context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)
-}
-
-/// Slanted lines over the cells of `path`, always as far apart on the screen.
-fn hatch(
-    context: &OffscreenCanvasRenderingContext2d,
-    path: &Path2d,
-    viewport: &Viewport,
-    resolution: f64,
-    palette: &Palette,
-) -> Result<(), JsValue> {
-    context.save();
-    to_world(context, viewport, resolution)?;
-    context.clip_with_path_2d(path);
-    to_css(context, viewport)?;
-    let (width, height) = (viewport.size.x, viewport.size.y);
-    // Fixed to the floor, so that the pattern moves with it.
-    let spacing = 7.0;
-    let shift = (viewport.origin.x + viewport.origin.y).rem_euclid(spacing);
-    context.begin_path();
-    let mut at = shift;
-    while at < width + height {
-        context.move_to(at, 0.0);
-        context.line_to(at - height, height);
-        at += spacing;
-    }
-    context.set_line_width(1.0);
-    context.set_stroke_style_str(palette.hatch);
-    context.stroke();
-    context.restore();
-    Ok(())
-}
-
-/// Lines between the map's cells, where they are in view; one unit is a metre.
-fn grid_lines(context: &OffscreenCanvasRenderingContext2d, viewport: &Viewport, scene: &Scene<'_>, palette: &Palette) {
-    let (low, high) = viewport.bounds();
-    let (cell, width, height) = (scene.plan.resolution, scene.plan.width_m(), scene.plan.height_m());
-    let range =
-        |from: f64, to: f64, most: f64| (from.max(0.0) / cell).floor() as i32..=(to.min(most) / cell).ceil() as i32;
-    context.begin_path();
-    for x in range(low.x, high.x, width) {
-        context.move_to(f64::from(x) * cell, low.y.max(0.0));
-        context.line_to(f64::from(x) * cell, high.y.min(height));
-    }
-    for y in range(low.y, high.y, height) {
-        context.move_to(low.x.max(0.0), f64::from(y) * cell);
-        context.line_to(high.x.min(width), f64::from(y) * cell);
-    }
-    context.set_line_width(1.0 / viewport.scale);
-    context.set_stroke_style_str(palette.grid);
-    context.stroke();
-}
-
-/// The pieces of a line that are in view; one unit is a CSS pixel.
-pub fn line(
-    context: &OffscreenCanvasRenderingContext2d,
-    viewport: &Viewport,
-    points: &[Point],
-    colour: &str,
-    width: f64,
-) {
-    let (low, high) = viewport.bounds();
-    let is_seen = |a: &Point, b: &Point| {
-        a.x.max(b.x) >= low.x && a.x.min(b.x) <= high.x && a.y.max(b.y) >= low.y && a.y.min(b.y) <= high.y
-    };
-    if points.windows(2).filter(|w| is_seen(&w[0], &w[1])).count() > MOST_PLANNED {
-        return;
-    }
-    context.begin_path();
-    let mut is_drawing = false;
-    for pair in points.windows(2) {
-        if !is_seen(&pair[0], &pair[1]) {
-            is_drawing = false;
-            continue;
-        }
-        let (from, to) = (viewport.to_screen(pair[0]), viewport.to_screen(pair[1]));
-        if !is_drawing {
-            context.move_to(from.x, from.y);
-        }
-        context.line_to(to.x, to.y);
-        is_drawing = true;
-    }
-    context.set_line_join("round");
-    context.set_line_cap("round");
-    context.set_line_width(width);
-    context.set_stroke_style_str(colour);
-    context.stroke();
-}
-
-/// The robot's recent trail, fading out.
-fn trail(context: &CanvasRenderingContext2d, viewport: &Viewport, points: &[Point], colour: &str) {
-    if points.len() < 2 {
-        return;
-    }
-    context.set_line_width((0.035 * viewport.scale).clamp(2.0, 5.0));
-    context.set_line_join("round");
-    context.set_line_cap("butt");
-    context.set_stroke_style_str(colour);
-    let piece = points.len().div_ceil(TRAIL_PIECES).max(1);
-    let pieces = points.len().div_ceil(piece);
-    for i in 0..pieces {
-        let part = &points[i * piece..(i * piece + piece + 1).min(points.len())];
-        context.set_global_alpha((i + 1) as f64 / pieces as f64);
-        context.begin_path();
-        for (j, &point) in part.iter().enumerate() {
-            let at = viewport.to_screen(point);
-            if j == 0 { context.move_to(at.x, at.y) } else { context.line_to(at.x, at.y) }
-        }
-        context.stroke();
-    }
-    context.set_global_alpha(1.0);
-}
-
-/// A scale bar of a round length.
-fn scale_bar(context: &CanvasRenderingContext2d, viewport: &Viewport, palette: &Palette) -> Result<(), JsValue> {
-    if viewport.size.x < LEAST_FOR_SCALE_BAR {
-        return Ok(());
-    }
-    let lengths = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
-    let metres = lengths.into_iter().find(|m| m * viewport.scale >= 48.0).unwrap_or(100.0);
-    let (length, right, bottom) = (metres * viewport.scale, viewport.size.x - 194.0, viewport.size.y - 24.0);
-    // With a background, in case the room lies behind it.
-    context.set_fill_style_str(palette.outside);
-    context.set_global_alpha(0.8);
-    context.fill_rect(right - length - 6.0, bottom - 20.0, length + 12.0, 26.0);
-    context.set_global_alpha(1.0);
-    context.set_stroke_style_str(palette.text);
-    context.set_line_width(1.5);
-    context.begin_path();
-    context.move_to(right - length, bottom - 5.0);
-    context.line_to(right - length, bottom);
-    context.line_to(right, bottom);
-    context.line_to(right, bottom - 5.0);
-    context.stroke();
-    context.set_fill_style_str(palette.text);
-    context.set_font("12px -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif");
-    context.set_text_align("center");
-    context.set_text_baseline("alphabetic");
-    let label = if metres < 1.0 { format!("{} cm", metres * 100.0) } else { format!("{metres} m") };
-    context.fill_text(&label, right - 0.5 * length, bottom - 6.0)
-}
-
-/// Red, green, blue and opacity of the palette's own notations: `#rrggbb` and `rgb(r g b / opacity)`.
-fn parse_colour(css: &str) -> [u8; 4] {
-    if let Some(hex) = css.strip_prefix('#') {
-        let byte = |i: usize| hex.get(i..i + 2).and_then(|h| u8::from_str_radix(h, 16).ok()).unwrap_or(0);
-        return [byte(0), byte(2), byte(4), 255];
-    }
-    let numbers: Vec<f64> =
-        css.split(|c: char| !c.is_ascii_digit() && c != '.').filter_map(|n| n.parse().ok()).collect();
-    let part = |i: usize| numbers.get(i).copied().unwrap_or(1.0);
-    [part(0) as u8, part(1) as u8, part(2) as u8, (255.0 * part(3)) as u8]
 }
