@@ -281,11 +281,11 @@ mod formats {
         assert_messages(&[
             (message(&[]), "no file was given; choose a floor plan"),
             (text(" \n"), "\"a.txt\" is empty; choose another file"),
-            (text("Dear diary"), "\"a.txt\" is text of an unknown format: choose another file. Taken are drawings (DXF,"),
             (
-                message(&[file("a.png", b"%PDF-1.7\n")]),
-                "\"a.png\" is a PDF document: export its page as SVG",
+                text("Dear diary"),
+                "\"a.txt\" is text of an unknown format: choose another file. Taken are drawings (DXF,",
             ),
+            (message(&[file("a.png", b"%PDF-1.7\n")]), "\"a.png\" is a PDF document: export its page as SVG"),
             (message(&[file("a.jpg", b"\0\0\0\x18ftypheic")]), "\"a.jpg\" is a HEIC photograph: export it as JPEG"),
             (
                 message(&[file("a.zip", b"PK\x03\x04")]),

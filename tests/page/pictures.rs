@@ -142,9 +142,9 @@ fn askew_room(door: bool) -> SourceFile {
     let (sin, cos) = 7.0_f64.to_radians().sin_cos();
     let corners = [(900.0, 0.0), (4000.0, 0.0), (4000.0, 3000.0), (0.0, 3000.0), (0.0, 0.0), (100.0, 0.0)];
     let count = if door { corners.len() } else { 5 };
-    let corners = corners[..count].iter().map(|(x, y)| {
-        format!("10\n{}\n20\n{}\n", 5000.0 + x * cos - y * sin, 2000.0 + x * sin + y * cos)
-    });
+    let corners = corners[..count]
+        .iter()
+        .map(|(x, y)| format!("10\n{}\n20\n{}\n", 5000.0 + x * cos - y * sin, 2000.0 + x * sin + y * cos));
     let corners: String = corners.collect();
     let closed = u8::from(!door);
     let text = format!(

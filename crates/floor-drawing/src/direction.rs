@@ -70,7 +70,8 @@ pub fn picture_direction(walls: &Grid<bool>) -> Option<f64> {
     let edges: Vec<Cell> = walls.iter().map(|(cell, _)| cell).filter(|&cell| is_edge(cell)).collect();
     let step = edges.len().div_ceil(MOST_PIXELS).max(1);
     // Not every nth in a row of pixels: that beats with their raster.
-    let edges: Vec<Cell> = edges.into_iter().enumerate().filter(|(index, _)| index * 7919 % step == 0).map(|(_, cell)| cell).collect();
+    let edges: Vec<Cell> =
+        edges.into_iter().enumerate().filter(|(index, _)| index * 7919 % step == 0).map(|(_, cell)| cell).collect();
     if edges.len() < 40 {
         return None;
     }

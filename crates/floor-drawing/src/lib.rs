@@ -36,9 +36,9 @@ mod trace;
 mod tracing;
 mod write;
 
+pub use direction::{dominant_direction, picture_direction};
 pub use error::{DrawingError, DrawingFlaw};
 pub use model::{Drawing, DrawingLayer, MAX_COORDINATE, MAX_LAYERS, MAX_POINTS, Role, Stroke};
-pub use direction::{dominant_direction, picture_direction};
 pub use overlay::Overlay;
 pub use picture::{Picture, ShadeMethod, WallShades, suggest};
 pub use read::{drawing_kind, is_drawing, is_dxf, read};

@@ -66,7 +66,17 @@ impl FloorPlanPainter {
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         let context = canvas.get_context("2d")?.ok_or("no off-screen canvas; use a current browser")?.unchecked_into();
         let picture = OffscreenLayer::new(1, 1)?;
-        Ok(Self { canvas, context, lines: Vec::new(), room: None, image: None, slice: None, picture, drawn: None, took: 0.0 })
+        Ok(Self {
+            canvas,
+            context,
+            lines: Vec::new(),
+            room: None,
+            image: None,
+            slice: None,
+            picture,
+            drawn: None,
+            took: 0.0,
+        })
     }
 
     /// Takes another file.

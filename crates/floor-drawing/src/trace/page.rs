@@ -6,11 +6,7 @@ use super::{
     raster::RasterCanvas,
 };
 use crate::{Drawing, Role, model::DrawingLayer, roles::says_wall};
-use robovac_core::{
-    geometry::Point,
-    grid::Cell,
-    math::ceil,
-};
+use robovac_core::{geometry::Point, grid::Cell, math::ceil};
 
 /// Longer by shorter side of a frame: sheets have the square root of 2 (ISO 216), with margins a little more or less.
 const ASPECT: [f64; 2] = [1.36, 1.48];
@@ -36,7 +32,12 @@ pub(crate) fn without_page(mut drawing: Drawing) -> Drawing {
         }
         let colour = drawing.layers[drawing.strokes[strokes[0]].layer as usize].colour;
         let layer = drawing.layers.len() as u32;
-        drawing.layers.push(DrawingLayer { name: name.to_owned(), colour, strokes: strokes.len(), role: Role::Ignored });
+        drawing.layers.push(DrawingLayer {
+            name: name.to_owned(),
+            colour,
+            strokes: strokes.len(),
+            role: Role::Ignored,
+        });
         for stroke in strokes {
             let old = &mut drawing.strokes[stroke].layer;
             drawing.layers[*old as usize].strokes -= 1;
@@ -132,11 +133,7 @@ fn is_rectangle(corners: &[Point], is_closed: bool, b: &BoundingBox, near: f64) 
     let returns = corners.len() == 5 && (corners[0] - corners[4]).norm() <= near;
     let at = |corner: &Point| {
         let side = |value: f64, low: f64, high: f64| {
-            if (value - low).abs() <= near {
-                Some(false)
-            } else {
-                ((value - high).abs() <= near).then_some(true)
-            }
+            if (value - low).abs() <= near { Some(false) } else { ((value - high).abs() <= near).then_some(true) }
         };
         Some((side(corner.x, b.low.x, b.high.x)?, side(corner.y, b.low.y, b.high.y)?))
     };

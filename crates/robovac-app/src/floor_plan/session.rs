@@ -179,9 +179,8 @@ impl DrawingSession {
             };
         }
         let now = &self.settings;
-        let room = |s: &FloorPlanSettings| {
-            (s.metre, s.roles.clone(), s.gap, s.resolution, s.part.clone(), s.turn, s.shades())
-        };
+        let room =
+            |s: &FloorPlanSettings| (s.metre, s.roles.clone(), s.gap, s.resolution, s.part.clone(), s.turn, s.shades());
         if room(&before) != room(now) {
             self.trace();
             return Ok(());

@@ -1,8 +1,6 @@
 //! View model of the Floor plan tab, as one plain object.
 
-use super::{
-    Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, paper_units, size_in_words,
-};
+use super::{Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, paper_units, size_in_words};
 use crate::amount::amount;
 use coverage_planners::{stage::LineEndContact, sweep::Sweep};
 use floor_drawing::Role;
@@ -227,9 +225,8 @@ impl DrawingSession {
         if matches!(self.source(), DrawingSource::Map { .. }) || settings.confirmed == Some(metre) {
             return None;
         }
-        let (width, height) = self
-            .room()
-            .map_or((whole.x * metre, whole.y * metre), |room| (room.plan.width_m(), room.plan.height_m()));
+        let (width, height) =
+            self.room().map_or((whole.x * metre, whole.y * metre), |room| (room.plan.width_m(), room.plan.height_m()));
         (!is_usual(width.max(height))).then(|| size_in_words(width, height))
     }
 

@@ -1,6 +1,6 @@
 //! Errors in map files, with a hint how to fix each.
 
-use super::{JsonPlace, TAKEN, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, PlacementFault, SCENARIO_VERSION};
+use super::{JsonPlace, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, PlacementFault, SCENARIO_VERSION, TAKEN};
 
 /// Reasons why files aren't a valid floor plan. Every message names the cause, the place and the remedy.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

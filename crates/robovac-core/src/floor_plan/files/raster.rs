@@ -186,11 +186,7 @@ fn upright<T: Copy>(width: usize, pixels: Vec<T>, held: Orientation) -> (usize, 
 }
 
 /// Cells of one row of pixels, each made of 8 or 16 bits a channel.
-fn cells<'a, T>(
-    row: &'a [u8],
-    colour: ColorType,
-    pixel: &'a impl Fn(f64, f64) -> T,
-) -> impl Iterator<Item = T> + 'a {
+fn cells<'a, T>(row: &'a [u8], colour: ColorType, pixel: &'a impl Fn(f64, f64) -> T) -> impl Iterator<Item = T> + 'a {
     let channels = usize::from(colour.channel_count());
     let size = usize::from(colour.bytes_per_pixel()) / channels;
     let colours = channels - usize::from(colour.has_alpha());
