@@ -233,7 +233,7 @@ gap: number,
 floor_m2: number, };
 
 /** The part of a drawing to be traced, in its unit. */
-export type DrawingPart = { "kind": "whole" } | { "kind": "rectangle",
+export type DrawingPart = { "kind": "indoors" } | { "kind": "whole" } | { "kind": "rectangle",
 /** Two opposite corners. */
 corners: [[number, number], [number, number]], } | { "kind": "polygon",
 /** Its corners. */
@@ -310,8 +310,16 @@ gap: number,
 resolution: number,
 /** The part to be traced. */
 part: DrawingPart,
-/** Shades of an image that are walls: those darker than this, 0 (black) to 1 (white). */
+/** Angle by which the file is turned, degrees counter-clockwise, above -180 to 180. */
+turn: number,
+/** How the shades of an image are told apart. */
+method: ShadeMethod,
+/** Shades of an image that are walls: those darker than this, 0 (black) to 1 (white). For the method *level*. */
 shade: number,
+/** How much darker than their surroundings walls are, 0 to 1. For the method *local*. */
+contrast: number,
+/** Marks of an image that are smaller than this are left out, m; not by the method *map*. */
+specks: number,
 /** Whether light shades are walls instead. */
 negate: boolean,
 /** The robot's outline. */
@@ -325,7 +333,9 @@ clearance: number,
 /** Side of the obstacle map's cells, m. */
 cell: number,
 /** Headings of the obstacle map. */
-headings: number, };
+headings: number,
+/** The unit, m, whose unusual size the user has confirmed. */
+confirmed: number | null, };
 
 /** Snapshot of a floor plan, and of the displayed part of its sweep. */
 export type FloorPlanView = {
@@ -347,6 +357,12 @@ is_scalable: boolean,
 size: string | null,
 /** The units in the menu, with the size that the source would have in each. */
 units: Array<UnitView>,
+/** Whether a room's cells can be chosen: an image's pixels are finer than they. */
+has_cells: boolean,
+/** A size that is unusual for a room, in words, until it is confirmed; empty otherwise. */
+asks: string,
+/** Angle by which the walls are askew, degrees; `None` if they are straight or have no common direction. */
+askew: number | null,
 /** Layers of a drawing. */
 layers: Array<LayerView>,
 /** Number of strokes of a drawing. */
@@ -1016,6 +1032,9 @@ choices: ScenarioChoices, };
 
 /** State of the session. */
 export type SessionState = "failed" | "planning" | "ready" | "playing" | "paused" | "seeking" | "finished";
+
+/** How shades are told apart. */
+export type ShadeMethod = "map" | "level" | "local";
 
 /** Layers of the picture that can be shown or hidden. */
 export type Shows = {

@@ -10,6 +10,7 @@ mod map_files;
 mod montecarlo;
 mod opening;
 mod own_robot;
+mod pictures;
 mod scenario;
 mod session;
 mod types;

@@ -60,8 +60,8 @@ export function startUses(it, keeping) {
   const open = async (chosen) => {
     if (chosen.length === 0) return;
     try {
-      const { readMap } = await import("../workers.js");
-      const map = await readMap(await Promise.all(chosen.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }))));
+      const [{ readMap }, { readable }] = await Promise.all([import("../workers.js"), import("../shared/pictures.js")]);
+      const map = await readMap(await readable(chosen));
       // The run can have continued meanwhile.
       keeping.save();
       const before = ran();

@@ -68,7 +68,7 @@ pub enum ImportError {
     /// A file is a drawing, from which a room must be traced first.
     #[error(
         "\"{name}\" is {kind}, from which a room must be traced first; open it in the Floor plan tab of the page or \
-         use \"robovac convert\" (save a DWG as DXF first)"
+         use \"robovac convert\""
     )]
     IsADrawing {
         /// The file.
@@ -230,7 +230,6 @@ mod tests {
     fn drawings_are_called_what_they_are() {
         for (content, kind) in [
             ("  0\nSECTION\n  2\nENTITIES\n", "a DXF"),
-            ("AC1032\0", "a DWG"),
             ("\u{feff}<svg xmlns='http://www.w3.org/2000/svg'/>", "an SVG"),
             ("{\"type\": \"FeatureCollection\", \"features\": []}", "a GeoJSON"),
         ] {
@@ -238,5 +237,9 @@ mod tests {
             let message = Import::read(&[file]).unwrap_err().to_string();
             assert!(message.starts_with(&format!("\"house\" is {kind} drawing, from which a room")), "{message}");
         }
+        // Opened where drawings are: the message doesn't send one there.
+        let dwg = SourceFile { name: "house.dwg".to_owned(), bytes: b"AC1032\0".to_vec() };
+        let message = Import::read(&[dwg]).unwrap_err().to_string();
+        assert!(message.contains("save it as DXF") && !message.contains("tab"), "{message}");
     }
 }

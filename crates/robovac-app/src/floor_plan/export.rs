@@ -40,7 +40,7 @@ impl DrawingSession {
         let (ending, kind) = format.file_type();
         // Files of the whole and of a part must not have the same name.
         let part = match self.settings().part {
-            DrawingPart::Whole => "",
+            DrawingPart::Indoors | DrawingPart::Whole => "",
             DrawingPart::Room { .. } => "-room",
             DrawingPart::Rectangle { .. } | DrawingPart::Polygon { .. } => "-part",
         };

@@ -1,11 +1,18 @@
 //! View model of the Floor plan tab, as one plain object.
 
-use super::{Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, size_in_words};
+use super::{Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, paper_units, size_in_words};
 use crate::amount::amount;
 use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
 use floor_drawing::Role;
 use robovac_core::{cspace::Outline, geometry::Point};
 use serde::Serialize;
+
+/// Lengths of a floor plan's longer side, m, that nobody is asked about (ours): from a closet to a house.
+const USUAL: [f64; 2] = [2.0, 60.0];
+
+fn is_usual(longer_side: f64) -> bool {
+    (USUAL[0]..=USUAL[1]).contains(&longer_side)
+}
 
 /// Snapshot of a drawing session.
 #[derive(Debug, Clone, Serialize)]
@@ -24,6 +31,12 @@ pub struct DrawingView {
     pub size: Option<String>,
     /// The units in the menu, with the size that the source would have in each.
     pub units: Vec<UnitView>,
+    /// Whether a room's cells can be chosen: an image's pixels are finer than they.
+    pub has_cells: bool,
+    /// A size that is unusual for a room, in words, until it is confirmed; empty otherwise.
+    pub asks: String,
+    /// Angle by which the walls are askew, degrees; `None` if they are straight or have no common direction.
+    pub askew: Option<f64>,
     /// Layers of a drawing.
     pub layers: Vec<LayerView>,
     /// Number of strokes of a drawing.
@@ -78,7 +91,7 @@ pub struct FloorPlanView {
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct UnitView {
     /// Its name.
-    pub name: &'static str,
+    pub name: String,
     /// Metres per unit.
     pub metre: f64,
     /// The size that the drawing would have.
@@ -171,12 +184,15 @@ impl DrawingSession {
             units: UNITS
                 .iter()
                 .filter(|_| drawing.is_some())
-                .map(|unit| UnitView {
-                    name: unit.name,
-                    metre: unit.metre,
-                    size: size_in_words(size.x * unit.metre, size.y * unit.metre),
-                })
+                .map(|unit| (unit.name.to_owned(), unit.metre))
+                .chain(paper_units(source).into_iter().filter(|(_, metre)| is_usual(size.max() * metre)))
+                .map(|(name, metre)| UnitView { name, metre, size: size_in_words(size.x * metre, size.y * metre) })
                 .collect(),
+            has_cells: drawing.is_some()
+                || matches!(source, DrawingSource::Image { .. })
+                    && settings.metre.is_some_and(|metre| settings.has_fine_pixels(metre)),
+            asks: self.asks().unwrap_or_default(),
+            askew: self.askew(),
             layers: drawing.map_or(Vec::new(), |drawing| {
                 let with_role = drawing.layers.iter().zip(&settings.roles);
                 with_role.map(|(layer, &role)| layer_view(layer, role)).collect()
@@ -202,6 +218,18 @@ impl DrawingSession {
         };
         view.words = description(&view);
         view
+    }
+
+    /// The size of the room, or of all of it where there is none, if nobody has confirmed that it is so large or small.
+    fn asks(&self) -> Option<String> {
+        let (settings, whole) = (self.settings(), self.source().extent().1);
+        let metre = settings.metre?;
+        if matches!(self.source(), DrawingSource::Map { .. }) || settings.confirmed == Some(metre) {
+            return None;
+        }
+        let (width, height) =
+            self.room().map_or((whole.x * metre, whole.y * metre), |room| (room.plan.width_m(), room.plan.height_m()));
+        (!is_usual(width.max(height))).then(|| size_in_words(width, height))
     }
 
     fn room_view(&self) -> Option<TracedRoomView> {
