@@ -289,6 +289,7 @@ impl Planned {
             planning_s: seconds,
             proof: None,
             compared: None,
+            least: None,
             kept_at: None,
         }
     }

@@ -110,7 +110,7 @@ impl PlanReport {
             ),
             corners_m: solution.path.line.iter().map(|at| [at.x, at.y]).collect(),
             cells: solution.path.cells,
-            walk: walk.unwrap_or_default(),
+            walk,
             drive,
             planning_s,
             bounds,
