@@ -196,7 +196,10 @@ impl Stored {
         }
         let body: StoredBody =
             serde_json::from_str(&envelope.body).map_err(|_| damaged("its content can't be read"))?;
-        if !(body.resolution.is_finite() && body.resolution > 0.0 && body.pose.iter().chain(body.docks.iter().flatten()).all(|n| n.is_finite())) {
+        if !(body.resolution.is_finite()
+            && body.resolution > 0.0
+            && body.pose.iter().chain(body.docks.iter().flatten()).all(|n| n.is_finite()))
+        {
             return Err(damaged("its scale or pose isn't a number"));
         }
         let list = |text: &str| from_text(text).and_then(|bytes| cells_of(&bytes));

@@ -74,7 +74,17 @@ impl Recharge {
         let (berth, before) = reached.min_by(|(_, a), (_, b)| (a - start).norm().total_cmp(&(b - start).norm()))?;
         let floor = Arc::clone(floor);
         let (low, full) = (share(&GO_HOME), share(&LEAVE_HOME));
-        Some(Self { follower: follower.clone(), floor, berth, before, seed, low, full, errand: Errand::None, left: start })
+        Some(Self {
+            follower: follower.clone(),
+            floor,
+            berth,
+            before,
+            seed,
+            low,
+            full,
+            errand: Errand::None,
+            left: start,
+        })
     }
 
     /// The same with other shares of the charge at which it goes and leaves, percent.

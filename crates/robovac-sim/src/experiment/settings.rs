@@ -243,7 +243,8 @@ impl Settings {
 
     /// Sets the charge of the battery at the start, whose text is `text`.
     pub fn set_start_charge(&mut self, percent: Option<u64>, text: &str) -> Result<(), SettingsError> {
-        let percent = percent.and_then(|percent| u8::try_from(percent).ok()).filter(|percent| (1..=100).contains(percent));
+        let percent =
+            percent.and_then(|percent| u8::try_from(percent).ok()).filter(|percent| (1..=100).contains(percent));
         self.conditions.start_charge_percent = percent.ok_or_else(|| SettingsError::Invalid {
             kind: "the start charge",
             value: text.to_owned(),
