@@ -72,7 +72,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         complexity: "O(1) time and memory per step.",
         use_when: "When the battery runs low. It needs infrared receivers; in large or winding rooms the search is \
             slow.",
-        shines: Example { room: "room12ft", why: "In a single room the beams are found quickly." },
+        shines: Example { room: "bedroom", why: "In a single room the beams are found quickly." },
         fails: Example {
             room: "flat",
             why: "From other rooms no beam is seen, so the robot must first find the right door by chance.",
