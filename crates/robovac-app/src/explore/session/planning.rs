@@ -229,7 +229,7 @@ impl Session {
                 self.warn_of_closed_off(&prepared);
                 self.prepared = Some(prepared);
                 if algorithm.behaviour().is_some() {
-                    self.recording = self.new_run(&Arc::new([])).map(RunRecording::new);
+                    self.recording = self.new_run(&Vec::new().into()).map(RunRecording::new);
                 }
             }
             Err(error) => {
