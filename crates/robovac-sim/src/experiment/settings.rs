@@ -180,7 +180,7 @@ impl Settings {
         self.robot = chosen.id;
         self.custom = None;
         self.cell_size = chosen.default_cell;
-        self.keep_path(before);
+        self.keep_path(&before);
         Ok(())
     }
 
@@ -191,8 +191,8 @@ impl Settings {
     }
 
     /// Leaves the path out if the robot had another shape before.
-    fn keep_path(&mut self, before: (Body, f64, WheelLayout)) {
-        if self.path.is_some() && self.shape() != before {
+    fn keep_path(&mut self, before: &(Body, f64, WheelLayout)) {
+        if self.path.is_some() && self.shape() != *before {
             self.path = None;
         }
     }
@@ -223,7 +223,7 @@ impl Settings {
         let before = self.shape();
         self.cell_size = custom.of(model).default_cell;
         self.custom = Some(custom);
-        self.keep_path(before);
+        self.keep_path(&before);
         Ok(())
     }
 
