@@ -70,8 +70,8 @@ pub enum SmoothError {
 
 /// Rounds `line` (corners in metres, from the start of `floor`) for `robot`, which drives no faster than `limits`.
 ///
-/// The result never takes longer than stopping at every corner, its body touches nothing where the line's doesn't, and it sweeps
-/// at most `setup.loss` less.
+/// The result takes no longer than stopping at every corner within the same limits, its body touches nothing where the
+/// line's doesn't, and it sweeps at most `setup.loss` less.
 pub fn smooth(floor: &ReachableFloor, line: &[Point], limits: &DriveLimits, setup: &SmoothSetup) -> SmoothPath {
     let heading = floor.start.heading;
     let line = &distinct(line);
