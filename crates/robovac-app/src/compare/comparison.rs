@@ -92,7 +92,7 @@ impl Comparison {
 
     /// Includes a planner, or excludes it.
     pub fn choose(&mut self, id: &str, takes_part: bool) -> Result<(), SettingsError> {
-        self.choose_entrant(self.index(id)?, takes_part);
+        self.choose_entrant(Self::index(id)?, takes_part);
         Ok(())
     }
 
@@ -108,7 +108,7 @@ impl Comparison {
 
     /// Sets a parameter of a planner from the text of a form.
     pub fn set_param(&mut self, planner: &str, id: &str, text: &str) -> Result<(), SettingsError> {
-        self.set_entrant_param(self.index(planner)?, id, text)
+        self.set_entrant_param(Self::index(planner)?, id, text)
     }
 
     /// Sets a parameter of an entrant by its number.
@@ -215,7 +215,7 @@ impl Comparison {
         self.changed();
     }
 
-    fn index(&self, id: &str) -> Result<usize, SettingsError> {
+    fn index(id: &str) -> Result<usize, SettingsError> {
         let of_planner = |info: &PlannerInfo| PLANNERS.iter().position(|other| other.id == info.id);
         Entrant::parse_planner(id).map(|(_, info)| of_planner(info).unwrap_or(0))
     }

@@ -95,7 +95,7 @@ impl Editor {
 
     /// Renames the room, which is then an own one.
     pub fn rename(&mut self, name: &str) {
-        Arc::make_mut(&mut self.now.plan).name = name.to_owned();
+        name.clone_into(&mut Arc::make_mut(&mut self.now.plan).name);
         self.now.room = None;
         self.version += 1;
     }
