@@ -25,6 +25,7 @@ export function startScale(it) {
     const { settings, units, kind, is_scalable } = view;
     setHidden(byId("floor-plan-unit-field"), units.length === 0);
     setHidden(byId("floor-plan-pixel-field"), kind === "drawing" || !is_scalable);
+    setText(byId("floor-plan-pixel-label"), kind === "image" ? "A pixel is" : "A cell is");
     setHidden(byId("floor-plan-scale"), !is_scalable);
     setText(byId("floor-plan-scale-note"), note(view));
     setAttribute(byId("floor-plan-unit-field"), "data-open", String(kind === "drawing" && settings.metre === null));

@@ -79,6 +79,9 @@ pub fn trace_picture(picture: &Picture, how: &Tracing) -> Result<Traced, Drawing
     Ok(traced.turned(picture.turn))
 }
 
+/// The floor that walls enclose: its cells, the walls and the openings that are closed for it.
+type EnclosedFloor = (RasterFrame, Grid<bool>, Grid<bool>, Vec<[Point; 2]>);
+
 struct RoomTracer<'a> {
     drawing: &'a Drawing,
     /// What is traced instead of strokes.
@@ -145,12 +148,20 @@ impl<'a> RoomTracer<'a> {
         }
     }
 
-    /// The floor that walls enclose, with openings up to the width of an outer door closed.
     fn indoors(&self) -> Result<Traced, DrawingFlaw> {
+        match self.enclosed()? {
+            Some((frame, inside, walls, openings)) => self.cropped(&frame, inside, &walls, &openings),
+            None => self.whole(),
+        }
+    }
+
+    /// The floor that walls enclose, with openings up to the width of an outer door closed: cells, walls and openings.
+    /// `None` if they enclose hardly any.
+    fn enclosed(&self) -> Result<Option<EnclosedFloor>, DrawingFlaw> {
         let gap = OUTER_DOOR.max(self.how.gap) / self.how.resolution;
         let frame = RasterFrame::around(&self.bounds, self.side, ceil(gap.min(1e6)).saturating_add(MARGIN));
         if frame.check(self.how.metre).is_err() {
-            return self.whole();
+            return Ok(None);
         }
         let walls = self.walls(&frame, false)?;
         let mut inside = region::enclosed(&walls, self.how.resolution);
@@ -165,19 +176,17 @@ impl<'a> RoomTracer<'a> {
             (inside, openings) = (with_doors_closed, outside.openings);
         }
         let size = (self.bounds.high - self.bounds.low) / self.side;
-        if (inside.count() as f64) < INDOORS * size.x * size.y {
-            return self.whole();
-        }
-        self.cropped(&frame, inside, &walls, &openings)
+        let is_building = inside.count() as f64 >= INDOORS * size.x * size.y;
+        Ok(is_building.then_some((frame, inside, walls, openings)))
     }
 
     fn whole(&self) -> Result<Traced, DrawingFlaw> {
         if self.picture.is_some() {
             let frame = RasterFrame::around(&self.bounds, self.side, 0);
             frame.check(self.how.metre)?;
-            let walls = self.walls(&frame, true)?;
-            let mut traced = self.furnished(&frame, &walls.map(|is_wall| !is_wall))?;
-            traced.plan.start = self.start_indoors(&walls);
+            let floor = self.walls(&frame, true)?.map(|is_wall| !is_wall);
+            let mut traced = self.furnished(&frame, &floor)?;
+            traced.plan.start = self.start_indoors(&frame, floor.count())?;
             return Ok(traced);
         }
         let frame = RasterFrame::around(&self.bounds, self.side, MARGIN);
@@ -199,19 +208,17 @@ impl<'a> RoomTracer<'a> {
         self.furnished(&frame, &walls.map(|is_wall| !is_wall))
     }
 
-    /// The middle of the widest place that walls enclose, if they enclose some of the floor, but not all of it.
-    fn start_indoors(&self, walls: &Grid<bool>) -> Option<Pose> {
-        let inside = region::enclosed(walls, self.how.resolution);
-        let room = largest_part(&inside)?;
+    /// The middle of the widest place that walls enclose, in the room of the cells `whole`, if there is floor outside, too.
+    fn start_indoors(&self, whole: &RasterFrame, free: usize) -> Result<Option<Pose>, DrawingFlaw> {
+        let Some((frame, inside, ..)) = self.enclosed()? else { return Ok(None) };
+        let Some(room) = largest_part(&inside).filter(|_| inside.count() < free) else { return Ok(None) };
         let room = reachable(&inside, room);
-        let free = walls.len() - walls.count();
-        if inside.count() == free {
-            return None;
-        }
         let width = chessboard(&room.map(|is_room| !is_room));
-        let (cell, _) = width.iter().max_by_key(|&(_, &moves)| moves)?;
-        let at = cell.centre(self.how.resolution);
-        Some(Pose::new(at.x, at.y, 0.0))
+        let widest = width.iter().max_by_key(|&(_, &moves)| moves);
+        Ok(widest.map(|(cell, _)| {
+            let at = whole.cells(frame.point(cell.centre(1.0))) * self.how.resolution;
+            Pose::new(at.x, at.y, 0.0)
+        }))
     }
 
     /// The floor enclosed when openings in walls are closed, if that is more than the `closed` cells enclosed anyway.

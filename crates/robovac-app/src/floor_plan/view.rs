@@ -227,8 +227,11 @@ impl DrawingSession {
         if matches!(self.source(), DrawingSource::Map { .. }) || settings.confirmed == Some(metre) {
             return None;
         }
-        let (width, height) =
-            self.room().map_or((whole.x * metre, whole.y * metre), |room| (room.plan.width_m(), room.plan.height_m()));
+        let (width, height) = (whole.x * metre, whole.y * metre);
+        // There can be floor around what walls don't enclose.
+        let is_tiny = width.max(height) < USUAL[0];
+        let room = self.room().filter(|_| !is_tiny).map(|room| (room.plan.width_m(), room.plan.height_m()));
+        let (width, height) = room.unwrap_or((width, height));
         (!is_usual(width.max(height))).then(|| size_in_words(width, height))
     }
 
