@@ -26,6 +26,7 @@ test("planning cells are chosen for a coverage", async (t) => {
   const { app } = await openApp(t, { address: "#room=bedroom&planner=boustrophedon&cell=0.2" });
   const swept = async () => Number(/[\d.]+/.exec((await app.metric("Coverage")).plan)?.[0]);
   await app.poll(swept, (coverage) => coverage < 97);
+  await app.unfold();
   await app.choose("cell-size", "98");
   await app.poll(swept, (coverage) => coverage >= 98);
   assert.equal(await app.message(), "");
