@@ -19,7 +19,10 @@ export async function fitCells({ playground, act }, percent) {
       worker.postMessage({ type: "fit", request: { id: 0, snapshot: playground.snapshot(undefined), percent } });
     });
     // Whatever was changed meanwhile counts.
-    if (playground.link() === asked) act((p) => p.set_cell_size(metres));
+    if (playground.link() !== asked) return;
+    const size = String(metres);
+    if (![...menu.options].some(({ value }) => value === size)) menu.append(new Option(`${+(metres * 100).toFixed(2)} cm`, size));
+    act((p) => p.set_cell_size(metres));
   } catch (error) {
     act(() => {
       throw error;

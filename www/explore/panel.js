@@ -31,8 +31,7 @@ export function startPanel(app) {
   byId("odometry-field").setAttribute("data-tip", ODOMETRY_TIP);
   fill(select("robot"), [...robots.map(({ id, title }) => /** @type {[string, string]} */ ([id, title])), [OWN, "Own robot…"]]);
   const cells = select("cell-size");
-  const centimetres = (/** @type {number} */ size) => `${+(size * 100).toFixed(2)} cm`;
-  fill(cells, [...cell_sizes_m, ...COVERAGES].map((size) => [String(size), size < 2 ? centimetres(size) : `for ${size} %`]));
+  fill(cells, [...cell_sizes_m, ...COVERAGES].map((size) => [String(size), size < 2 ? `${+(size * 100).toFixed(2)} cm` : `for ${size} %`]));
 
   /** @param {(p: App["playground"]) => void} what */
   const change = (what) => {
@@ -134,9 +133,7 @@ export function startPanel(app) {
     showAlgorithm(view);
     showRobot(view);
     setText(byId("now"), `${title}, ${select("robot").selectedOptions[0]?.textContent ?? ""}`);
-    const size = String(view.cell_size_m);
-    if (shown.get(cells) !== size && ![...cells.options].some(({ value }) => value === size)) cells.append(new Option(centimetres(view.cell_size_m), size));
-    show(cells, size);
+    show(cells, String(view.cell_size_m));
     showRealism(view, show);
     noises.forEach(({ menu }, index) => show(menu, view.noise[index] ?? "off"));
     show(select("odometry"), view.odometry);

@@ -147,7 +147,7 @@ pub const METRICS: &[MetricInfo] = &[
             "excess_length",
             "Excess length",
             ("%", 1),
-            "Length above the proven least length of any path that sweeps as much floor, in percent of that.",
+            "Length above the proven least of any path that sweeps as much floor.",
             |n| Some(100.0 * n.excess?.above[0].max(0.0)),
         )
     },
@@ -157,7 +157,7 @@ pub const METRICS: &[MetricInfo] = &[
             "excess_time",
             "Excess time",
             ("%", 1),
-            "Time above the proven least time of any path that sweeps as much floor, in percent of that.",
+            "Time above the proven least of any path that sweeps as much floor.",
             |n| Some(100.0 * n.excess?.above[1].max(0.0)),
         )
     },

@@ -11,7 +11,7 @@ use robovac_core::grid::{Cell, Direction, Grid};
 const PATIENCE: usize = 2;
 
 /// The walk of the planner `snake` by the rules of the text, for a robot that doesn't know the room: it is told what
-/// the robot sees ([`see`](Self::see)), and says where to go next ([`next`](Self::next)).
+/// the robot sees ([`see`](Self::see)), and says where to go next ([`next_cell`](Self::next_cell)).
 ///
 /// Cells that weren't seen count as blocked until they are. Rows and columns, by which the thesis' rules break ties, are those
 /// from the first to the last free cell seen so far.
@@ -24,7 +24,7 @@ const PATIENCE: usize = 2;
 /// let mut walk = Vec::new();
 /// while walk.len() < 10 {
 ///     snake.see(snake.at().step(Direction::Right), walk.len() < 2);
-///     let Some(next) = snake.next() else { break };
+///     let Some(next) = snake.next_cell() else { break };
 ///     walk.push(next);
 ///     snake.arrive();
 /// }
@@ -100,7 +100,7 @@ impl OnlineSnake {
     }
 
     /// The neighbouring cell to go to next; `None` if no seen cell that isn't clean can be reached.
-    pub fn next(&mut self) -> Option<Cell> {
+    pub fn next_cell(&mut self) -> Option<Cell> {
         if self.step.is_none() {
             self.step = self.walk.choose(&self.free, &mut self.seeker);
         }
@@ -110,15 +110,14 @@ impl OnlineSnake {
     /// How many cells straight on, from the next one on, will follow, unless something else is seen until then; 0 without a
     /// next one.
     pub fn straight_on(&mut self) -> usize {
-        let Some(mut cell) = self.next() else { return 0 };
+        let Some(mut cell) = self.next_cell() else { return 0 };
         let Some(step) = self.step else { return 0 };
         let on = |cell: Cell| cell.step(step.towards());
         match step {
             SnakeStep::Way(..) => self.walk.straight_way(),
             SnakeStep::Rule(_) => {
                 let mut cells = 1;
-                while self.walk.goes_straight(step) && self.free.is_set(on(cell)) && self.walk.memory.is_left(on(cell))
-                {
+                while step.goes_straight() && self.free.is_set(on(cell)) && self.walk.memory.is_left(on(cell)) {
                     (cell, cells) = (on(cell), cells + 1);
                 }
                 cells
@@ -126,7 +125,7 @@ impl OnlineSnake {
         }
     }
 
-    /// The robot has come to the [`next`](Self::next) cell.
+    /// The robot has come to the [`next_cell`](Self::next_cell) cell.
     pub fn arrive(&mut self) {
         if let Some(step) = self.step.take() {
             self.walk.take(step);
@@ -153,7 +152,7 @@ mod tests {
                     snake.see(off(cell), is_free);
                 }
             }
-            let Some(next) = snake.next() else { return walk };
+            let Some(next) = snake.next_cell() else { return walk };
             at = Cell::new(next.x - 7, next.y - 5);
             snake.arrive();
             walk.push(at);
@@ -230,11 +229,11 @@ mod tests {
     fn what_turns_out_to_be_blocked_is_walked_around() {
         let mut snake = OnlineSnake::new(9, 9, Cell::new(1, 1), Direction::Right);
         (1..5).for_each(|x| (1..4).for_each(|y| snake.see(Cell::new(x, y), true)));
-        assert_eq!((snake.next(), snake.straight_on()), (Some(Cell::new(2, 1)), 3));
+        assert_eq!((snake.next_cell(), snake.straight_on()), (Some(Cell::new(2, 1)), 3));
         snake.arrive();
         snake.see(Cell::new(3, 1), false);
         let mut walk = vec![Cell::new(2, 1)];
-        while let Some(next) = snake.next() {
+        while let Some(next) = snake.next_cell() {
             walk.push(next);
             snake.arrive();
         }

@@ -59,6 +59,11 @@ pub(super) enum SnakeStep {
 }
 
 impl SnakeStep {
+    /// Whether the rules lead straight on after it, over cells that aren't clean.
+    pub(super) fn goes_straight(self) -> bool {
+        matches!(self, Self::Rule(SnakeMove { phase: SnakePhase::Straight, rule, .. }) if rule != SnakeRule::Back)
+    }
+
     pub(super) fn towards(self) -> Direction {
         match self {
             Self::Rule(SnakeMove { towards, .. }) | Self::Way(towards, _) => towards,
@@ -150,11 +155,6 @@ impl SnakeWalk {
             (at, towards, cells) = (next, direction, cells + 1);
         }
         cells
-    }
-
-    /// Whether the rules lead straight on over a cell that isn't clean, whatever is seen by then.
-    pub(super) fn goes_straight(&self, step: SnakeStep) -> bool {
-        matches!(step, SnakeStep::Rule(SnakeMove { phase: SnakePhase::Straight, rule, .. }) if rule != SnakeRule::Back)
     }
 }
 

@@ -11,8 +11,8 @@ use rand::RngExt;
 use robovac_core::{
     cspace::Outline,
     floor_plan::{FloorPlan, Object, Sketch, room},
-    geometry::{Point, Pose, Vector},
-    rng::{self, Rng},
+    geometry::{Point, Vector},
+    rng,
     robot::model,
 };
 use rooms::{random_room, random_setup};

@@ -226,7 +226,7 @@ impl SnakeDrive {
     /// Decides where to go from where it is.
     fn choose(&mut self) {
         self.look();
-        let Some(next) = self.snake.next() else {
+        let Some(next) = self.snake.next_cell() else {
             self.phase = if !self.has_looked {
                 SnakePhase::Look
             } else if self.forgive() {
@@ -263,7 +263,7 @@ impl SnakeDrive {
         self.snake.arrive();
         (self.has_looked, self.stuck_turns) = (false, 0);
         self.look();
-        let onward = self.snake.next().filter(|&cell| next.direction_to(cell) == Some(towards));
+        let onward = self.snake.next_cell().filter(|&cell| next.direction_to(cell) == Some(towards));
         let Some(cell) = onward else { return self.choose() };
         let end = self.end(cell, towards);
         let end = self.centre(end);

@@ -150,25 +150,34 @@ impl RoomSetup {
     /// and goes on where it stopped. Without a dock empty batteries are replaced, as plans are compared by the floor that
     /// they clean, with energy as a separate number.
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
-        self.run_driven(&Driven { line: Arc::clone(line), smooth: None }, conditions, odometry, seed)
+        let follower = self.follower_in_room(line, odometry);
+        match Recharge::new(&follower, &self.floor, &self.world.docks, seed) {
+            Some(recharge) => Run::new(&self.setup(conditions, seed), Box::new(recharge)),
+            None => self.run_on(Box::new(follower), conditions, seed),
+        }
     }
 
     /// The same with corners rounded, if they are; then empty batteries are replaced.
     pub fn run_driven(&self, driven: &Driven, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
-        let follower = self.follower(&self.robot, &driven.line, odometry);
+        if driven.smooth.is_none() {
+            return self.run_along(&driven.line, conditions, odometry, seed);
+        }
+        let follower = self.follower_in_room(&driven.line, odometry);
+        self.run_on(driven.controller(&self.robot, follower), conditions, seed)
+    }
+
+    /// The follower of `line`, with what it has to know of the room.
+    fn follower_in_room(&self, line: &Arc<[Point]>, odometry: OdometryModel) -> FollowPath {
+        let follower = self.follower(&self.robot, line, odometry);
         // A robot that doesn't turn to where it drives keeps its path's distance from edges at every heading.
         let is_careful = !self.is_flat() && (self.floor.turns || !self.floor.is_for_path);
         let follower = if is_careful { follower.carefully() } else { follower };
-        let follower = if self.floor.is_for_path { follower.knowing(&self.floor) } else { follower };
-        let recharge =
-            if driven.smooth.is_none() { Recharge::new(&follower, &self.floor, &self.world.docks, seed) } else { None };
-        match recharge {
-            Some(recharge) => Run::new(&self.setup(conditions, seed), Box::new(recharge)),
-            None => {
-                let conditions = Conditions { spare_batteries: true, ..conditions };
-                Run::new(&self.setup(conditions, seed), driven.controller(&self.robot, follower))
-            }
-        }
+        if self.floor.is_for_path { follower.knowing(&self.floor) } else { follower }
+    }
+
+    /// A run whose empty batteries are replaced.
+    fn run_on(&self, controller: Box<dyn Controller>, conditions: Conditions, seed: u64) -> Run {
+        Run::new(&self.setup(Conditions { spare_batteries: true, ..conditions }, seed), controller)
     }
 
     fn is_flat(&self) -> bool {
