@@ -17,6 +17,8 @@ const LARGEST_SHEET: f64 = 1.3;
 
 /// The loaded source.
 #[derive(Debug, Clone)]
+// There is one at a time.
+#[allow(clippy::large_enum_variant)]
 pub enum DrawingSource {
     /// A line drawing.
     Drawing {

@@ -15,6 +15,8 @@ fn is_usual(longer_side: f64) -> bool {
 }
 
 /// Snapshot of a drawing session.
+// Independent facts, not states of one.
+#[allow(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DrawingView {
