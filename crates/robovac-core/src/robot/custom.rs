@@ -28,10 +28,11 @@ pub enum CustomRobotFault {
 impl CustomRobot {
     /// Checks that there can be such a robot of that model.
     pub fn check(&self, model: &RobotModel) -> Result<(), CustomRobotFault> {
-        Ok(match self {
+        match self {
             Self::Twin(twin) => twin.check(model)?,
             Self::Own(own) => own.check(model)?,
-        })
+        }
+        Ok(())
     }
 
     /// The robot.
