@@ -8,6 +8,8 @@ use robovac_core::{
 };
 
 /// The loaded source.
+// There is one at a time.
+#[expect(clippy::large_enum_variant)]
 #[derive(Debug, Clone)]
 pub enum DrawingSource {
     /// A line drawing.
