@@ -147,8 +147,8 @@ impl ScenarioChoices {
         Self {
             robot: Some(settings.robot.to_owned()),
             twin: custom.and_then(CustomRobot::twin).map(|twin| twin.to_string()),
-            own_robot: custom.and_then(CustomRobot::own).map(|own| own.to_string()),
-            path: settings.path.as_ref().map(|path| path.to_string()),
+            own_robot: custom.and_then(CustomRobot::own).map(ToString::to_string),
+            path: settings.path.as_ref().map(ToString::to_string),
             cell_size: Some(settings.cell_size),
             planner: algorithm.planner().map(|info| info.id.to_owned()),
             behaviour: algorithm.behaviour().map(|info| info.id.to_owned()),

@@ -337,7 +337,9 @@ impl Footprint {
         let Self { pieces, touched, .. } = self;
         touched.clear();
         obstacles.near(low - around, high + around, |thing| {
-            pieces.iter().for_each(|piece| thing.touch(&piece.corners, play, touched));
+            for piece in pieces.iter() {
+                thing.touch(&piece.corners, play, touched);
+            }
         });
     }
 

@@ -410,7 +410,7 @@ impl Settings {
                     kind: "the path",
                     value: value.chars().take(40).collect(),
                     expected: "a whole link, or the scenario file of the run",
-                })?)
+                })?);
             }
             "cell" => self.set_cell_size(number("the cell size", "a length from 0.02 to 2 (metres)")?)?,
             "seed" => self.set_seed(value.parse().ok(), value)?,

@@ -441,7 +441,7 @@ impl Session {
         scenario.robot = choices.robot;
         scenario.twin = settings.custom.as_ref().and_then(CustomRobot::twin);
         scenario.own_robot = settings.custom.as_ref().and_then(CustomRobot::own).cloned();
-        scenario.path = settings.path.clone();
+        scenario.path.clone_from(&settings.path);
         scenario.planner = choices.planner;
         scenario.behaviour = choices.behaviour;
         scenario.params.extend(params);
