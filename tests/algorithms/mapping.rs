@@ -158,7 +158,9 @@ fn along_walls(room_id: &str, robot_id: &str, seeds: std::ops::Range<u64>) -> ([
             .map(|way| Mapper::new(MapperSetup { seed, ..mapper(robot, drive.pose(), way).setup().clone() }));
         while drive.time_s() < 1200.0 {
             drive.step();
-            mappers.iter_mut().for_each(|mapper| mapper.update(drive.sensors()));
+            for mapper in &mut mappers {
+                mapper.update(drive.sensors());
+            }
         }
         off_m.iter_mut().zip(&mappers).for_each(|(all, mapper)| all.push(off(mapper, drive.pose())[0]));
         mapped.push(MapTruth::of(drive.floor(), RESOLUTION).quality(mappers[0].map()).boundary);

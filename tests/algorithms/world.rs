@@ -40,28 +40,28 @@ const STAR: &[[f64; 2]] =
     &[[0.25, 0.0], [0.06, 0.06], [0.0, 0.25], [-0.06, 0.06], [-0.25, 0.0], [-0.06, -0.06], [0.0, -0.25], [0.06, -0.06]];
 
 /// A Roomba with another body.
-fn robot(body: Body, wheels: WheelLayout) -> RobotModel {
+fn robot(body: &Body, wheels: WheelLayout) -> RobotModel {
     let roomba = model("roomba600").unwrap();
     let radius = match body {
         Body::Round => roomba.radius,
         Body::Polygon(corners) => corners.iter().map(|c| math::hypot(c[0], c[1])).fold(0.0, f64::max),
     };
-    RobotModel { body, wheels, radius, ..roomba.clone() }
+    RobotModel { body: *body, wheels, radius, ..roomba.clone() }
 }
 
 fn robots() -> Vec<RobotModel> {
     let mut robots = vec![
-        robot(Body::Round, WheelLayout::Differential),
-        robot(Body::Polygon(Corners::of(RECTANGLE)), WheelLayout::Differential),
-        robot(Body::Polygon(Corners::of(REAR_DRIVEN)), WheelLayout::Differential),
-        robot(Body::Polygon(Corners::of(OCTAGON)), WheelLayout::Omnidirectional),
+        robot(&Body::Round, WheelLayout::Differential),
+        robot(&Body::Polygon(Corners::of(RECTANGLE)), WheelLayout::Differential),
+        robot(&Body::Polygon(Corners::of(REAR_DRIVEN)), WheelLayout::Differential),
+        robot(&Body::Polygon(Corners::of(OCTAGON)), WheelLayout::Omnidirectional),
     ];
     // A small round robot, a rectangle and a star that are much too fast.
     let fast = |robot: RobotModel| RobotModel { max_wheel_speed: 1.5, acceleration: 20.0, ..robot };
-    robots.push(fast(RobotModel { radius: 0.05, ..robot(Body::Round, WheelLayout::Differential) }));
-    robots.push(fast(robot(Body::Polygon(Corners::of(RECTANGLE)), WheelLayout::Differential)));
-    robots.push(robot(Body::Polygon(Corners::of(FORK)), WheelLayout::Differential));
-    robots.push(fast(robot(Body::Polygon(Corners::of(STAR)), WheelLayout::Omnidirectional)));
+    robots.push(fast(RobotModel { radius: 0.05, ..robot(&Body::Round, WheelLayout::Differential) }));
+    robots.push(fast(robot(&Body::Polygon(Corners::of(RECTANGLE)), WheelLayout::Differential)));
+    robots.push(robot(&Body::Polygon(Corners::of(FORK)), WheelLayout::Differential));
+    robots.push(fast(robot(&Body::Polygon(Corners::of(STAR)), WheelLayout::Omnidirectional)));
     robots
 }
 
@@ -342,7 +342,7 @@ fn rectangle_in_a_corridor_can_drive_but_not_turn() {
         plan.occupancy[Cell::new(x, 0)] = Occupancy::Occupied;
         plan.occupancy[Cell::new(x, 4)] = Occupancy::Occupied;
     }
-    let robot = robot(Body::Polygon(Corners::of(RECTANGLE)), WheelLayout::Differential);
+    let robot = robot(&Body::Polygon(Corners::of(RECTANGLE)), WheelLayout::Differential);
     let floor = Arc::new(ReachableFloor::new(&plan, &robot, Some(Pose::new(0.4, 0.25, 0.0))).unwrap());
     let setup =
         RunSetup { floor, world: Arc::default(), robot: robot.clone(), conditions: Conditions::default(), seed: 1 };

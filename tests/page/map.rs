@@ -375,10 +375,10 @@ fn a_room_that_the_robot_does_not_fit_into_says_so() {
     narrow.load(&[corridor]).expect("it is a map");
     let mut outside = Session::new();
     outside.restore("room=room12ft&robot=roomba600&start=-3,-3,0").expect("a link of ours");
-    for session in [narrow, outside] {
+    for session in [&narrow, &outside] {
         assert!(session.prepared().is_none());
         let mut survey = MapSession::new();
-        survey.take(&session);
+        survey.take(session);
         assert_eq!(survey.phase(), MapPhase::Failed);
         assert!(!survey.complaint().is_empty());
         // Nothing of it may panic.

@@ -14,12 +14,12 @@ use robovac_core::{
 use robovac_sim::{NoiseLevel, controller};
 use std::collections::BTreeSet;
 
-/// Side of the preset's cells, m: the tool's width of the CBot.
+/// Side of the preset's cells, m: the tool's width of the `CBot`.
 const CELL: f64 = 0.2;
 /// From a wall to the centre of the first cell, m: the body and two centimetres.
 const EDGE: f64 = 0.24;
 
-/// The preset of the thesis' program, laid out so that the CBot's body fits exactly into the cells that are free there.
+/// The preset of the thesis' program, laid out so that the `CBot`'s body fits exactly into the cells that are free there.
 fn preset() -> FloorPlan {
     let centre = |cell: u32| EDGE + CELL * f64::from(cell);
     let side = centre(7) + EDGE;

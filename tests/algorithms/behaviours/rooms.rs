@@ -120,7 +120,9 @@ fn key(room: &str, behaviour: &str) -> (String, String) {
 
 fn to_text(table: &Table) -> String {
     let mut text = format!("{HEAD}{:11}", "room");
-    BEHAVIOURS.iter().for_each(|info| _ = write!(text, " {}", info.id));
+    for info in BEHAVIOURS {
+        let _ = write!(text, " {}", info.id);
+    }
     for room in rooms() {
         let _ = write!(text, "\n{:11}", room.id);
         for info in BEHAVIOURS {

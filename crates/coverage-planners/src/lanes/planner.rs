@@ -5,7 +5,10 @@ use crate::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
 };
 use rand::RngExt;
-use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
+use robovac_core::{
+    registry::{Example, Explainer, ParamKind, ParamSpec},
+    robot::Tool,
+};
 use std::ops::ControlFlow;
 
 /// Moves for every metre of the bound at effort 1.
@@ -73,6 +76,9 @@ struct Lanes(LanesSetup);
 impl Planner for Lanes {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         let place = job.place.as_ref().ok_or(PlanError::NoFloor)?;
+        if place.robot.tool != Tool::CENTRED {
+            return Err(PlanError::OtherTool);
+        }
         let setup = LanesSetup { seed: ctx.rng.random(), ..self.0 };
         let mut is_cancelled = false;
         let found = plan_lanes(&place.floor, &place.robot, &setup, &mut |LanesProgress { done, path, .. }| {

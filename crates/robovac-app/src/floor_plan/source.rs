@@ -17,10 +17,8 @@ const LARGEST_SHEET: f64 = 1.3;
 
 /// The loaded source.
 // There is one at a time.
-#[expect(clippy::large_enum_variant)]
-#[derive(Debug, Clone)]
-// There is one at a time.
 #[allow(clippy::large_enum_variant)]
+#[derive(Debug, Clone)]
 pub enum DrawingSource {
     /// A line drawing.
     Drawing {

@@ -63,20 +63,17 @@ impl MapBase {
             })
         };
         let observer = MapObserver::default().with_baseline(mapper(Tracking::Odometry)).with_reckoning(robot, start);
-        let observer = match known {
-            Some(known) => {
-                let mapper = mapper(setup.tracking).knowing(known.map().clone(), known.marks().clone());
-                let mapper = match known.dock() {
-                    Some(dock) => mapper.knowing_dock(dock),
-                    None => mapper,
-                };
-                observer.with_mapper(mapper).with_locator(known.locator(robot, setup.odometry, self.seed)?)
-            }
-            None => {
-                let observer = observer.with_thesis(ThesisMap::new(robot, start));
-                // A controller with a map of its own acts by that.
-                if controller.mapper().is_none() { observer.with_mapper(mapper(setup.tracking)) } else { observer }
-            }
+        let observer = if let Some(known) = known {
+            let mapper = mapper(setup.tracking).knowing(known.map().clone(), known.marks().clone());
+            let mapper = match known.dock() {
+                Some(dock) => mapper.knowing_dock(dock),
+                None => mapper,
+            };
+            observer.with_mapper(mapper).with_locator(known.locator(robot, setup.odometry, self.seed)?)
+        } else {
+            let observer = observer.with_thesis(ThesisMap::new(robot, start));
+            // A controller with a map of its own acts by that.
+            if controller.mapper().is_none() { observer.with_mapper(mapper(setup.tracking)) } else { observer }
         };
         let run = Run::new(&prepared.setup(conditions, self.seed), controller).observed(Box::new(observer));
         let resolution = run.mapper()?.map().resolution();

@@ -293,7 +293,9 @@ impl SnakeDrive {
         let unseen: Vec<Cell> =
             self.snake.border().filter(|cell| !self.met.contains_key(cell) && self.fits(*cell).is_none()).collect();
         let mut is_any = !unseen.is_empty();
-        unseen.into_iter().for_each(|cell| self.snake.see(cell, true));
+        for cell in unseen {
+            self.snake.see(cell, true);
+        }
         for cell in once {
             let fits = self.fits(cell) != Some(false);
             self.met.insert(cell, if fits { Met::Forgiven } else { Met::Barred });

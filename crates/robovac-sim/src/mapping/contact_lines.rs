@@ -119,7 +119,7 @@ impl ContactLine {
         }
         let along = Vector::new(line.normal.y, -line.normal.x);
         line.points.sort_by(|a, b| along.dot(&a.coords).total_cmp(&along.dot(&b.coords)));
-        let [first, last] = [line.points.first(), line.points.last()].map(|point| point.copied());
+        let [first, last] = [line.points.first(), line.points.last()].map(Option::<&_>::copied);
         line.length = along.dot(&(last? - first?));
         Some(line)
     }

@@ -132,8 +132,12 @@ impl Multiscan {
         features.add_lone(&self.sightings);
         if sensors.is_bumper_alone() {
             let (lines, alone) = contact_lines(&self.contacts, sensors.radius());
-            lines.iter().for_each(|line| features.add_contact_line(line));
-            alone.iter().for_each(|contact| features.add_vague_contact(contact, sensors.radius()));
+            for line in &lines {
+                features.add_contact_line(line);
+            }
+            for contact in &alone {
+                features.add_vague_contact(contact, sensors.radius());
+            }
         } else {
             for (from, contact) in &self.contacts {
                 features.add_contact(*from, *contact, &lines, sensors.radius());

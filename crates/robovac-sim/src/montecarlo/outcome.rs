@@ -1,7 +1,7 @@
 //! Result of one run.
 
 use crate::{Run, STEP_S};
-use coverage_planners::lanes::MetricBound;
+use coverage_planners::{lanes::MetricBound, metrics::sweeps_as_disc};
 use robovac_core::{coverage::BoundaryTracker, robot::RobotModel};
 
 /// Shares whose times are recorded: of the reachable floor, or of the boundary for exploring behaviours.
@@ -144,6 +144,6 @@ impl RunOutcome {
 fn excess(run: &Run, robot: &RobotModel) -> Option<[f64; 2]> {
     let least = MetricBound::new(run.floor(), robot, run.coverage()).length_m;
     let above = |value: f64, least: f64| (value / least - 1.0).max(0.0);
-    let is_bound = least > 0.0 && !robot.fills_cell;
+    let is_bound = least > 0.0 && sweeps_as_disc(robot);
     is_bound.then(|| [above(run.distance_m(), least), above(run.time_s(), least / robot.max_wheel_speed)])
 }

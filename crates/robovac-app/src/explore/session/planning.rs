@@ -48,7 +48,9 @@ impl Session {
                 self.plan_finished(request.id, answer);
             }
             Err(PlanError::Cancelled) => self.cancel_plan(),
-            Err(error @ (PlanError::Unlisted | PlanError::NoFloor)) => self.plan_failed(request.id, &error.to_string()),
+            Err(error @ (PlanError::Unlisted | PlanError::NoFloor | PlanError::OtherTool)) => {
+                self.plan_failed(request.id, &error.to_string());
+            }
         }
     }
 

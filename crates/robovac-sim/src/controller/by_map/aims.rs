@@ -98,15 +98,12 @@ impl ByMap {
         };
         let before = berth.to_world(Point::new(-BEFORE_DOCK, 0.0));
         let way = remains.and_then(|remains| remains.way(before));
-        self.phase = match way {
-            Some(line) => {
-                let (route, patience) = self.route(line);
-                CleaningPhase::Return { route, patience, end }
-            }
-            None => {
-                self.dock.begin(pilot);
-                CleaningPhase::Dock { patience: DOCK_S, end }
-            }
+        self.phase = if let Some(line) = way {
+            let (route, patience) = self.route(line);
+            CleaningPhase::Return { route, patience, end }
+        } else {
+            self.dock.begin(pilot);
+            CleaningPhase::Dock { patience: DOCK_S, end }
         };
     }
 }
