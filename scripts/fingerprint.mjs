@@ -27,11 +27,12 @@ const version = digest.digest("hex").slice(0, 12);
 const index = path.join(page, "index.html");
 fs.writeFileSync(index, fs.readFileSync(index, "utf8").replace(/\s*<link data-trunk[^>]*>/g, ""));
 
-/** Comments and indentation of style sheets are for whoever reads the sources. */
+/** Comments and indentation are for whoever reads the sources. */
+const HTML_SPARE = /<!--(?:(?!-->)[^])*-->\n*|^[ \t]+/gm;
 const CSS_SPARE = /\/\*(?:(?!\*\/)[^])*\*\/\n*|^[ \t]+|^\n/gm;
 
 for (const file of filesBelow(page).filter((name) => /\.(html|js|css)$/.test(name))) {
   const text = rewriteReferences(file, (_target, reference) => `${reference}?v=${version}`);
-  const lean = file.endsWith(".js") ? (await minify(text, { module: true })).code : file.endsWith(".css") ? text.replace(CSS_SPARE, "") : text;
+  const lean = file.endsWith(".js") ? (await minify(text, { module: true })).code : text.replace(file.endsWith(".css") ? CSS_SPARE : HTML_SPARE, "");
   fs.writeFileSync(file, lean);
 }
