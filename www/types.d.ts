@@ -739,7 +739,7 @@ revisited_cells: number,
 length_m: number,
 /** Sum of all turns, degrees, the one at the start included. */
 turning_deg: number,
-/** Time from rest to rest by the robot's motion model (straight pieces and turns on the spot), s. */
+/** Time from rest to rest by the robot's motion model (straight pieces and turns on the spot, or curves as well), s. */
 duration_s: number,
 /** Energy taken from the battery, Wh: the robot's power while driving straight and while turning, times the time of
  * each. Some of the robots' figures are estimates, so it is accurate to about a quarter. */

@@ -106,15 +106,13 @@ fn cleaned(robot: &str, seed: u64) -> f64 {
 
 #[test]
 fn it_comes_to_the_cells_of_rooms_that_nobody_has_seen_and_ends() {
-    for robot in ["cbot", "roomba600"] {
-        assert!(cleaned(robot, 1) > 0.95, "{robot}");
-    }
+    assert!(cleaned("cbot", 1) > 0.95);
 }
 
 #[test]
 #[ignore = "soak: twenty rooms with each robot"]
 fn it_comes_to_the_cells_of_many_rooms_that_nobody_has_seen() {
-    for robot in ["cbot", "roomba600_lidar", "roomba600"] {
+    for robot in ["cbot", "roomba600_lidar"] {
         let mut shares: Vec<f64> = (1..=20).map(|seed| cleaned(robot, seed)).collect();
         shares.sort_by(f64::total_cmp);
         assert!(shares[0] > 0.8 && shares[10] > 0.95, "{robot}: {shares:?}");

@@ -98,7 +98,7 @@ fn rooms() -> impl Iterator<Item = &'static RoomInfo> {
 fn measure_all(known: &Table) -> Table {
     let is_new = |&(room, info): &(&RoomInfo, &BehaviourInfo)| !known.contains_key(&key(room.id, info.id));
     let cells: Vec<(&RoomInfo, &BehaviourInfo)> =
-        rooms().flat_map(|room| BEHAVIOURS.iter().map(move |&info| (room, info))).filter(is_new).collect();
+        rooms().flat_map(|room| behaviours().map(move |info| (room, info))).filter(is_new).collect();
     let (next, table) = (AtomicUsize::new(0), Mutex::new(known.clone()));
     let work = || {
         while let Some((room, info)) = cells.get(next.fetch_add(1, Ordering::Relaxed)) {
@@ -118,14 +118,19 @@ fn key(room: &str, behaviour: &str) -> (String, String) {
     (room.to_owned(), behaviour.to_owned())
 }
 
+/// Those that a Roomba can do.
+fn behaviours() -> impl Iterator<Item = &'static BehaviourInfo> {
+    BEHAVIOURS.iter().copied().filter(|info| !info.claims.needs_laser)
+}
+
 fn to_text(table: &Table) -> String {
     let mut text = format!("{HEAD}{:11}", "room");
-    for info in BEHAVIOURS {
+    for info in behaviours() {
         let _ = write!(text, " {}", info.id);
     }
     for room in rooms() {
         let _ = write!(text, "\n{:11}", room.id);
-        for info in BEHAVIOURS {
+        for info in behaviours() {
             let value = table.get(&key(room.id, info.id)).copied().flatten();
             let cell = value.map_or("-".to_owned(), |value| format!("{value:.1}"));
             let _ = write!(text, " {cell:>width$}", width = info.id.len());
@@ -161,8 +166,8 @@ impl Standing<'_> {
     fn others(&self, room: &str) -> Vec<f64> {
         let kind = |info: &BehaviourInfo| (info.claims.cleans, info.claims.explores);
         let has_peers = self.info.claims.cleans || self.info.claims.explores;
-        let is_peer = |other: &&&BehaviourInfo| has_peers && kind(other) == kind(self.info) && other.id != self.info.id;
-        BEHAVIOURS.iter().filter(is_peer).filter_map(|other| self.value(room, other.id)).collect()
+        let is_peer = |other: &&BehaviourInfo| has_peers && kind(other) == kind(self.info) && other.id != self.info.id;
+        behaviours().filter(is_peer).filter_map(|other| self.value(room, other.id)).collect()
     }
 
     /// What it does there for each of what the best of the others does; for those without peers, what it does.
@@ -189,7 +194,7 @@ impl Standing<'_> {
 fn behaviours_work_well_and_poorly_where_they_say() {
     let table = table();
     let mut wrong = String::new();
-    for info in BEHAVIOURS {
+    for info in behaviours() {
         let standing = Standing { table: &table, info };
         let [shines, fails] = [info.explainer.shines, info.explainer.fails];
         let mut expect = |holds: Option<bool>, what: &str| {

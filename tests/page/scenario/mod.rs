@@ -36,7 +36,7 @@ const SAMPLE: &str = r#"{
     { "dirt": { "at": [0.5, 2], "radius": 0.25 } },
     { "dock": { "x": 0, "y": 0.75, "heading_deg": 0 } },
     { "virtual_wall": { "x": 1.75, "y": 3, "heading_deg": -90, "length": 1.5 } },
-    { "mover": { "who": "pet", "path": [[0.5, 0.5], [2.5, 1.5]] } }
+    { "mover": { "who": "pet", "path": [[0.5, 0.5], [2.5, 1.5]] } }, { "low_obstacle": { "outline": [[3, 2], [3.5, 2], [3.5, 2.25]], "height": 0.015 } }
   ],
   "robot": "roomba600",
   "behaviour": "bounce",
@@ -194,7 +194,7 @@ const STRUCTURE: &[Case] = &[
     (
         "\"drop_off\"",
         "\"stairs\"",
-        "\"a.json\", line 21, column 14, objects[2]: unknown variant `stairs`, expected one of `furniture`, `leg`, `drop_off`, `carpet`, `dirt`, `dock`, `virtual_wall`, `mover`; fix that line or export the file again",
+        "\"a.json\", line 21, column 14, objects[2]: unknown variant `stairs`, expected one of `furniture`, `leg`, `low_obstacle`, `drop_off`, `carpet`, `dirt`, `dock`, `virtual_wall`, `mover`; fix that line or export the file again",
     ),
     (
         "\"quantised\": true",

@@ -70,7 +70,14 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             why: "In narrow ways only wall following gets ahead, and that is but one of the four.",
         },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, walls_only: false, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: true,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "durations",

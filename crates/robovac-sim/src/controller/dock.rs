@@ -78,7 +78,14 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             why: "From other rooms no beam is seen, so the robot must first find the right door by chance.",
         },
     },
-    claims: BehaviourClaims { ends: true, cleans: false, walls_only: false, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: true,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[],
 };
 

@@ -51,7 +51,14 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "empty", why: "Lanes are long: there is little to steer." },
         fails: Example { room: "maze", why: "Narrow ways turn every few steps: you steer all the time." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: true, explores: false },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: true,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[ParamSpec {
         id: "careful",
         label: "Reverse only over known ground",

@@ -1,8 +1,8 @@
 //! The improved snake in an unknown room (Emu & Obaida 2020, sections 1.5 and 4.2).
 //!
 //! The thesis' robot detects obstacles with its laser scanner while it drives. Cells lie on the grid of its start. A cell is
-//! free if the robot's body fits around its centre by the map that it makes on the way; without a scanner, unknown cells
-//! beside the robot count as free until it meets something there. [`OnlineSnake`] decides where to go next.
+//! free if the robot's body fits around its centre by the map that it makes on the way. [`OnlineSnake`] decides where to go
+//! next.
 //!
 //! Ours: the map and the pose estimate of [`Mapper`]; an obstacle that it meets blocks the cell ahead until nothing else
 //! is left to clean, and for ever when it is met again; edges and virtual walls block at once.
@@ -62,8 +62,7 @@ const PATIENCE: (f64, f64) = (12.0, 15.0);
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "online_snake",
     title: "Snake in an unknown room",
-    summary: "Walks the improved snake from cell to cell in a room that it discovers with its laser scanner, or else by \
-              bumping.",
+    summary: "Walks the improved snake from cell to cell in a room that it discovers with its laser scanner.",
     source: "Emu & Obaida 2020, thesis, East West University: sections 1.5 and 4.2; the map is ours",
     link: "",
     explainer: Explainer {
@@ -71,15 +70,22 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
                the planner Improved snake, with the cells that it has seen so far. With a scanner that sees the \
                thesis' room at once, it walks exactly as planned there.",
         complexity: "O(k) time for each cell, with k cells in sight; O(n) memory for n cells.",
-        use_when: "To clean an unknown room in straight lanes with a laser scanner. With a bumper alone it meets every \
-                   obstacle once for each cell along it.",
+        use_when: "To clean an unknown room in straight lanes. It needs a laser scanner: choose the CBot or the Roomba \
+                   with laser.",
         shines: Example { room: "empty", why: "It sees the walls from afar and drives lanes from wall to wall." },
         fails: Example {
             room: "clutter",
             why: "It finds many small obstacles late, and comes back for the cells behind them.",
         },
     },
-    claims: BehaviourClaims { ends: true, cleans: true, walls_only: false, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: true,
+        cleans: true,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: true,
+    },
     params: &[ParamSpec {
         id: "cell",
         label: "Cell size",
@@ -146,6 +152,8 @@ enum SnakePhase {
     Done,
     /// It couldn't relocalise.
     Lost,
+    /// It has no scanner.
+    Blind,
 }
 
 impl SnakeDrive {
@@ -158,7 +166,7 @@ impl SnakeDrive {
             snake: OnlineSnake::new(CELLS, CELLS, middle, Direction::Right),
             cell,
             met: BTreeMap::new(),
-            phase: SnakePhase::Look,
+            phase: if setup.robot.sensors.laser.is_some() { SnakePhase::Look } else { SnakePhase::Blind },
             has_looked: true,
             stuck_turns: 0,
             lookout: Lookout::new(setup.robot),
@@ -205,7 +213,7 @@ impl SnakeDrive {
     /// Takes over what the map shows of the cells in sight.
     fn look(&mut self) {
         let at = self.snake.at();
-        let reach = if self.lookout.is_some() { (SIGHT / self.cell) as i32 } else { 1 };
+        let reach = (SIGHT / self.cell) as i32;
         for y in at.y - reach..=at.y + reach {
             for x in at.x - reach..=at.x + reach {
                 let cell = Cell::new(x, y);
@@ -213,11 +221,8 @@ impl SnakeDrive {
                 if is_shut || self.snake.is_visited(cell) {
                     continue;
                 }
-                let is_beside = at.direction_to(cell).is_some();
-                match self.fits(cell) {
-                    Some(fits) => self.snake.see(cell, fits),
-                    None if self.lookout.is_none() && is_beside => self.snake.see(cell, true),
-                    None => {}
+                if let Some(fits) = self.fits(cell) {
+                    self.snake.see(cell, fits);
                 }
             }
         }
@@ -316,7 +321,7 @@ impl SnakeDrive {
 
 impl Behaviour for SnakeDrive {
     fn begin(&mut self, pilot: &mut Pilot) {
-        if std::mem::take(&mut self.is_lifted) && self.mapper.is_lost() {
+        if std::mem::take(&mut self.is_lifted) && self.mapper.is_lost() && !matches!(self.phase, SnakePhase::Blind) {
             self.search(pilot);
         } else if matches!(self.phase, SnakePhase::Drive { .. }) {
             self.phase = SnakePhase::Choose;
@@ -347,9 +352,7 @@ impl Behaviour for SnakeDrive {
         let pose = self.mapper.pose();
         let (next, towards) = match &mut self.phase {
             SnakePhase::Look => {
-                if self.lookout.is_some() {
-                    pilot.go(&[Move::Turn(math::PI), Move::Turn(math::PI)]);
-                }
+                pilot.go(&[Move::Turn(math::PI), Move::Turn(math::PI)]);
                 self.phase = SnakePhase::Choose;
                 return Drive::STOP;
             }
@@ -365,7 +368,7 @@ impl Behaviour for SnakeDrive {
                 }
                 (*next, *towards)
             }
-            SnakePhase::Search | SnakePhase::Done | SnakePhase::Lost => return Drive::STOP,
+            SnakePhase::Search | SnakePhase::Done | SnakePhase::Lost | SnakePhase::Blind => return Drive::STOP,
         };
         let along = self.along(towards);
         let left = (self.centre(next) - pose.position()).dot(&along);
@@ -405,7 +408,7 @@ impl Behaviour for SnakeDrive {
     }
 
     fn is_done(&self) -> bool {
-        matches!(self.phase, SnakePhase::Done | SnakePhase::Lost)
+        matches!(self.phase, SnakePhase::Done | SnakePhase::Lost | SnakePhase::Blind)
     }
 
     fn activity(&self) -> &'static str {
@@ -416,6 +419,7 @@ impl Behaviour for SnakeDrive {
             SnakePhase::Search => "relocalising on its map",
             SnakePhase::Done => "done: all cells that it can reach are clean",
             SnakePhase::Lost => "done: relocalisation failed",
+            SnakePhase::Blind => "done: it needs a laser scanner",
         }
     }
 

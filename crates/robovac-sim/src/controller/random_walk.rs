@@ -59,7 +59,14 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "maze", why: "It passes a doorway only by chance: most of the maze is never reached." },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, walls_only: false, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: true,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "least",

@@ -58,7 +58,14 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "lshape", why: "Few obstacles: circles grow until they reach the walls." },
         fails: Example { room: "clutter", why: "No circle closes before a collision." },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, walls_only: false, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: true,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "pitch",

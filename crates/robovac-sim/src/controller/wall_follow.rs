@@ -89,7 +89,14 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "empty", why: "It cleans the border again and again and never the middle." },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, walls_only: true, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: true,
+        walls_only: true,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "on",

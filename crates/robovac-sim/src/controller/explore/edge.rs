@@ -72,7 +72,14 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "maze", why: "A maze is one long wall, which it follows into every branch." },
         fails: Example { room: "flat", why: "It circles the piece of furniture that it meets first." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "text",

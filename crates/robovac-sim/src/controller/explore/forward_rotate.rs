@@ -46,7 +46,14 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "room12ft", why: "In a small room chance leads it to most walls in time." },
         fails: Example { room: "flat", why: "It keeps revisiting the same floor and passes doorways only by chance." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[DISTANCE, ANGLE, PUSHES],
 };
 

@@ -94,7 +94,14 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             why: "Corridors and small rooms are one long wall: following it finds as much, without a map.",
         },
     },
-    claims: BehaviourClaims { ends: true, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: true,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "tracking",

@@ -45,7 +45,14 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             why: "Two motions out of three are rotations, so it makes little progress: the next rooms stay unknown.",
         },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[DISTANCE, ANGLE, PUSHES],
 };
 

@@ -50,7 +50,14 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[DISTANCE, ANGLE],
 };
 

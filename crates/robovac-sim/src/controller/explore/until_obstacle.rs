@@ -53,7 +53,14 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "room12ft", why: "In a small room, furniture keeps changing its course." },
         fails: Example { room: "flat", why: "It circles the same few pieces of furniture and misses every door." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "direction",
