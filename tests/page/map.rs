@@ -358,7 +358,8 @@ fn every_explorer_can_be_chosen_and_links_bring_choices_back() {
         assert_eq!(other.setup().to_link(), link);
         assert_eq!(other.recipe(), survey.recipe());
         other.run_ahead(5.0);
-        assert!(other.run().is_some_and(|run| run.steps() > 0), "{}", info.id);
+        // A Roomba has no laser.
+        assert!(info.claims.needs_laser || other.run().is_some_and(|run| run.steps() > 0), "{}", info.id);
     }
     let mut survey = small();
     let before = survey.setup().to_link();

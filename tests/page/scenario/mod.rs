@@ -87,6 +87,7 @@ fn everything_in_a_scenario_is_read() {
             Object::Dock { pose: Pose::new(0.0, 0.75, 0.0) },
             Object::VirtualWall { pose: Pose::new(1.75, 3.0, -std::f64::consts::FRAC_PI_2), length: 1.5 },
             Object::Mover { who: Who::Pet, path: vec![point(0.5, 0.5), point(2.5, 1.5)] },
+            Object::LowObstacle { outline: vec![point(3.0, 2.0), point(3.5, 2.0), point(3.5, 2.25)], height: 0.015 },
         ]
     );
     let mut session = Session::new();
@@ -462,13 +463,13 @@ fn size_limits_are_kept() {
         let all = vec![leg; count].join(", ");
         with(leg, &all)
     };
-    // The sample has seven others.
-    assert!(read(&objects(MAX_OBJECTS - 7)).is_ok());
+    // The sample has eight others.
+    assert!(read(&objects(MAX_OBJECTS - 8)).is_ok());
     assert_eq!(
-        read(&objects(MAX_OBJECTS - 6)).unwrap_err(),
+        read(&objects(MAX_OBJECTS - 7)).unwrap_err(),
         "\"a.json\", line 19, column 4, objects: there are 501 objects, but at most 500 are allowed; remove some"
     );
-    assert!(schema_complains(&objects(MAX_OBJECTS - 6)).is_some());
+    assert!(schema_complains(&objects(MAX_OBJECTS - 7)).is_some());
     // Corners on a circle, as an outline and as a path.
     let points = |count: usize| {
         let point = |i: usize| {
