@@ -47,7 +47,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         ParamSpec {
             id: "effort",
-            label: "Effort",
+            label: "Search time",
             help: "Search effort for a faster path; 0 keeps the first one.",
             kind: ParamKind::Number { min: 0.0, max: 100.0, step: 0.1, default: 1.0, unit: "" },
         },

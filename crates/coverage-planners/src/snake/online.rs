@@ -219,7 +219,9 @@ mod tests {
             }
             let walk = discover(&job.free, start, Direction::Up, |from, to| from.direction_to(to).is_some());
             let mut visited = job.free.map(|_| false);
-            walk.iter().for_each(|&cell| visited[cell] = true);
+            for &cell in &walk {
+                visited[cell] = true;
+            }
             assert_eq!(visited, job.free, "room {round}");
         }
         assert!(compared > 40, "{compared} rooms");
