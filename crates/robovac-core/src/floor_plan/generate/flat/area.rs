@@ -65,11 +65,6 @@ impl Area {
         self.left <= other.left && other.right <= self.right && self.bottom <= other.bottom && other.top <= self.top
     }
 
-    /// Larger by `cells` on each side.
-    pub fn grown(&self, cells: i32) -> Self {
-        Self::new(self.left - cells, self.bottom - cells, self.right + cells, self.top + cells)
-    }
-
     /// Mirrored at the diagonal: x and y change places.
     pub fn transposed(&self) -> Self {
         Self::new(self.bottom, self.left, self.top, self.right)
