@@ -49,6 +49,7 @@ pub mod experiment;
 pub mod mapping;
 pub mod montecarlo;
 mod recording;
+pub mod study;
 
 pub use dirt::Spot;
 pub use docking::{berth, dock_at};

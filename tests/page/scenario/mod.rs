@@ -610,3 +610,28 @@ proptest! {
         }
     }
 }
+
+/// The example of docs/studies.md is read and agrees with its schema; what the reader refuses, the schema does too.
+#[test]
+fn studies_agree_with_their_schema() {
+    let page = include_str!("../../../docs/studies.md");
+    let (_, example) = page.split_once("```json\n").unwrap();
+    let (example, _) = example.split_once("```").unwrap();
+    let schema: Value = serde_json::from_str(include_str!("../../../docs/study.schema.json")).unwrap();
+    let complaint = |text: &str| schema::complaint(&schema, &schema, &serde_json::from_str(text).unwrap());
+    assert_eq!(complaint(example), None);
+    let study = robovac_sim::study::Study::read("study.json", example.as_bytes()).unwrap();
+    assert!(study.runs() > 100);
+    for (from, to) in [
+        ("\"version\": 1", "\"version\": 2"),
+        ("\"robots\"", "\"robot\""),
+        ("\"count\": 10", "\"count\": 0"),
+        ("\"minutes\": 20", "\"minutes\": 0"),
+        ("\"slip\": \"typical\"", "\"slip\": \"icy\""),
+    ] {
+        assert!(example.contains(from), "{from}");
+        let text = example.replacen(from, to, 1);
+        assert!(complaint(&text).is_some(), "{to}");
+        assert!(robovac_sim::study::Study::read("study.json", text.as_bytes()).is_err(), "{to}");
+    }
+}
