@@ -37,17 +37,21 @@ enum StudyCommand {
 
 #[derive(clap::Args)]
 struct Files {
-    /// Study file: JSON, see docs/study.schema.json
+    /// Study file
     study: PathBuf,
-    /// Results; until they are complete, its shards are in a folder of the same name with .shards behind it
+    /// Results, as given to the command that made the shards
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
 }
 
 #[derive(clap::Args)]
 struct RunArguments {
-    #[command(flatten)]
-    files: Files,
+    // Not flattened: clap would take only the arguments of this very structure as a sign that there are any.
+    /// Study file: JSON, see docs/study.schema.json
+    study: PathBuf,
+    /// Results; until they are complete, its shards are in a folder of the same name with .shards behind it
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
     /// Make only part I of N, on one of N machines, and don't merge: "robovac study merge" does when all parts are there
     #[arg(long, value_name = "I/N", value_parser = parse_part)]
     shard: Option<(u64, u64)>,
@@ -81,7 +85,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
 }
 
 fn make(arguments: &RunArguments) -> Result<String, Failure> {
-    let RunArguments { files: Files { study, out }, shard, jobs } = arguments;
+    let RunArguments { study, out, shard, jobs } = arguments;
     let opened = open(study)?;
     if out.exists() {
         let out = out.display();
