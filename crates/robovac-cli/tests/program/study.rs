@@ -118,3 +118,24 @@ fn a_row_is_made_again_by_its_command() {
     let made: Value = serde_json::from_slice(&robovac(&arguments).stdout).unwrap();
     assert_eq!(made["algorithms"][0]["each"][0]["digest"], row["outcome"]["digest"], "{command}");
 }
+
+#[test]
+fn a_flat_is_generated_by_its_seed() {
+    let text = |arguments: &[&str]| String::from_utf8(robovac(arguments).stdout).unwrap();
+    let picture = text(&["generate", "--seed", "7"]);
+    assert!(picture.starts_with("; resolution 0.05\n; name Flat 7\n") && picture.contains('S'), "{picture}");
+    assert_eq!(text(&["generate", "--seed", "7"]), picture);
+    assert_ne!(text(&["generate", "--seed", "8"]), picture);
+    // The file holds the same flat as the option of other commands.
+    let file = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("flat-7.json");
+    let file = file.to_string_lossy();
+    assert!(robovac(&["generate", "--seed", "7", "--area", "25..30", "--no-rugs", "--out", &file]).status.success());
+    let drive = |source: [&str; 2]| {
+        let report = text(&["simulate", source[0], source[1], "--behaviour", "bounce", "--max-time", "20", "--json"]);
+        serde_json::from_str::<Value>(&report).unwrap()["digest"].clone()
+    };
+    assert_eq!(drive(["--map", &file]), drive(["--flat", "7~area:25..30~rugs:no"]));
+    for wrong in [&["generate", "--area", "10"][..], &["generate", "--furniture", "2"], &["generate", "--area", "x"]] {
+        assert_eq!(robovac(wrong).status.code(), Some(2), "{wrong:?}");
+    }
+}
