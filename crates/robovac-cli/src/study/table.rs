@@ -131,7 +131,7 @@ pub fn write(opened: &Opened, shards: &Shards, out: &Path) -> Result<(), Failure
 }
 
 fn schema() -> String {
-    let columns: String = COLUMNS
+    let columns: Vec<String> = COLUMNS
         .iter()
         .map(|(name, value)| match value {
             Int(_) => format!("optional int64 {name};"),
@@ -143,7 +143,7 @@ fn schema() -> String {
             }
         })
         .collect();
-    format!("message run {{ {columns} }}")
+    format!("message run {{ {} }}", columns.concat())
 }
 
 fn put(rows: &[Row<'_>], group: &mut SerializedRowGroupWriter<'_, File>) -> Result<(), ParquetError> {

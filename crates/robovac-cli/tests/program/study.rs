@@ -35,8 +35,8 @@ fn folder(name: &str, seeds: u32) -> (PathBuf, String) {
 }
 
 fn shards(folder: &Path) -> usize {
-    let entries = fs::read_dir(folder).map(Iterator::collect).unwrap_or_else(|_| Vec::new());
-    entries.iter().flatten().filter(|entry| entry.path().extension().is_some_and(|ending| ending == "jsonl")).count()
+    let is_shard = |path: PathBuf| path.extension().is_some_and(|ending| ending == "jsonl");
+    fs::read_dir(folder).map_or(0, |entries| entries.flatten().filter(|entry| is_shard(entry.path())).count())
 }
 
 fn out(folder: &Path, name: &str) -> String {

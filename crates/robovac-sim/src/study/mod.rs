@@ -182,10 +182,10 @@ impl Study {
             ..
         } = run.conditions;
         let quantised = if *quantised { " --quantised" } else { "" };
-        let noise: String = noise.to_string().split(' ').map(|level| format!(" --noise {level}")).collect();
+        let noise = noise.to_string().replace(' ', " --noise ");
         format!(
             "robovac montecarlo {source} --robot {robot}{cell} --{kind} {} --seeds 1 --seed {} --plan-seed {} --minutes {} \
-             --slip {}{noise}{quantised} --charge {start_charge_percent} --odometry {} --json",
+             --slip {} --noise {noise}{quantised} --charge {start_charge_percent} --odometry {} --json",
             run.entrant,
             run.seed,
             self.spec.plan_seed,
