@@ -20,8 +20,18 @@ use std::{
 pub struct Arguments {
     #[command(subcommand)]
     command: Option<StudyCommand>,
-    #[command(flatten)]
-    run: Option<RunArguments>,
+    /// Study file: JSON, see docs/study.schema.json
+    #[arg(required = true)]
+    study: Option<PathBuf>,
+    /// Results; until they are complete, its shards are in a folder of the same name with .shards behind it
+    #[arg(long, value_name = "FILE", required = true)]
+    out: Option<PathBuf>,
+    /// Make only part I of N, on one of N machines, and don't merge: "robovac study merge" does when all parts are there
+    #[arg(long, value_name = "I/N", value_parser = parse_part)]
+    shard: Option<(u64, u64)>,
+    /// Runs in parallel [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: Option<u16>,
 }
 
 #[derive(clap::Subcommand)]
@@ -44,22 +54,6 @@ struct Files {
     out: PathBuf,
 }
 
-#[derive(clap::Args)]
-struct RunArguments {
-    // Not flattened: clap would take only the arguments of this very structure as a sign that there are any.
-    /// Study file: JSON, see docs/study.schema.json
-    study: PathBuf,
-    /// Results; until they are complete, its shards are in a folder of the same name with .shards behind it
-    #[arg(long, value_name = "FILE")]
-    out: PathBuf,
-    /// Make only part I of N, on one of N machines, and don't merge: "robovac study merge" does when all parts are there
-    #[arg(long, value_name = "I/N", value_parser = parse_part)]
-    shard: Option<(u64, u64)>,
-    /// Runs in parallel [default: one per core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
-    jobs: Option<u16>,
-}
-
 /// A study with the folder of its file and what tells it from others.
 struct Opened {
     study: Study,
@@ -69,23 +63,24 @@ struct Opened {
 
 /// Makes the runs, or merges.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
-    match (&arguments.command, &arguments.run) {
-        (Some(StudyCommand::Check { study }), _) => {
+    match &arguments.command {
+        Some(StudyCommand::Check { study }) => {
             let study = open(study)?.study;
             let (runs, rooms) = (study.runs(), study.rooms().len());
             Ok(format!("{runs} runs in {rooms} rooms, {} shards\n", shards::count(runs)))
         }
-        (Some(StudyCommand::Merge(files)), _) => {
-            let opened = open(&files.study)?;
-            merge(&opened, &Shards::open(&files.out, &opened)?, &files.out)
+        Some(StudyCommand::Merge(Files { study, out })) => {
+            let opened = open(study)?;
+            merge(&opened, &Shards::open(out, &opened)?, out)
         }
-        (None, Some(run)) => make(run),
-        (None, None) => Err(Failure::usage("give a study file".to_owned())),
+        None => make(arguments),
     }
 }
 
-fn make(arguments: &RunArguments) -> Result<String, Failure> {
-    let RunArguments { study, out, shard, jobs } = arguments;
+fn make(arguments: &Arguments) -> Result<String, Failure> {
+    let Arguments { study: Some(study), out: Some(out), shard, jobs, .. } = arguments else {
+        return Err(Failure::usage("give a study file and --out".to_owned()));
+    };
     let opened = open(study)?;
     if out.exists() {
         let out = out.display();
