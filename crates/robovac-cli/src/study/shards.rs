@@ -4,7 +4,7 @@ use super::{Failure, Opened};
 use robovac_sim::study::StudyRow;
 use std::{
     fs::{self, File},
-    io::{BufRead, BufReader, ErrorKind, Write},
+    io::{self, BufRead, BufReader, ErrorKind, Write},
     ops::Range,
     path::{Path, PathBuf},
     process,
@@ -72,11 +72,11 @@ impl Shards {
     /// The rows of a shard.
     pub fn load(&self, shard: u64) -> Result<Vec<StudyRow>, Failure> {
         let path = self.folder.join(name(shard));
-        let io = |error: &_| Failure::io(path.display(), error);
+        let unread = |error: &_| Failure::io(path.display(), error);
         let damaged = || Failure::system(format!("{}: this shard is damaged; delete it and run again", path.display()));
         let mut rows = Vec::new();
-        for line in BufReader::new(File::open(&path).map_err(|error| io(&error))?).lines() {
-            let line = line.map_err(|error| io(&error))?;
+        for line in BufReader::new(File::open(&path).map_err(|error| unread(&error))?).lines() {
+            let line = line.map_err(|error| unread(&error))?;
             rows.push(serde_json::from_str::<StudyRow>(&line).map_err(|_| damaged())?);
         }
         if rows.iter().map(|row| row.run).eq(self.runs(shard)) { Ok(rows) } else { Err(damaged()) }
@@ -96,11 +96,16 @@ impl Shards {
             file.write_all(bytes)?;
             file.sync_all()?;
             fs::rename(&part, &path)?;
-            // The new name, too, has to be on the disk; elsewhere a folder can't be opened.
-            if cfg!(unix) { File::open(&self.folder)?.sync_all() } else { Ok(()) }
+            flush_names(&self.folder)
         };
         write().map_err(|error| Failure::io(path.display(), &error))
     }
+}
+
+/// Puts new names in a folder on the disk, too. Only Unix can open a folder.
+pub fn flush_names(folder: &Path) -> io::Result<()> {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
 }
 
 /// Number of shards of so many runs.

@@ -1,6 +1,6 @@
 //! Results as Parquet: a row for each run, in the order of the runs.
 
-use super::{Failure, Opened, Shards};
+use super::{Failure, Opened, Shards, shards::flush_names};
 use parquet::{
     basic::Compression,
     column::writer::ColumnWriter,
@@ -127,7 +127,10 @@ pub fn write(opened: &Opened, shards: &Shards, out: &Path) -> Result<(), Failure
         }
     }
     writer.close().map_err(bad)?;
-    kept.sync_all().and_then(|()| fs::rename(&part, out)).map_err(|error| io(&error))
+    let stored = kept.sync_all().and_then(|()| fs::rename(&part, out));
+    // Before the shards are removed.
+    let stored = stored.and_then(|()| flush_names(out.parent().unwrap_or(Path::new(""))));
+    stored.map_err(|error| io(&error))
 }
 
 fn schema() -> String {
