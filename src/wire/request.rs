@@ -45,7 +45,8 @@ pub fn request_to_js(request: &PlanRequest, session: &Session) -> Result<JsValue
     let object = crate::wire::to_js(&wire)?;
     let free: Vec<u8> = job.free.values().iter().map(|&f| u8::from(f)).collect();
     Reflect::set(&object, &"free".into(), &Uint8Array::from(free.as_slice()))?;
-    if request.planner.claims.in_metres || session.room().is_some() || job.cells() <= SLOW_CELLS {
+    let is_needed = request.planner.claims.in_metres || session.settings().smooth;
+    if is_needed || session.room().is_some() || job.cells() <= SLOW_CELLS {
         Reflect::set(&object, &"place".into(), &crate::wire::to_js(&session.whole_snapshot())?)?;
     }
     Ok(object)
@@ -60,20 +61,21 @@ pub fn request_from_js(object: &JsValue) -> Result<PlanRequest, JsValue> {
     let given = wire.params.iter().map(|(id, value)| (id.as_str(), value.clone()));
     let params = Params::checked(planner.params, given).map_err(|e| e.to_string())?;
     let job = match laid_out(object)? {
-        Some(room) if planner.claims.in_metres => room.job,
+        Some((room, _)) if planner.claims.in_metres => room.job,
         _ => wire.job(&free).ok_or("the planning request has no free start")?,
     };
     Ok(PlanRequest { id: wire.id, planner, params, seed: wire.seed, job })
 }
 
-/// The room of a request, laid out for its robot, if it is there.
-pub fn laid_out(object: &JsValue) -> Result<Option<RoomSetup>, JsValue> {
+/// The room of a request, laid out for its robot, if it is there, and whether corners are to be rounded.
+pub fn laid_out(object: &JsValue) -> Result<Option<(RoomSetup, bool)>, JsValue> {
     let place = Reflect::get(object, &"place".into())?;
     if place.is_undefined() {
         return Ok(None);
     }
     let place: SessionSnapshot = serde_wasm_bindgen::from_value(place).map_err(|e| e.to_string())?;
-    Ok(Some(place.lay_out().map_err(|e| e.to_string())?))
+    let room = place.lay_out().map_err(|e| e.to_string())?;
+    Ok(Some((room, place.choices.smooth == Some(true))))
 }
 
 impl WireRequest {

@@ -52,6 +52,7 @@ export function startPanel(app) {
   const noises = sensors.map(([sensor, title]) => noiseMenu(title, (level) => change((p) => p.set_noise(sensor, level))));
   byId("noises").replaceChildren(...noises.map(({ field }) => field));
   bind("odometry", (p, id) => p.set_odometry(id));
+  input("smooth").addEventListener("change", () => change((p) => p.set_smooth(input("smooth").checked)));
   bind("seed", (p, text) => p.set_seed(seed(text)));
   input("show-search").addEventListener("change", () => act((p) => p.show_search(input("show-search").checked)));
   button("reseed").addEventListener("click", () => change((p) => p.set_seed(Math.floor(Math.random() * 1e6))));
@@ -101,6 +102,9 @@ export function startPanel(app) {
     showRealism(view, show);
     noises.forEach(({ menu }, index) => show(menu, view.noise[index] ?? "off"));
     show(select("odometry"), view.odometry);
+    show(input("smooth"), String(view.smooth && view.can_smooth));
+    input("smooth").disabled = !view.can_smooth;
+    setHidden(byId("smooth-refusal"), view.can_smooth);
     show(input("seed"), String(view.seed));
     const { offered, on, refusal } = view.search;
     show(input("show-search"), String(on));

@@ -47,6 +47,8 @@ pub struct ScenarioChoices {
     pub quantised: Option<bool>,
     /// How the robot computes its pose.
     pub odometry: Option<String>,
+    /// Whether the corners of plans are rounded.
+    pub smooth: Option<bool>,
 }
 
 /// Reasons why files can't be read.
@@ -109,7 +111,7 @@ impl ScenarioChoices {
     /// The choices of `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        let Scenario { robot, twin, cell_size, planner, behaviour, slip, noise, quantised, odometry, .. } =
+        let Scenario { robot, twin, cell_size, planner, behaviour, slip, noise, quantised, odometry, smooth, .. } =
             scenario.clone();
         Self {
             robot,
@@ -123,6 +125,7 @@ impl ScenarioChoices {
             noise: noise.map(|levels| levels.into_iter().collect()),
             quantised,
             odometry,
+            smooth,
         }
     }
 
@@ -145,6 +148,7 @@ impl ScenarioChoices {
             noise: Some(noisy.map(|(name, level)| (name.to_owned(), level.id().to_owned())).collect()),
             quantised: Some(conditions.quantised),
             odometry: Some(settings.odometry.id().to_owned()),
+            smooth: Some(settings.smooth),
         }
     }
 
@@ -190,6 +194,9 @@ impl ScenarioChoices {
         }
         if let Some(id) = &self.odometry {
             at("odometry", settings.set_odometry(id))?;
+        }
+        if let Some(on) = self.smooth {
+            settings.smooth = on;
         }
         Ok(settings)
     }

@@ -183,7 +183,7 @@ const STRUCTURE: &[Case] = &[
     (
         "\"name\": \"Nook\"",
         "\"title\": \"Nook\"",
-        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `planner`, `behaviour`, `params`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `odometry`; fix that line or export the file again",
+        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `planner`, `behaviour`, `params`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `odometry`, `smooth`; fix that line or export the file again",
     ),
     (
         "\"radius\": 0.02",
@@ -494,6 +494,7 @@ fn version_1_has_no_keys_of_version_2() {
         ("noise", "{}"),
         ("quantised", "false"),
         ("odometry", "\"arc\""),
+        ("smooth", "true"),
     ] {
         let text = format!(
             "{{ \"format\": \"robovac-scenario\", \"version\": 1, \"resolution\": 0.2, \"width\": 1, \"height\": 1,\n\

@@ -46,6 +46,7 @@ impl ComparisonBase {
             setup: RaceSetup {
                 conditions: settings.conditions,
                 odometry: settings.odometry,
+                smooth: settings.smooth,
                 seed: settings.seed,
                 speed: speed.unwrap_or(SPEED),
             },
@@ -76,6 +77,7 @@ impl ComparisonBase {
             RoomChoice::Own => format!("{OWN}{}", self.snapshot.room_version),
         };
         let twin = self.twin.map(|twin| format!(" {twin}")).unwrap_or_default();
-        format!("{room} {start:?} {} {}{twin}", self.robot, self.cell_size)
+        let smooth = if self.setup.smooth { " smooth" } else { "" };
+        format!("{room} {start:?} {} {}{twin}{smooth}", self.robot, self.cell_size)
     }
 }

@@ -426,6 +426,7 @@ impl Session {
         scenario.noise = choices.noise.map(|levels| levels.into_iter().collect());
         scenario.quantised = choices.quantised;
         scenario.odometry = choices.odometry;
+        scenario.smooth = choices.smooth;
         scenario.to_json()
     }
 

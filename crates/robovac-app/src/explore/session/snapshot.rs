@@ -12,6 +12,7 @@ use coverage_planners::{
     Proof,
     metrics::{DriveMetrics, WalkMetrics},
 };
+use robovac_core::trajectory::DriveLimits;
 use robovac_sim::experiment::Shows;
 use robovac_sim::{Run, RunRecording, SensorKind, SlipLevel, What};
 
@@ -91,6 +92,8 @@ impl Session {
             quantised: conditions.quantised,
             shows: self.settings.shows,
             odometry: self.settings.odometry.id(),
+            smooth: self.settings.smooth,
+            can_smooth: self.prepared.as_ref().is_none_or(|prepared| DriveLimits::of(&prepared.robot).is_some()),
             speed: self.settings.speed,
             speed_factor: self.pacer.speed_factor(),
             time_s: run.map_or(0.0, Run::time_s),

@@ -91,6 +91,9 @@ pub struct Scenario {
     /// How the robot computes its pose.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub odometry: Option<String>,
+    /// Whether the corners of plans are rounded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub smooth: Option<bool>,
 }
 
 /// The fields that determine how to read the rest, and the keys that version 1 doesn't have.
@@ -104,6 +107,7 @@ struct ScenarioHeader {
     noise: Option<IgnoredAny>,
     quantised: Option<IgnoredAny>,
     odometry: Option<IgnoredAny>,
+    smooth: Option<IgnoredAny>,
     twin: Option<IgnoredAny>,
 }
 
@@ -141,7 +145,7 @@ impl ScenarioHeader {
     /// An invalid value of the header, by its path.
     fn flaw(&self) -> Option<(&'static str, Flaw)> {
         let version = self.version.as_ref()?;
-        let Self { objects, behaviour, slip, noise, quantised, odometry, twin, .. } = self;
+        let Self { objects, behaviour, slip, noise, quantised, odometry, smooth, twin, .. } = self;
         match version.as_u64() {
             Some(1) => [
                 ("objects", objects),
@@ -150,6 +154,7 @@ impl ScenarioHeader {
                 ("noise", noise),
                 ("quantised", quantised),
                 ("odometry", odometry),
+                ("smooth", smooth),
                 ("twin", twin),
             ]
             .into_iter()
@@ -189,6 +194,7 @@ impl Scenario {
             noise: None,
             quantised: None,
             odometry: None,
+            smooth: None,
         }
     }
 
