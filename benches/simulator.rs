@@ -26,7 +26,7 @@ fn simulator(criterion: &mut Criterion) {
     let Some(flat) = room("flat").map(|info| (info.build)()) else { return };
     let noisy = |level| Conditions { noise: Noise::all(level), ..Conditions::default() };
     let slipping = Conditions { slip: SlipLevel::Typical, ..Conditions::default() };
-    let cases = [
+    let cases = vec![
         ("in the furnished flat", opening_run()),
         ("there by the sensors", bouncing(&flat, "roomba600", noisy(NoiseLevel::Off))),
         ("there by sensors with typical noise", bouncing(&flat, "roomba600", noisy(NoiseLevel::Typical))),

@@ -1,9 +1,10 @@
 // Runs after every trunk build, on the finished page before it is published as dist/.
 // Appends ?v=<digest of the whole build> to each reference between the page's files. A browser then never mixes files of
-// two builds, and because all of them get the same version, page and worker still share one address per module. Comments go.
+// two builds, and because all of them get the same version, page and worker still share one address per module. Scripts and style sheets are packed.
 import { createHash } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
+import { minify } from "terser";
 import { filesBelow, rewriteReferences } from "./references.mjs";
 
 const page = path.resolve(process.env.TRUNK_STAGING_DIR ?? "dist");
@@ -26,10 +27,12 @@ const version = digest.digest("hex").slice(0, 12);
 const index = path.join(page, "index.html");
 fs.writeFileSync(index, fs.readFileSync(index, "utf8").replace(/\s*<link data-trunk[^>]*>/g, ""));
 
-/** Comments are for whoever reads the sources: those that have lines of their own stay there. */
-const OWN_LINES = /^[ \t]*(?:\/\/.*|\/\*\*(?:(?!\*\/)[^])*\*\/[ \t]*)$\n?/gm;
+/** Comments and indentation are for whoever reads the sources. */
+const HTML_SPARE = /<!--(?:(?!-->)[^])*-->\n*|^[ \t]+/gm;
+const CSS_SPARE = /\/\*(?:(?!\*\/)[^])*\*\/\n*|^[ \t]+|^\n/gm;
 
 for (const file of filesBelow(page).filter((name) => /\.(html|js|css)$/.test(name))) {
   const text = rewriteReferences(file, (_target, reference) => `${reference}?v=${version}`);
-  fs.writeFileSync(file, file.endsWith(".js") ? text.replace(OWN_LINES, "") : text);
+  const lean = file.endsWith(".js") ? (await minify(text, { module: true })).code : text.replace(file.endsWith(".css") ? CSS_SPARE : HTML_SPARE, "");
+  fs.writeFileSync(file, lean);
 }

@@ -13,6 +13,9 @@ DRIVERS=$ROOT/target/drivers
 # The native program as tests build it.
 ROBOVAC=$(realpath -m "${CARGO_TARGET_DIR:-$ROOT/target}")/debug/robovac
 
+# What tests build beyond an ordinary build: nodes of ROS 2. In every step alike, so that nothing is compiled twice.
+WITH_NODE=robovac-cli/ros2
+
 WASM_TARGET=wasm32-unknown-unknown
 # Such as an ESP32-C3.
 BARE_METAL_TARGET=riscv32imc-unknown-none-elf

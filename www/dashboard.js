@@ -19,7 +19,6 @@ const MOST_DIRT = 255;
 
 /** @param {import("./main.js").App} app @returns {(view: import("./types").PageView) => void} */
 export function startDashboard(app) {
-  const { robots } = app.catalogue;
   const board = byId("dashboard");
   /** @type {((of: Reading) => void)[]} */
   let parts = [];
@@ -40,8 +39,7 @@ export function startDashboard(app) {
   return (view) => {
     setText(byId("activity"), doing(view));
     if (!isDue(() => board.checkVisibility({ visibilityProperty: true }))) return;
-    const robot = robots.find(({ id }) => id === view.robot);
-    if (robot && changed(board, "robot", robot.id)) build(robot);
+    if (changed(board, "robot", `${view.robot} ${view.own_robot}`)) build(app.playground.robot());
     const reading = app.playground.readings();
     if (!reading) return;
     for (const show of parts) show(reading);

@@ -1,7 +1,7 @@
 // @ts-check
 // Files in and out: picker, drop anywhere, download, link.
 import { button, byId, input } from "./dom.js";
-import { toast } from "./messages.js";
+import { complain, textOf } from "./messages.js";
 
 /** @param {import("./main.js").App} app */
 export function startFiles(app) {
@@ -23,19 +23,16 @@ export function startFiles(app) {
     void import("./save.js").then(({ openSave }) => openSave(app)).catch(scenario).finally(() => save.removeAttribute("aria-busy"));
   });
 
+  button("rooms-open").addEventListener("click", () => {
+    const failed = (/** @type {unknown} */ error) => complain(`The rooms could not be opened (${textOf(error)}). Check the connection, then try again.`);
+    void import("./explore/rooms.js").then(({ openRooms }) => openRooms(app)).catch(failed);
+  });
+
   const share = button("share");
   share.disabled = false;
-  share.addEventListener("click", async () => {
-    const link = new URL(location.href);
-    if (!app.act(() => (link.hash = app.link()))) return;
-    try {
-      await navigator.clipboard.writeText(link.href);
-      const isOwn = link.hash.includes("room=own");
-      toast(isOwn ? "Link copied. The room exists only in this browser: save it and send the file too." : "Link copied");
-    } catch {
-      history.replaceState(null, "", link.hash);
-      toast("The link is in the address bar");
-    }
+  share.addEventListener("click", () => {
+    const failed = (/** @type {unknown} */ error) => complain(`The link could not be copied (${textOf(error)}). Check the connection, then try again.`);
+    void import("./explore/share.js").then(({ copyLink }) => copyLink(app)).catch(failed);
   });
 }
 

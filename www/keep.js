@@ -1,64 +1,54 @@
 // @ts-check
-// Keeps the state over a reload: in the address, and in this browser a room that is not in a link, drawn or loaded.
-
-import { toast } from "./messages.js";
+// Keeps the state over a reload: in the address; and in this browser rooms that were drawn or loaded. Every tab and every
+// room is an entry of the browser's history.
 
 /** @typedef {import("./main.js").App} App */
 
-const KEY = "own-room";
-/** Whether it has been said that there is no room for the room. */
-let warned = false;
-/** The value in `link` of a room that isn't built in. */
+/** The value in links of a room that isn't built in. */
 const OWN = "room=own";
+/** Keys in links that the session has; tabs have others. */
+const SESSION = /^(room|planner|behaviour|p\..*|robot|twin|cell|seed|slip|noise.*|quantised|odometry|start|speed|show|search)=/;
+/** Own rooms, once there are any. @type {typeof import("./explore/own-rooms.js") | undefined} */
+let own;
+/** Whether the address was just followed: it may be written in another way, and is still the same place. */
+let wasFollowed = true;
+/** Whether the session on the page has been kept: before, it isn't anybody's. */
+let hasKept = false;
+
+const pairsOf = (/** @type {string} */ link) => link.replace(/^#/, "").split("&");
+const ownRooms = async () => (own ??= await import("./explore/own-rooms.js"));
 
 /**
  * Restores the state of the address; an own room is read in a worker.
  * @param {App} app @param {string} link
  */
 export async function restoreLink(app, link) {
-  if (link.split("&").includes(OWN)) {
-    const saved = read();
-    if (!saved) {
-      app.act((p) => p.restore(link));
-      app.act((p) => p.report_error("This link's room was drawn or loaded in another browser. Ask its author for the scenario file and load that."));
-      return;
-    }
-    const bytes = new TextEncoder().encode(saved);
-    if (!(await app.takeFiles([{ name: "the room kept in this browser", bytes }]))) return;
-  }
+  wasFollowed = true;
+  const [asked, now] = [pairsOf(link), pairsOf(app.playground.link())];
+  const isOwn = asked.includes(OWN);
+  const isSame = now.every((pair) => asked.includes(pair)) && asked.every((pair) => now.includes(pair) || !SESSION.test(pair));
+  // Back from another tab: the run goes on.
+  if (hasKept && isSame && (!isOwn || asked.includes(`own=${own?.currentId(app)}`))) return;
+  const refusal = isOwn ? await (await ownRooms()).openLink(app, link) : "";
+  // Robot and algorithm hold without it, too.
   app.act((p) => p.restore(link));
+  if (refusal) app.act((p) => p.report_error(refusal));
 }
-
-/** What was kept last. */
-let kept = "";
 
 /** Keeps the state if it has changed. @param {App} app */
 export function keepState(app) {
-  const link = app.link();
+  let link = app.link();
+  if (own) link = own.keep(app, link);
+  else if (pairsOf(link).includes(OWN)) return void ownRooms();
+  hasKept = true;
   const hash = link.startsWith("#") ? link : `#${link}`;
-  if (hash !== location.hash) history.replaceState(null, "", hash);
-  const version = `${link} ${app.playground.room_version()}`;
-  if (version !== kept) keepRoom(app, link);
-  kept = version;
+  const isElsewhere = !wasFollowed && place(hash) !== place(location.hash);
+  wasFollowed = false;
+  if (hash !== location.hash) history[isElsewhere ? "pushState" : "replaceState"](null, "", hash);
 }
 
-/** Keeps the room if it is not in the link. @param {App} app @param {string} link */
-function keepRoom(app, link) {
-  if (!link.split("&").includes(OWN)) return;
-  try {
-    localStorage.setItem(KEY, app.playground.scenario_json());
-  } catch (error) {
-    // A private window has no storage at all, and the room isn't expected to stay.
-    if (warned || !(error instanceof DOMException) || error.name !== "QuotaExceededError") return;
-    warned = true;
-    toast("This room is too large to keep in this browser. Save it before you leave.");
-  }
-}
-
-function read() {
-  try {
-    return localStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
+/** Tab and room of a link. @param {string} hash */
+function place(hash) {
+  const pairs = new URLSearchParams(hash.slice(1));
+  return ["tab", "room", "own"].map((key) => pairs.get(key) ?? "").join();
 }

@@ -6,20 +6,18 @@ import { startFiles } from "./files.js";
 import { keepState, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
 import { startLater } from "./explore/later.js";
-import { startLayers } from "./explore/layers.js";
 import { startNumbers } from "./explore/numbers.js";
 import { complain, cover, forgive, isFatal, startMessages, textOf, updateMessage } from "./messages.js";
 import { startObjects } from "./explore/objects.js";
 import { startPanel } from "./explore/panel.js";
-import { endOpening, tellOpening } from "./explore/opening.js";
+import { endOpening, tellBefore, tellOpening } from "./explore/opening.js";
 import { TabLoader } from "./tab-loader.js";
 import { currentTab, tabOf, startTabs } from "./tabs.js";
-import { Planning } from "./planning.js";
+import { startPlanning } from "./start-planning.js";
 import { startPlaybar } from "./explore/playbar.js";
 import { startSheets } from "./sheets.js";
 import { startStage } from "./explore/stage.js";
 import { startTheme } from "./theme.js";
-import { startTips } from "./tips.js";
 import { updateView } from "./explore/view.js";
 import { compile, missing } from "./wasm.js";
 
@@ -98,21 +96,12 @@ async function start() {
     },
     keepPlan: () => {
       const seconds = planning.keep();
-      app.act((p) => p.keep_plan(seconds));
+      if (seconds !== undefined) app.act((p) => p.keep_plan(seconds));
     },
     link: () => [playground.link(), ...(tabs.shown ? [tabs.shown.link()] : [])].join("&"),
     tabKey: (key) => tabs.shown?.key(key) ?? false,
   };
-  const planning = new Planning({
-    progress: (id, done, cells, proof, film) => guard(() => playground.plan_progress(id, done, cells, proof, film)),
-    finished: (id, cells, seconds, trace, proof, knots) => {
-      guard(() => playground.plan_finished(id, cells, seconds, trace, proof));
-      if (knots) guard(() => playground.plan_smoothed(id, knots));
-    },
-    smoothed: (id, knots) => guard(() => playground.plan_smoothed(id, knots)),
-    proven: (id, proof, least) => guard(() => playground.plan_proven(id, proof, least)),
-    failed: (id, message) => guard(() => playground.plan_failed(id, message)),
-  });
+  const planning = startPlanning(playground, guard);
 
   const tabs = new TabLoader(app, guard);
   /** Links that are still being followed: until then, the address is theirs. */
@@ -146,7 +135,7 @@ async function start() {
 
   startTabs((next) => void tabs.enter(next));
   const [stage, playbar] = [startStage(app), startPlaybar(app)];
-  const updates = [startPanel(app), playbar.update, startLayers(app), startNumbers(app), startObjects(app)];
+  const updates = [startPanel(app), playbar.update, startNumbers(app), startObjects(app)];
   startFiles(app);
   startKeys(app, [stage, playbar]);
   const updateLater = await startLater(app);
@@ -158,7 +147,7 @@ async function start() {
     requestAnimationFrame(frame);
     guard(() => {
       const request = playground.take_plan_request();
-      if (request) planning.start(request);
+      if (request) void planning.start({ .../** @type {import("./worker-types").PlanRequest} */ (request), place: playground.snapshot() });
       if (currentTab() === "explore") {
         stage.resized();
         playground.frame(now);
@@ -167,6 +156,7 @@ async function start() {
       // Only the opening scene doesn't begin with its beginning.
       if (isFirst && view.time_s > 60) tellOpening();
       else if (view.time_s < 60) endOpening();
+      tellBefore(view.swept_before);
       isFirst = false;
       if (tabs.shown) return updateMessage(tabs.shown.frame(now) ?? view);
       updateView(app);
@@ -183,7 +173,6 @@ async function start() {
 
 async function boot() {
   startMessages();
-  startTips();
   startSheets(byId("panel-explore"), byId("floor"));
   const lack = missing();
   if (lack) {

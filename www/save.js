@@ -3,6 +3,7 @@
 import init, { export_files, export_formats } from "../floor_plan.js";
 import { byId, fill, make, setHidden } from "./dom.js";
 import { download, fileName } from "./files.js";
+import { complain, textOf } from "./messages.js";
 import { style } from "./parts.js";
 import { compile } from "./wasm.js";
 
@@ -79,6 +80,12 @@ async function build() {
     complaint.hidden = true;
     form.onsubmit = (event) => {
       try {
+        if (chosen() === "run_mcap") {
+          if (app.view.run_end_s === 0) throw "There is no run yet: press play first.";
+          const request = { snapshot: app.playground.snapshot(), corners: path, inputs: app.playground.inputs(), end_s: app.view.run_end_s };
+          void import("./bags.js").then(({ saveBag }) => saveBag(request, `${fileName(app.view.room.title)}.run`)).catch((error) => complain(textOf(error)));
+          return;
+        }
         const files = export_files(chosen(), app.playground.scenario_json(), path, fileName(app.view.room.title), mode.value, negate.checked);
         for (const { name, bytes, kind } of files) download(name, bytes, kind);
       } catch (error) {

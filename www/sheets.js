@@ -20,6 +20,8 @@ export function startSheets(root, floor) {
   };
   const current = () => openers.find((opener) => opener.getAttribute("aria-expanded") === "true");
 
+  // A sheet that is swiped down.
+  root.addEventListener("swiped", () => open(""));
   const close = () => {
     const opener = current();
     open("");

@@ -30,6 +30,8 @@ export function startTips() {
     place(tip, next);
   };
 
+  // Loaded with the first input, which may have come to one already.
+  show([...document.querySelectorAll(":hover")].at(-1) ?? null);
   document.addEventListener("pointerover", (event) => {
     if (event.pointerType === "mouse") show(event.target);
   });

@@ -116,7 +116,9 @@ kind: "planner" | "behaviour", mark: Mark, complete: boolean, deterministic: boo
 /** Snapshot of a comparison, one per frame. */
 export type ComparisonView = { version: number, set: string, sets: Array<[string, string]>, seeds: number, rooms: Array<string>,
 /** Number of the session's room in `rooms`. */
-done: number, total: number, cancelled: boolean, entrants: Array<EntrantView>, race: RaceView | null, };
+done: number, total: number, cancelled: boolean, entrants: Array<EntrantView>,
+/** Chosen entrants that could race, but don't: nine race at most. */
+waiting: Array<number>, race: RaceView | null, };
 
 /** Which requests are allowed. */
 export type ConnectionActions = {
@@ -231,7 +233,7 @@ gap: number,
 floor_m2: number, };
 
 /** The part of a drawing to be traced, in its unit. */
-export type DrawingPart = { "kind": "whole" } | { "kind": "rectangle",
+export type DrawingPart = { "kind": "indoors" } | { "kind": "whole" } | { "kind": "rectangle",
 /** Two opposite corners. */
 corners: [[number, number], [number, number]], } | { "kind": "polygon",
 /** Its corners. */
@@ -272,7 +274,11 @@ remedy: string,
 /** Whether control can be taken back at once. */
 can_rearm: boolean, };
 
-export type EntrantView = { id: string, chosen: boolean, params: Params,
+export type EntrantView = { id: string, kind: "planner" | "behaviour",
+/** With a number for copies. */
+title: string, mark: Mark,
+/** 1, or 2 and up for copies; 0 for one that was removed. */
+copy: number, chosen: boolean, params: Params,
 /** `out`, `trying`, `done` or `failed`. */
 state: "out" | "trying" | "done" | "failed",
 /** 0 to 1. */
@@ -304,8 +310,16 @@ gap: number,
 resolution: number,
 /** The part to be traced. */
 part: DrawingPart,
-/** Shades of an image that are walls: those darker than this, 0 (black) to 1 (white). */
+/** Angle by which the file is turned, degrees counter-clockwise, above -180 to 180. */
+turn: number,
+/** How the shades of an image are told apart. */
+method: ShadeMethod,
+/** Shades of an image that are walls: those darker than this, 0 (black) to 1 (white). For the method *level*. */
 shade: number,
+/** How much darker than their surroundings walls are, 0 to 1. For the method *local*. */
+contrast: number,
+/** Marks of an image that are smaller than this are left out, m; not by the method *map*. */
+specks: number,
 /** Whether light shades are walls instead. */
 negate: boolean,
 /** The robot's outline. */
@@ -319,7 +333,9 @@ clearance: number,
 /** Side of the obstacle map's cells, m. */
 cell: number,
 /** Headings of the obstacle map. */
-headings: number, };
+headings: number,
+/** The unit, m, whose unusual size the user has confirmed. */
+confirmed: number | null, };
 
 /** Snapshot of a floor plan, and of the displayed part of its sweep. */
 export type FloorPlanView = {
@@ -341,6 +357,12 @@ is_scalable: boolean,
 size: string | null,
 /** The units in the menu, with the size that the source would have in each. */
 units: Array<UnitView>,
+/** Whether a room's cells can be chosen: an image's pixels are finer than they. */
+has_cells: boolean,
+/** A size that is unusual for a room, in words, until it is confirmed; empty otherwise. */
+asks: string,
+/** Angle by which the walls are askew, degrees; `None` if they are straight or have no common direction. */
+askew: number | null,
 /** Layers of a drawing. */
 layers: Array<LayerView>,
 /** Number of strokes of a drawing. */
@@ -378,8 +400,10 @@ words: string, };
 export type FloorTool = "view" | "wall" | "erase" | "start" | "place";
 
 export type LaneView = {
-/** Number of the planner in `entrants`. */
-entrant: number, coverage: number, time_s: number, distance_m: number, turning_deg: number, finished: boolean,
+/** Its number in `entrants`. */
+entrant: number,
+/** When it had swept 95 % and arrived, s. */
+won_s: number | null, coverage: number, time_s: number, distance_m: number, turning_deg: number, finished: boolean,
 /** Rank, from 1. */
 place: number, };
 
@@ -470,12 +494,16 @@ activity: string,
 params: Params,
 /** How the robot estimates its pose. */
 tracking: string,
+/** What to expect of the robot's maps, if it has nothing but a bumper; else empty. */
+expectation: string,
 /** How wheel counts are converted to motion. */
 counts: string,
 /** Level of wheel slip. */
 wheels: string,
 /** Level of sensor noise; empty if the kinds differ. */
 senses: string,
+/** The grid that is shown, measured and exported. */
+grid: string,
 /** Layers that are shown. */
 layers: Array<string>,
 /** Set speed, times real time; 0 for as fast as possible. */
@@ -591,8 +619,12 @@ message_kind: "" | "error" | "notice",
 room: RoomView,
 /** Id of the robot. */
 robot: string,
-/** Figures of a twin, as in links; empty for the model. */
+/** Figures of a twin, as in links; empty for the model and for an own robot. */
 twin: string,
+/** Choices of an own robot, as in links; empty for a model; `model` for one that is built on a model without changes. */
+own_robot: string,
+/** Corners of a path from elsewhere that is driven in place of the planner's; 0 for none. */
+path_corners: number,
 /** Id of the planner or behaviour. */
 algorithm: string,
 /** `planner` or `behaviour`. */
@@ -619,6 +651,8 @@ slip: string,
 noise: [string, string, string, string, string, string, string],
 /** Whether wheels turn only at the speeds that the motor controller can keep. */
 quantised: boolean,
+/** Charge of the battery at the start, percent. */
+start_charge_percent: number,
 /** Layers drawn on the floor. */
 shows: Shows,
 /** How the follower computes its pose. */
@@ -629,6 +663,9 @@ speed: number,
 speed_factor: number,
 /** Displayed time, s. */
 time_s: number,
+/** Share of the reachable floor that was swept before the room was changed, which began the run again; 0 if it
+ * wasn't. */
+swept_before: number,
 /** Furthest simulated time, s. */
 run_end_s: number,
 /** Swept share of the reachable floor. */
@@ -660,7 +697,7 @@ export type Params = { [key in string]: ParamValue };
 /** A personality, for menus. */
 export type PersonalityView = { id: string, title: string, summary: string, };
 
-/** The plan in numbers; those of walk and drive are 0 while planning. */
+/** The plan in numbers; those of walk and drive are 0 while planning, those of the walk also for a path in metres. */
 export type PlanView = {
 /** Whether the planner is running. */
 running: boolean,
@@ -674,6 +711,8 @@ gap: number | null,
 /** The same in steps + 2 x quarter turns, as in comparisons; `None` until it is proven, or if the walk misses
  * cells. */
 above_bound: number | null,
+/** Least length, m, and time, s, of any path that sweeps as much; `None` until it is computed. */
+least: [number, number] | null,
 /** Steps that a quarter turn counts as in `gap`. */
 turn_weight: number | null,
 /** Whether that is the robot's time for one. */
@@ -700,7 +739,7 @@ revisited_cells: number,
 length_m: number,
 /** Sum of all turns, degrees, the one at the start included. */
 turning_deg: number,
-/** Time from rest to rest by the robot's motion model (straight pieces and turns on the spot), s. */
+/** Time from rest to rest by the robot's motion model (straight pieces and turns on the spot, or curves as well), s. */
 duration_s: number,
 /** Energy taken from the battery, Wh: the robot's power while driving straight and while turning, times the time of
  * each. Some of the robots' figures are estimates, so it is accurate to about a quarter. */
@@ -795,7 +834,10 @@ base_factor: number, } | { "do": "odometry",
 /** Its name, as in links. */
 model: OdometryModel, } | { "do": "identify" };
 
+/** A robot, for its portrait and its dashboard. */
 export type RobotEntry = { id: string, title: string, summary: string, default_cell_m: number, tool_width_m: number,
+/** Speed along paths, and turn rate on the spot. */
+speed_m_s: number, turn_deg_s: number,
 /** Radius of the smallest circle around the body; all other lengths are in units of it, x ahead and y to the left. */
 radius_m: number,
 /** Corners of a body that isn't round. */
@@ -879,6 +921,8 @@ export type ScenarioChoices = {
 robot: string | null,
 /** Figures of a twin, as in links; without them the robot is the model. */
 twin: string | null,
+/** Choices of an own robot, as in links. */
+own_robot: string | null,
 /** Side of the planning cells, m. */
 cell_size: number | null,
 /** Id of the planner. */
@@ -887,6 +931,8 @@ planner: string | null,
 behaviour: string | null,
 /** Parameters of the planner or behaviour, by name. */
 params: Array<[string, string]>,
+/** A path that is driven in place of the planner's, as in links. */
+path: string | null,
 /** Seed of all random numbers. */
 seed: string | null,
 /** Level of wheel slip. */
@@ -895,6 +941,8 @@ slip: string | null,
 noise: Array<[string, string]> | null,
 /** Whether wheel speeds are quantised. */
 quantised: boolean | null,
+/** Charge of the battery at the start, percent. */
+start_charge_percent: number | null,
 /** How the robot computes its pose. */
 odometry: string | null, };
 
@@ -985,6 +1033,9 @@ choices: ScenarioChoices, };
 /** State of the session. */
 export type SessionState = "failed" | "planning" | "ready" | "playing" | "paused" | "seeking" | "finished";
 
+/** How shades are told apart. */
+export type ShadeMethod = "map" | "level" | "local";
+
 /** Layers of the picture that can be shown or hidden. */
 export type Shows = {
 /** Passes over the floor. */
@@ -1038,10 +1089,10 @@ export type StudyEntrantView = { chosen: boolean, params: Params,
 runs: number, failure: string, };
 
 /** The choices available for a study. */
-export type StudyOffer = { entrants: Array<StudyEntrant>, seeds: [number, number, number], minutes: [number, number, number], };
+export type StudyOffer = { entrants: Array<StudyEntrant>, seeds: [number, number, number], minutes: [number, number, number, number], };
 
 /** Place and conditions of all runs, in words. */
-export type StudyPlace = { room: string, robot: string, slip: string, noise: string, quantised: boolean, };
+export type StudyPlace = { room: string, robot: string, slip: string, noise: string, quantised: boolean, start_charge_percent: number, };
 
 /** Snapshot of a study, one per frame. */
 export type StudyView = { version: number, running: boolean, done: number, total: number, seeds: number, minutes: number, entrants: Array<StudyEntrantView>, };
@@ -1061,7 +1112,18 @@ bumps: Band,
 /** Falls of all runs together. */
 falls: number,
 /** Remaining share of the dirt, 0 to 1; `None` if there was none. */
-dirt_left: Band | null, };
+dirt_left: Band | null,
+/** How far distance and time exceed the least of any run that sweeps as much, as shares; `None` if there is none for a run. */
+excess: [Band, Band] | null, };
+
+/** What any path needs that sweeps so much of a floor. */
+export type SweepBound = {
+/** Share of the floor, 0 to 1. */
+coverage: number,
+/** Length, m. */
+length_m: number,
+/** Time by the robot's motion model, s. */
+duration_s: number, };
 
 /** Results of a sweep. */
 export type SweepView = {
@@ -1085,6 +1147,8 @@ finish: [number, number],
 linked_share: number,
 /** Share of the reachable floor that is swept, 0 to 1. */
 coverage: number,
+/** The same by the finer cells of Explore, and the time, s: what a run without slip gives there. */
+driven: [number, number],
 /** What is kept free, if it isn't the outline. */
 kept_free: string | null,
 /** Distance between scan lines, m. */
@@ -1093,7 +1157,7 @@ scan_width: number, };
 /** A table of numbers. */
 export type TableView = { metrics: Array<MetricInfo>,
 /** Of a single room. */
-bounds: Bounds | null, rows: Array<RowView>, };
+bounds: Bounds | null, least: SweepBound | null, rows: Array<RowView>, };
 
 /** Time at which runs reached a share of the floor.
  *

@@ -1,8 +1,11 @@
 // Messages between the page and its workers. What comes from Rust is in types.d.ts.
-import type { BenchResult } from "./types";
+import type { BenchResult, SessionSnapshot } from "./types";
 
 /** A planning request, the result of `take_plan_request` and the argument of `plan`. */
-export type PlanRequest = { id: number };
+export type PlanRequest = { id: number; place?: import("./types").SessionSnapshot };
+
+/** A run to be written as a bag: of Explore, or of the Map tab with its link and stored state. */
+export type BagRequest = { snapshot: SessionSnapshot } & ({ corners: Float64Array; inputs: Float64Array; end_s: number } | { link: string; stored: string });
 
 /** A path from a worker, x, y, x, y, ...: the cells of a walk, or the corners of a path in metres. */
 export type WirePath = Uint32Array | Float64Array;
@@ -17,6 +20,8 @@ export type ToWorker =
   | { type: "prove"; request: PlanRequest; cells: WirePath }
   | { type: "trial"; request: { id: number } }
   | { type: "runs"; request: { id: number } }
+  | { type: "fit"; request: { id: number; snapshot: import("./types").SessionSnapshot; percent: number } }
+  | { type: "bag"; request: { id: number } & BagRequest }
   | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
 /** Cost of a plan, and its lower bound. */
 export type Proof = Float64Array;
@@ -42,6 +47,10 @@ export type FromRuns = { type: "ran"; id: number; outcomes: Float64Array } | { t
 export type ReadMap = { name: string; width: number; cells: Uint8Array };
 
 export type FromReader = { type: "read"; id: number; map: ReadMap } | { type: "failed"; id: number; message: string };
+
+/** Planning cells for a coverage. */
+export type FromFit = { type: "fitted"; id: number; metres: number } | { type: "failed"; id: number; message: string };
+export type FromBag = { type: "bagged"; id: number; bytes: Uint8Array } | { type: "failed"; id: number; message: string };
 
 /** Messages of the benchmark's worker. */
 export type FromBench =

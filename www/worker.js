@@ -1,8 +1,8 @@
 // @ts-check
 // Plans and reads maps away from the page, which stays responsive; to cancel, the page ends this worker.
-import init, { Runner, TrialRunner, least, plan, prove, read_map, smooth } from "../workshop.js";
+import init, { Runner, TrialRunner, fit_cells, least, map_bag, plan, prove, read_map, run_bag, smooth } from "../workshop.js";
 
-/** @typedef {import("./worker-types").FromWorker | import("./worker-types").FromTrial | import("./worker-types").FromRuns | import("./worker-types").FromReader} Answer */
+/** @typedef {import("./worker-types").FromWorker | import("./worker-types").FromTrial | import("./worker-types").FromRuns | import("./worker-types").FromReader | import("./worker-types").FromFit | import("./worker-types").FromBag} Answer */
 
 let markReady = () => {};
 /** @type {Promise<void>} */
@@ -44,6 +44,12 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
     } else if (message.type === "read") {
       const map = read_map(message.request.files);
       answer({ type: "read", id, map }, [map.cells.buffer]);
+    } else if (message.type === "fit") {
+      answer({ type: "fitted", id, metres: fit_cells(message.request.snapshot, message.request.percent) });
+    } else if (message.type === "bag") {
+      const { request } = message;
+      const bytes = "stored" in request ? map_bag(request.snapshot, request.link, request.stored) : run_bag(request.snapshot, request.corners, request.inputs, request.end_s);
+      answer({ type: "bagged", id, bytes }, [bytes.buffer]);
     } else if (message.type === "runs") {
       runner ??= new Runner();
       const outcomes = runner.run(message.request);

@@ -67,9 +67,9 @@ impl CanvasPen<'_> {
                 self.fill(carpet);
             }
             (Object::Carpet { outline }, DrawPass::Texture) => self.weave(outline, carpet_line),
-            (Object::Furniture { outline }, DrawPass::Body) => {
+            (Object::Furniture { outline } | Object::LowObstacle { outline, .. }, DrawPass::Body) => {
                 self.trace(outline, true);
-                self.fill(furniture);
+                self.fill(if matches!(object, Object::Furniture { .. }) { furniture } else { carpet });
                 self.stroke(furniture_line, 1.25);
             }
             (Object::DropOff { outline }, DrawPass::Body) => self.stairs(outline)?,
@@ -100,9 +100,10 @@ impl CanvasPen<'_> {
     pub fn select(&self, object: &Object) -> Result<(), JsValue> {
         let Palette { select, halo, .. } = *self.palette;
         match object {
-            Object::Furniture { outline } | Object::DropOff { outline } | Object::Carpet { outline } => {
-                self.trace(outline, true);
-            }
+            Object::Furniture { outline }
+            | Object::LowObstacle { outline, .. }
+            | Object::DropOff { outline }
+            | Object::Carpet { outline } => self.trace(outline, true),
             Object::Mover { path, .. } => self.trace(path, false),
             Object::Leg { at, radius } | Object::Dirt { at, radius } => self.circle(*at, *radius)?,
             Object::Dock { pose } => {

@@ -31,14 +31,14 @@ pub fn draw(
     context.translate(0.4 * fall * radius, fall * radius)?;
     context.rotate(-robot.pose.heading)?;
     context.begin_path();
-    outline(context, robot.body, robot.radius, 1.06 * radius)?;
+    outline(context, &robot.body, robot.radius, 1.06 * radius)?;
     context.set_fill_style_str(if robot.is_lifted { "rgb(0 0 0 / 0.34)" } else { "rgb(0 0 0 / 0.22)" });
     context.fill();
     context.restore();
     // From here on, x is ahead, y to the right.
     context.rotate(-robot.pose.heading)?;
     context.begin_path();
-    outline(context, robot.body, robot.radius, radius)?;
+    outline(context, &robot.body, robot.radius, radius)?;
     context.set_line_join("round");
     context.set_line_width(0.1 * radius + 3.0);
     context.set_stroke_style_str(palette.halo);
@@ -78,7 +78,7 @@ pub fn draw(
 }
 
 /// Adds the outline of a body whose circle has a radius of `metres`, drawn with `radius`; x is ahead, y to the right.
-fn outline(context: &CanvasRenderingContext2d, body: Body, metres: f64, radius: f64) -> Result<(), JsValue> {
+fn outline(context: &CanvasRenderingContext2d, body: &Body, metres: f64, radius: f64) -> Result<(), JsValue> {
     match body {
         Body::Round => context.arc(0.0, 0.0, radius, 0.0, TAU)?,
         Body::Polygon(corners) => {
@@ -108,7 +108,7 @@ fn bumper(
     context.close_path();
     context.clip();
     context.begin_path();
-    outline(context, robot.body, robot.radius, radius)?;
+    outline(context, &robot.body, robot.radius, radius)?;
     context.clip();
     // Half of the line is outside of the body and clipped away.
     context.set_line_width(0.3 * radius);
@@ -179,7 +179,7 @@ pub fn draw_start(
     context.translate(centre.x, centre.y)?;
     context.rotate(-start.heading)?;
     context.begin_path();
-    outline(context, body, metres, radius)?;
+    outline(context, &body, metres, radius)?;
     context.set_fill_style_str("rgb(255 255 255 / 0.22)");
     context.fill();
     context.set_stroke_style_str(palette.start);
@@ -214,7 +214,7 @@ pub fn draw_estimate(
     context.set_line_width(2.0);
     dash(context, &[4.0, 4.0])?;
     context.begin_path();
-    outline(context, body, metres, radius)?;
+    outline(context, &body, metres, radius)?;
     context.stroke();
     dash(context, &[])?;
     context.begin_path();

@@ -3,9 +3,9 @@
 use crate::canvas::robot::disc;
 use robovac_app::{Palette, RobotView, Sensed, Viewport};
 use robovac_core::{
-    geometry::{Point, Pose, Vector},
+    geometry::{Pose, Vector},
     math::{self, TAU},
-    robot::{Body, Laser, LightBumper},
+    robot::{Laser, LightBumper},
 };
 use wasm_bindgen::JsValue;
 use web_sys::CanvasRenderingContext2d;
@@ -69,7 +69,7 @@ fn draw_light(
     for (index, angle) in light.angles.into_iter().enumerate() {
         let heading = robot.pose.heading + angle;
         let way = Vector::new(math::cos(heading), math::sin(heading));
-        let from = robot.pose.position() + way * edge(robot.body, robot.radius, angle);
+        let from = robot.pose.position() + way * robot.body.reach(robot.radius, angle);
         let hit = sensed.floor.walls.ray(from, way, light.range).map(|hit| hit.distance);
         let (at, reach) = (viewport.to_screen(from), hit.unwrap_or(light.range) * viewport.scale);
         let strength = (f64::from(sensed.reading.light_signal[index]) / FULL).clamp(0.0, 1.0).sqrt();
@@ -136,18 +136,4 @@ fn draw_scan(
 fn turned(at: Vector, heading: f64) -> Vector {
     let (sin, cos) = (math::sin(heading), math::cos(heading));
     Vector::new(at.x * cos - at.y * sin, at.x * sin + at.y * cos)
-}
-
-/// Distance from the origin to the body's edge in a direction, m.
-fn edge(body: Body, radius: f64, angle: f64) -> f64 {
-    let Body::Polygon(corners) = body else { return radius };
-    let way = Point::new(math::cos(angle), math::sin(angle));
-    let next = corners.iter().cycle().skip(1);
-    let distances = corners.iter().zip(next).filter_map(|(&[ax, ay], &[bx, by])| {
-        // Of a convex outline, each side's line is passed where the direction leaves through it.
-        let (nx, ny) = (by - ay, ax - bx);
-        let along = nx * way.x + ny * way.y;
-        (along > 0.0).then(|| (nx * ax + ny * ay) / along)
-    });
-    distances.fold(radius, f64::min)
 }

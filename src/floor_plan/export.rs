@@ -1,7 +1,7 @@
 //! Rooms and paths as files.
 
 use js_sys::{Array, Object, Reflect, Uint8Array};
-use robovac_app::export::{Exported, FORMATS};
+use robovac_app::export::{Exported, FORMATS, RUN};
 use robovac_core::{
     floor_plan::{OccupancyMode, Scenario},
     geometry::Point,
@@ -9,10 +9,10 @@ use robovac_core::{
 use robovac_playground::wire::to_js;
 use wasm_bindgen::prelude::*;
 
-/// The export formats: `{ id, title, note, needs_path }`.
+/// The export formats: `{ id, title, note, needs_path }`. The last one is the run's, which `run_bag` writes.
 #[wasm_bindgen]
 pub fn export_formats() -> Result<JsValue, JsValue> {
-    to_js(&FORMATS)
+    to_js(&[FORMATS, &[RUN]].concat())
 }
 
 /// The files of a format, `{ name, kind, bytes }`: of the room in `scenario` (JSON) and of the path with the corners

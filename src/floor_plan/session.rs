@@ -105,6 +105,11 @@ impl FloorPlanSession {
         }
     }
 
+    /// Turns the file to `degrees` counter-clockwise from how it was, and the part to be traced with it.
+    pub fn turn_to(&mut self, degrees: f64) -> Result<(), JsValue> {
+        self.change(|session| session.turn_to(degrees))
+    }
+
     /// Scales the drawing so that the two scale points are `metres` apart.
     pub fn scale_to(&mut self, metres: f64) -> Result<(), JsValue> {
         self.change(|session| session.scale_to(metres))
@@ -300,7 +305,15 @@ impl FloorPlanSession {
     /// Changes the settings; a sweep that is no longer valid is hidden.
     fn change(&mut self, what: impl FnOnce(&mut DrawingSession) -> Result<(), String>) -> Result<(), JsValue> {
         let session = self.session.as_mut().ok_or("there is no floor plan yet")?;
+        let before = *session.sheet();
         what(session)?;
+        if *session.sheet() != before {
+            // It was turned.
+            let size = session.sheet().size;
+            self.viewport.set_room(size.x, size.y);
+            self.painter.take(session)?;
+            self.gesture = None;
+        }
         if session.planned().is_none() {
             self.shown.stage = 0;
         }

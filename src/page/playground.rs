@@ -3,11 +3,12 @@
 mod hand;
 
 use self::hand::Carried;
-use coverage_planners::{CoveragePath, ProgressReport, TraceStep};
+use coverage_planners::{ProgressReport, TraceStep};
 use js_sys::{Array, Float64Array};
 use robovac_app::{
     RobotView, Scene, Viewport,
-    explore::{Brush, Catalogue, FloorTool, ObjectTool, PageView, Session},
+    explore::{Brush, Catalogue, FloorTool, ObjectTool, PageView, RobotEntry, Session},
+    export::RunBag,
 };
 use robovac_core::{
     floor_plan::Object,
@@ -18,7 +19,8 @@ use robovac_playground::wire::message;
 use robovac_playground::{
     canvas::Canvas,
     wire::{
-        clock, frames::frames_from_js, map_file, proof::proof_from_js, request, to_js, trajectory::trajectory_from_js, walk,
+        clock, frames::frames_from_js, map_file, proof::proof_from_js, request, to_js, trajectory::trajectory_from_js,
+        walk,
     },
 };
 use robovac_sim::{
@@ -116,6 +118,12 @@ impl Playground {
         to_js(&Catalogue::all())
     }
 
+    /// The present robot, a [`RobotEntry`]: also one that isn't in the catalogue.
+    #[wasm_bindgen(unchecked_return_type = "rust.RobotEntry")]
+    pub fn robot(&self) -> Result<JsValue, JsValue> {
+        to_js(&RobotEntry::new(&self.session.settings().robot_model()))
+    }
+
     /// Snapshot of the session in numbers and words.
     #[wasm_bindgen(unchecked_return_type = "rust.PageView")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
@@ -158,7 +166,7 @@ impl Playground {
         if std::mem::take(&mut self.is_opening) && request.is_none() {
             self.session.run_ahead(OPENING_S);
         }
-        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request, &self.session))
+        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
     }
 
     /// Progress of the worker: the share done, its best path so far, the path's proof (cost and bound), and new film
@@ -304,6 +312,11 @@ impl Playground {
         self.session.configure(set).map_err(message)
     }
 
+    /// Sets the charge of the battery at the start from the text of a form, percent.
+    pub fn set_start_charge(&mut self, text: &str) -> Result<(), JsValue> {
+        self.session.configure(|s| s.set_start_charge(text.trim().parse().ok(), text)).map_err(message)
+    }
+
     /// Shows or hides a layer of the picture: `coverage`, `dirt`, `sensors` or `estimate`.
     pub fn show(&mut self, layer: &str, on: bool) -> Result<(), JsValue> {
         self.session.show(layer, on).map_err(message)
@@ -345,6 +358,16 @@ impl Playground {
         self.session.plan_version() as f64
     }
 
+    /// A number that changes with the room, but not with changes of it: undo brings it back.
+    pub fn room_lineage(&self) -> u32 {
+        self.session.room_lineage()
+    }
+
+    /// Renames the room, which is then an own one.
+    pub fn rename_room(&mut self, name: &str) {
+        self.session.rename_room(name);
+    }
+
     /// Room and settings for `SessionMirror.follow`, without an own room whose version is `known`.
     #[wasm_bindgen(unchecked_return_type = "rust.SessionSnapshot")]
     pub fn snapshot(&self, known: Option<f64>) -> Result<JsValue, JsValue> {
@@ -372,7 +395,7 @@ impl Playground {
         self.session.step();
     }
 
-    /// Returns to the start.
+    /// Returns to the start; what was swept before the room was changed isn't any more.
     pub fn reset(&mut self) {
         self.session.reset();
     }
@@ -397,6 +420,11 @@ impl Playground {
     /// Corners of the line that was planned, x and y in turn, m; none if there is no plan.
     pub fn corners(&self) -> Vec<f64> {
         self.session.planned().map_or(Vec::new(), |planned| planned.line.iter().flat_map(|p| [p.x, p.y]).collect())
+    }
+
+    /// A person's inputs of the run, for `run_bag`.
+    pub fn inputs(&self) -> Vec<f64> {
+        self.session.recording().map_or(Vec::new(), |recording| RunBag::inputs_to_numbers(recording.inputs()))
     }
 
     // ---- pointer and keys

@@ -1,13 +1,13 @@
 //! Planning request to a worker, as a plain object.
 
-use coverage_planners::{self, CoverageJob, SLOW_CELLS};
+use coverage_planners::{self, CoverageJob};
 use js_sys::{Reflect, Uint8Array};
+use robovac_app::explore::SessionSnapshot;
 use robovac_core::{grid::Direction, registry::ParamValue};
 use robovac_core::{
     grid::{Cell, Grid},
     registry::Params,
 };
-use robovac_app::explore::{Session, SessionSnapshot};
 use robovac_sim::experiment::planning::{PlanRequest, RoomSetup};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -27,9 +27,9 @@ struct WireRequest {
     turn_s: f64,
 }
 
-/// The request of a session as a JavaScript object with its free cells in `free`, and the session's snapshot in `place`, unless
-/// it would be a large drawn or loaded room for which a planner needs only the cells.
-pub fn request_to_js(request: &PlanRequest, session: &Session) -> Result<JsValue, JsValue> {
+/// The request as a JavaScript object with its free cells in `free`. For a planner in metres, and for bounds in metres, the page
+/// adds the session's snapshot as `place`.
+pub fn request_to_js(request: &PlanRequest) -> Result<JsValue, JsValue> {
     let job = &request.job;
     let wire = WireRequest {
         id: request.id,
@@ -45,10 +45,6 @@ pub fn request_to_js(request: &PlanRequest, session: &Session) -> Result<JsValue
     let object = crate::wire::to_js(&wire)?;
     let free: Vec<u8> = job.free.values().iter().map(|&f| u8::from(f)).collect();
     Reflect::set(&object, &"free".into(), &Uint8Array::from(free.as_slice()))?;
-    let is_needed = request.planner.claims.in_metres || session.settings().smooth;
-    if is_needed || session.room().is_some() || job.cells() <= SLOW_CELLS {
-        Reflect::set(&object, &"place".into(), &crate::wire::to_js(&session.whole_snapshot())?)?;
-    }
     Ok(object)
 }
 
@@ -74,7 +70,7 @@ pub fn laid_out(object: &JsValue) -> Result<Option<(RoomSetup, bool)>, JsValue> 
         return Ok(None);
     }
     let place: SessionSnapshot = serde_wasm_bindgen::from_value(place).map_err(|e| e.to_string())?;
-    let room = place.lay_out().map_err(|e| e.to_string())?;
+    let room = place.lay_out().map_err(|e| e.to_string())?.0;
     Ok(Some((room, place.choices.smooth == Some(true))))
 }
 

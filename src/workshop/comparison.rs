@@ -66,14 +66,29 @@ impl Comparison {
 
     // ---- choices; each throws a message and changes nothing if the choice isn't possible
 
-    /// Includes a planner, or excludes it.
-    pub fn choose(&mut self, id: &str, takes_part: bool) -> Result<(), JsValue> {
-        self.state.choose(id, takes_part).map_err(message)
+    /// Includes one of the view's entrants, or excludes it.
+    pub fn choose(&mut self, entrant: usize, takes_part: bool) {
+        self.state.choose_entrant(entrant, takes_part);
     }
 
-    /// Sets a parameter of a planner from the text of a form.
-    pub fn set_param(&mut self, planner: &str, id: &str, text: &str) -> Result<(), JsValue> {
-        self.state.set_param(planner, id, text).map_err(message)
+    /// Sets a parameter of one of the view's entrants from the text of a form.
+    pub fn set_param(&mut self, entrant: usize, id: &str, text: &str) -> Result<(), JsValue> {
+        self.state.set_entrant_param(entrant, id, text).map_err(message)
+    }
+
+    /// Includes one of the view's entrants once more, to be given other parameters.
+    pub fn copy(&mut self, entrant: usize) {
+        self.state.copy(entrant);
+    }
+
+    /// Removes a copy.
+    pub fn remove_copy(&mut self, entrant: usize) {
+        self.state.remove_copy(entrant);
+    }
+
+    /// Lets a chosen entrant race, or takes it out of the race.
+    pub fn set_racing(&mut self, entrant: usize, races: bool) {
+        self.state.set_racing(entrant, races);
     }
 
     /// Chooses the rooms, by the id of one of the view's `sets`.

@@ -343,7 +343,8 @@ impl LiveMap {
     fn sweep_to(&mut self, place: Point) {
         let at = place + self.paper.shift;
         if let (Some(tracker), Some(floor)) = (&mut self.tracker, &self.paper.floor) {
-            tracker.sweep_to(floor, at);
+            // A connected robot's tool is in the middle, so that its heading doesn't matter.
+            tracker.sweep_to(floor, Pose { x: at.x, y: at.y, heading: 0.0 });
         }
     }
 

@@ -17,7 +17,7 @@ use robovac_app::{
 use robovac_core::floor_plan::{FloorPlan, MapImage, OccupancyMode, to_ros_map};
 use robovac_playground::wire::message;
 use robovac_playground::wire::{clock, map_file, to_js};
-use robovac_sim::{experiment::Algorithm, mapping::OccupancyMap};
+use robovac_sim::experiment::Algorithm;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -168,8 +168,8 @@ impl MapSession {
     /// there is none), in turn.
     pub fn curve(&self) -> Float64Array {
         let metres = |error: Option<f64>| error.unwrap_or(f64::NAN);
-        let numbers = |s: &map::CurveSample| [s.time_s, s.boundary, metres(s.position_m), metres(s.odometry_m)];
-        let curve: Vec<f64> = self.state.samples().iter().flat_map(numbers).collect();
+        let numbers = |s: map::CurveSample| [s.time_s, s.boundary, metres(s.position_m), metres(s.odometry_m)];
+        let curve: Vec<f64> = self.state.curve().flat_map(numbers).collect();
         Float64Array::from(curve.as_slice())
     }
 
@@ -259,9 +259,9 @@ impl MapSession {
     }
 
     fn mapped(&self) -> Result<FloorPlan, JsValue> {
-        let estimate = self.state.estimate().ok_or("there is no map: the robot doesn't fit into this room")?;
+        self.state.estimate().ok_or("there is no map: the robot doesn't fit into this room")?;
         let title = self.state.plan().map_or("room", |plan| &plan.name);
-        plan_of(estimate.map, &format!("{title}, as mapped"))
+        with_floor(self.state.to_plan(&format!("{title}, as mapped")))
     }
 }
 
@@ -270,11 +270,12 @@ impl MapSession {
 #[wasm_bindgen]
 pub fn stored_ros_map(text: &str, stem: &str) -> Result<Array, JsValue> {
     let stored = map::Stored::from_text(text).map_err(|e| e.to_string())?;
-    ros_map(&plan_of(&stored.map, &stored.title)?, stem)
+    ros_map(&with_floor(stored.map.to_plan(&stored.title))?, stem)
 }
 
-fn plan_of(map: &OccupancyMap, name: &str) -> Result<FloorPlan, JsValue> {
-    let plan = map.to_plan(name).ok_or("the map is still empty; let the robot explore first")?;
+/// A map that is of use.
+fn with_floor(plan: Option<FloorPlan>) -> Result<FloorPlan, JsValue> {
+    let plan = plan.ok_or("the map is still empty; let the robot explore first")?;
     if plan.occupancy.values().iter().any(|cell| cell.is_free()) {
         Ok(plan)
     } else {

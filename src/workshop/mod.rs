@@ -3,12 +3,14 @@
 mod bench;
 mod comparison;
 mod connection;
+mod fit_cells;
 mod live_map;
 mod map_session;
 mod montecarlo;
 mod plan_job;
 mod read_map;
 mod replay;
+mod run_bag;
 mod runner;
 mod session_mirror;
 mod trial;

@@ -1,11 +1,12 @@
 //! Replay of a recording.
 
+use robovac_app::export::recording_bag;
 use robovac_link::{
     connection::{LineRecording, Replay as Player},
     recording::{Examination, csv},
 };
-use robovac_playground::wire::to_js;
-use std::{convert::Infallible, sync::Arc};
+use robovac_playground::wire::{message, to_js};
+use std::{convert::Infallible, io::Cursor, sync::Arc};
 use wasm_bindgen::prelude::*;
 
 /// Playback of a recording.
@@ -78,6 +79,14 @@ impl Replay {
             Ok(())
         });
         written.map_or_else(|never| match never {}, |()| text)
+    }
+
+    /// All readings and commands as an MCAP bag with ROS 2 messages. Throws a sentence for users.
+    pub fn bag(&self) -> Result<Vec<u8>, JsValue> {
+        let mut examination = Examination::new(Arc::clone(&self.recording));
+        while examination.go_on(f64::INFINITY) {}
+        let bag = recording_bag(&self.recording, &examination.timeline(), Cursor::new(Vec::new()));
+        bag.map(Cursor::into_inner).map_err(message)
     }
 
     /// As `Connection.take_trace`.

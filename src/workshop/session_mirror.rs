@@ -1,11 +1,12 @@
 //! Mirror of the playground's session in another module.
 
+use js_sys::Reflect;
 use robovac_app::{
     connection::StartPlace,
     explore::{Session, SessionSnapshot},
 };
 use robovac_core::geometry::Pose;
-use robovac_playground::wire::{message, request, walk};
+use robovac_playground::wire::{message, request, to_js, walk};
 use robovac_sim::experiment::planning::PlanAnswer;
 use wasm_bindgen::prelude::*;
 
@@ -29,6 +30,13 @@ impl SessionMirror {
     /// Version of its room, for `Playground.snapshot`; `undefined` at first.
     pub fn room_version(&self) -> Option<f64> {
         self.followed.as_ref().map(|followed| followed.room_version as f64)
+    }
+
+    /// Why a connected robot can't ride the path of `snapshot`, as a sentence for users; empty if it can.
+    pub fn path_refusal(
+        #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
+    ) -> Result<String, JsValue> {
+        Ok(read(snapshot, None)?.path_refusal())
     }
 
     /// Whether `snapshot` is newer.
@@ -77,7 +85,10 @@ impl SessionMirror {
     #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
         let request = self.session.take_plan_request();
-        request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request, &self.session))
+        let Some(request) = request else { return Ok(JsValue::UNDEFINED) };
+        let object = request::request_to_js(&request)?;
+        Reflect::set(&object, &"place".into(), &to_js(&self.session.whole_snapshot())?)?;
+        Ok(object)
     }
 
     /// The worker has finished. Throws a sentence for users if its plan can't be driven.

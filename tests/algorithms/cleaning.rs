@@ -249,7 +249,7 @@ fn who_began_on_a_dock_goes_back_to_it() {
     let mut mapper = Mapper::new(MapperSetup { robot, start, tracking: Tracking::Corrected, odometry, seed: 3 });
     let battery = BatteryReading { on_dock: true, ..BatteryReading::default() };
     mapper.update(&SensorReadings { battery, ..SensorReadings::default() });
-    assert!(mapper.began_on_dock());
+    assert_eq!(mapper.berth(), Some(start));
     let noise = Noise::all(NoiseLevel::Typical);
     let conditions = Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() };
     let info = controller::find("bounce").expect("it exists");

@@ -3,6 +3,7 @@
 mod behaviours;
 mod cleaning;
 mod cspace;
+mod landmark;
 mod life;
 mod mapping;
 mod planners;

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use robovac_core::{
     coverage::ReachableFloor,
-    floor_plan::{FloorPlan, Sketch},
+    floor_plan::{FloorPlan, Object, Sketch},
     geometry::{Point, Pose},
     math,
     robot::{Drive, Infrared, MODELS, RobotModel, RobotPort, SensorReadings, model},
@@ -100,6 +100,22 @@ fn dvr1_feels_120_degrees_only() {
     assert_eq!(dvr1.bump(1.75, 1.0, -55.0), (true, false));
     assert_eq!(dvr1.bump(1.75, 0.5, 65.0), (false, false));
     assert_eq!(Scene::quiet("roomba600", World::default()).bump(1.75, 0.5, 65.0), (false, true));
+}
+
+/// 002, section III.A: "The front bumper is 2cm above from the ground which means the robot can identify obstacle higher
+/// than 2cm".
+#[test]
+fn obstacles_lower_than_2_cm_pass_under_dvr1s_bumper() {
+    let felt = |id: &str, height: f64| {
+        let corners = [(1.5, 1.0), (1.6, 1.0), (1.6, 2.0), (1.5, 2.0)].map(|(x, y)| Point::new(x, y));
+        let plan = FloorPlan { objects: vec![Object::LowObstacle { outline: corners.to_vec(), height }], ..plan() };
+        let mut scene = Scene::quiet(id, World::new(&plan));
+        scene.floor = Arc::new(ReachableFloor::new(&plan, &scene.model, None).unwrap());
+        scene.bump(1.25, 1.8, 0.0) != (false, false)
+    };
+    assert_eq!([0.001, 0.015, 0.0199].map(|height| felt("dvr1", height)), [false; 3]);
+    assert_eq!([0.02, 0.0201, 0.1].map(|height| felt("dvr1", height)), [true; 3]);
+    assert!(felt("roomba600", 0.015), "no source gives the height of its bumper");
 }
 
 #[test]
@@ -444,6 +460,29 @@ fn an_hour_of_driving_empties_the_dvr1() {
     }
     assert!(dvr1.robot.speed().is_stop());
     assert_eq!(dvr1.robot.sensors().battery.capacity_mah, 0, "it has no gauge");
+}
+
+#[test]
+fn five_to_six_hours_on_the_dock_charge_the_dvr1() {
+    // 002, section IV.E: "Charging time for the battery is about 5-6 hours". It has no gauge, so the charge of 6 minutes is
+    // driven off again: an hour of driving takes a full battery.
+    let conditions = Conditions { start_charge_percent: 0, ..Conditions::default() };
+    let mut dvr1 = Scene::new("dvr1", dock(), conditions);
+    let on_dock = 0.0203 + dvr1.model.radius;
+    assert!(dvr1.at(on_dock, 1.5, 180.0).battery.on_dock);
+    let charging = 6.0 * 60.0 / 0.015;
+    for _ in 0..charging as u32 {
+        dvr1.step(Drive::STOP);
+    }
+    let speed = dvr1.model.max_wheel_speed;
+    dvr1.at(1.0, 1.0, 0.0);
+    let mut driving = 0.0;
+    while !dvr1.robot.is_empty() {
+        dvr1.step(Drive::wheels(speed, -speed));
+        driving += 1.0;
+    }
+    let hours = charging / driving;
+    assert!((5.0..6.0).contains(&hours), "{hours} h for an hour of driving");
 }
 
 #[test]

@@ -182,7 +182,7 @@ fn edges_between_the_lines_are_swept_at_the_end() {
 fn overlays_are_in_drawing_units() {
     let found = planned(&hall(), &setup(Outline::octagon(1.0).unwrap(), 0.1));
     // A drawing in millimetres.
-    let layers = overlays(&found, Vector::new(5000.0, -1000.0), 0.001);
+    let layers = overlays(&found, |at| Point::from(Vector::new(5000.0, -1000.0) + at.coords / 0.001));
     let names: Vec<&str> = layers.iter().map(|layer| layer.layer.as_str()).collect();
     assert_eq!(names, ["SWEEP_SUBGOALS", "SWEEP_LINKS", "SWEEP_PATH", "SWEEP_FINISH"]);
     assert_eq!(layers[3].lines.len(), found.finish.len());

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import { test } from "node:test";
 import { Robot, openRobot } from "./connection.mjs";
+import { messagesOf } from "./mcap.mjs";
 
 test("is driven by keys, and space stops it wherever the focus is", async (t) => {
   const { page, robot } = await openRobot(t);
@@ -166,6 +167,9 @@ test("a session is recorded, and replayed", async (t) => {
   const [table] = await Promise.all([page.waitForEvent("download"), page.locator("#replay-csv").click()]);
   assert.match(table.suggestedFilename(), /\.csv$/);
   assert.match(fs.readFileSync(await table.path(), "utf8"), /^time \(s\),mode,pose_x \(m\),.*\n[\d.]+,Passive,/);
+  const [bag] = await Promise.all([page.waitForEvent("download"), page.locator("#replay-bag").click()]);
+  const messages = messagesOf(fs.readFileSync(await bag.path()));
+  for (const topic of ["/odom", "/tf", "/cmd_vel", "/bumper", "/cliff", "/battery_state", "/mode", "/rosout"]) assert.ok(messages[topic], `${topic}: ${Object.keys(messages)}`);
   await page.locator("#connection-close").click();
   await page.locator("#connection-welcome").waitFor();
 });

@@ -24,7 +24,7 @@ test("a running robot is dragged elsewhere: its wheels drop meanwhile, and it no
   await page.locator("#dashboard .wheel.on").first().waitFor({ state: "attached" });
   assert.equal(await app.text("#activity"), "In your hand");
   await mouse.up();
-  await app.poll(() => events(page), (text) => /picked up/.test(text) && /put down/.test(text) && /wheel drop/.test(text));
+  await app.poll(() => events(page), (text) => /lifted/.test(text) && /put down/.test(text) && /wheel drop/.test(text));
   assert.ok((await error(app)) > 0.4, "its estimate stays where it was lifted");
   assert.equal((await app.link()).start, start, "the start stays");
   await app.poll(() => page.locator("#dashboard .wheel").first().getAttribute("class"), (name) => name !== "wheel on");
@@ -35,7 +35,7 @@ test("a click on the robot does nothing to it", async (t) => {
   await app.numbersThat(({ time }) => time > 0);
   await page.mouse.click(...(await app.spot(0.5, 0.5)));
   await app.frames(20);
-  assert.doesNotMatch(await events(page), /picked up/);
+  assert.doesNotMatch(await events(page), /lifted/);
 });
 
 test("the robot is picked up and carried by keys, and escape puts it back", async (t) => {

@@ -35,7 +35,7 @@ test("the copied link opens the same room", async (t) => {
   assert.equal(await app.room(), "Spiral corridor");
 });
 
-test("a drawn room survives a reload, and its link says elsewhere that it is not there", async (t) => {
+test("a drawn room survives a reload, and its link brings it elsewhere", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty&speed=4", viewport: { width: 1366, height: 768 } });
   const before = await app.reachableArea();
   await app.tool("wall");
@@ -44,14 +44,24 @@ test("a drawn room survives a reload, and its link says elsewhere that it is not
   const drawn = await app.reachableArea();
   assert.ok(drawn < before, `${drawn} of ${before} m²`);
   assert.equal(await app.linked("room", (room) => room === "own"), "own");
+  await app.linked("map");
   const address = page.url();
   await page.reload();
   await app.until("playing");
   assert.equal(await app.reachableArea(), drawn);
   const elsewhere = await page.context().browser().newContext();
-  const other = await elsewhere.newPage();
-  await other.goto(address);
-  await other.waitForFunction(() => document.body.innerText.includes("drawn or loaded in another browser"));
+  const other = new App(await elsewhere.newPage());
+  await other.page.goto(address);
+  await other.linked("own", (id) => id && !address.includes(id));
+  await other.until("playing");
+  assert.equal(await other.reachableArea(), drawn);
+  // One that lacks the room, as older ones do, and one that was cut off, say so.
+  await other.page.goto("about:blank");
+  await other.page.goto(address.replace(/&(map|own)=[^&]*/g, "").replace("room=own", "room=own&own=gone"));
+  await other.says(/drawn or loaded in another browser/);
+  await other.page.goto("about:blank");
+  await other.page.goto(address.replace(/(&map=[^&]{200})[^&]*/, "$1").replace(/&own=[^&]*/, ""));
+  await other.says(/damaged/);
   await elsewhere.close();
 });
 

@@ -41,10 +41,10 @@ test("arrow keys and letters drive while they are held, on the floor", async (t)
   await page.keyboard.up("KeyS");
   await stands(app);
 
-  const turning = async () => Number.parseInt((await app.metric("Turning")).soFar.replace(",", ""), 10);
+  const turning = async () => 360 * Number.parseFloat((await app.metric("Turned in all")).soFar);
   const before = await turning();
   await page.keyboard.down("KeyA");
-  await app.poll(turning, (degrees) => degrees > before + 20);
+  await app.poll(turning, (degrees) => degrees > before + 30);
   await page.keyboard.up("KeyA");
 });
 

@@ -5,6 +5,7 @@ import { test } from "node:test";
 import { App, seconds, taken } from "./app.mjs";
 import { openPage } from "./harness.mjs";
 import { anyFile } from "./maps.mjs";
+import { messagesOf } from "./mcap.mjs";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 /** A small room, mapped fast. */
@@ -269,6 +270,18 @@ test("what another version has stored is explained and kept aside", async (t) =>
   await explore(app, 20);
 });
 
+test("a mapping run goes out as a ROS 2 bag", async (t) => {
+  const { page, app } = await openMap(t);
+  assert.ok(await page.locator("#map-bag").isDisabled(), "there is no run yet");
+  const { time } = await explore(app, 60);
+  const [download] = await taken(page, 1, () => page.locator("#map-bag").click());
+  const messages = messagesOf(fs.readFileSync(await download.path()));
+  const maps = messages["/map"];
+  assert.ok(maps.length > 5 && maps.at(-1)[1].length > maps[0][1].length, `${maps.length} maps`);
+  assert.ok(Math.abs(maps.at(-1)[0] - time) < 1.1, `${maps.at(-1)[0]} s of ${time} s`);
+  assert.equal(messages["/ground_truth/map"].length, 1);
+});
+
 test("the map is exported as a ROS map that comes back, and becomes a room", async (t) => {
   const { page, app, phase } = await openMap(t);
   await explore(app, 200);
@@ -292,6 +305,21 @@ test("the map is exported as a ROS map that comes back, and becomes a room", asy
   await app.settled();
   assert.equal(await app.page.locator("#tab-explore").getAttribute("aria-current"), "page");
   assert.match(await app.room(), /as mapped/);
+});
+
+test("the thesis' grid of the same run is shown, and exported in its own cells", async (t) => {
+  const { page, app } = await openMap(t);
+  const own = await explore(app, 120);
+  const before = await picture(page);
+  await page.locator("#map-grid").selectOption("thesis");
+  await page.locator("#map-here").getByText("Thesis").waitFor();
+  await app.poll(() => picture(page), (now) => now !== before);
+  const thesis = await figures(app);
+  assert.ok(thesis.time === own.time && thesis.mapped !== own.mapped, JSON.stringify([own, thesis]));
+  await app.poll(() => page.url(), (url) => url.includes("grid=thesis"));
+  const files = await exported(page);
+  assert.match(files.find(({ name }) => name.endsWith(".yaml")).bytes.toString(), /resolution: 0\.1\n/);
+  assert.match(files.find(({ name }) => name.endsWith(".pgm")).bytes.toString("latin1"), /^P5\n100 100 255\n/);
 });
 
 test("maps that can't be opened are explained, and the current one stays", async (t) => {

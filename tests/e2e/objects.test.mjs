@@ -101,7 +101,7 @@ test("what can't be there says why, and what is kept survives a reload", async (
 
   await app.linked("room", (room) => room === "own");
   // It is kept twice a second.
-  await page.waitForFunction(() => localStorage.getItem("own-room")?.includes('"dock"'));
+  await page.waitForFunction(() => Object.entries(localStorage).some(([key, text]) => key.startsWith("own-room-") && text.includes('"dock"')));
   await page.reload();
   await app.settled();
   assert.deepEqual(JSON.parse(await saved(app)).objects, kept);

@@ -4,6 +4,7 @@ import fs from "node:fs";
 import { test } from "node:test";
 import { openApp } from "./app.mjs";
 import { anyFile } from "./maps.mjs";
+import { messagesOf, positions } from "./mcap.mjs";
 
 const ROOM = "#room=lshape&planner=snake&robot=cell&cell=0.25";
 
@@ -61,4 +62,25 @@ test("a behaviour has no path to save", async (t) => {
   await page.locator("#save").click();
   await page.locator("#save-as[open]").waitFor();
   assert.equal(await page.locator("#save-as input:disabled").count(), await page.locator("#save-as [data-path]").count());
+});
+
+test("the run that was shown goes out as a ROS 2 bag", async (t) => {
+  const { app, page } = await openApp(t, { address: "#room=lshape&behaviour=bounce&speed=0&seed=5" });
+  await app.numbersThat((now) => now.time > 20, undefined);
+  await app.press("Pause");
+  await app.until("paused");
+  const shown = await app.numbers();
+  // The run so far, though an earlier moment is shown.
+  await app.scrub(0.5);
+  const [download] = await app.save("run_mcap");
+  assert.equal(download.suggestedFilename(), "l-shaped-room.run.mcap");
+  const messages = messagesOf(fs.readFileSync(await download.path()));
+  const truth = messages["/ground_truth/odom"];
+  assert.ok(Math.abs(truth.at(-1)[0] - shown.time) < 1.1, `${truth.at(-1)[0]} s of ${shown.time} s`);
+  const places = positions(truth, "map");
+  const driven = places.slice(1).reduce((sum, [x, y], i) => sum + Math.hypot(x - places[i][0], y - places[i][1]), 0);
+  assert.ok(Math.abs(driven - shown.distance) < 0.01 * shown.distance + 0.1, `${driven} m of ${shown.distance} m`);
+  for (const topic of ["/map", "/odom", "/tf", "/cmd_vel", "/bumper", "/cliff", "/battery_state", "/rosout"]) assert.ok(messages[topic], `${topic}: ${Object.keys(messages)}`);
+  assert.equal(await app.message(), "");
+  await page.locator("#toast").getByText("Saved as l-shaped-room.run.mcap").waitFor();
 });

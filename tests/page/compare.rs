@@ -153,7 +153,10 @@ fn failure_is_told_and_the_others_go_on() {
     assert_eq!(comparison.progress(0), TrialProgress::Failed("it fell over"));
     let table = comparison.table(None);
     assert_eq!(table.rows[0].failure.as_deref(), Some("it fell over"));
-    assert!(table.rows[0].values.iter().all(Option::is_none) && table.rows[1].values.iter().all(Option::is_some));
+    // A robot that fills its cell has no excess.
+    let is_there = |value: &Option<MedianAndRange>, id: &str| value.is_some() || id.starts_with("excess");
+    assert!(table.rows[0].values.iter().all(Option::is_none));
+    assert!(table.rows[1].values.iter().zip(METRICS).all(|(value, metric)| is_there(value, metric.id)));
     assert!(comparison.race().is_some_and(|race| race.lanes().len() == 1));
 }
 
@@ -180,7 +183,8 @@ fn robots_race_under_one_clock_and_come_back_to_the_bit() {
     assert_eq!(race.state(), SessionState::Finished);
     let [first, second] = race.lanes() else { panic!("two robots") };
     assert!(first.run().time_s() < second.run().time_s(), "the snake turns more often");
-    assert!((first.run().time_s() - first.racer.planned_s).abs() < 0.05 * first.racer.planned_s);
+    let planned = first.racer.planned_s.expect("a planner");
+    assert!((first.run().time_s() - planned).abs() < 0.05 * planned);
     assert_eq!(race.time_s(), second.run().time_s(), "the clock stops with the last robot");
     race.seek(time);
     while race.state() == SessionState::Seeking {
@@ -385,4 +389,71 @@ fn who_stops_early_on_a_dirty_floor_is_not_first() {
     let (first, second) = if lanes[0].0 == 1 { (lanes[0], lanes[1]) } else { (lanes[1], lanes[0]) };
     assert!(second.1 < 0.95, "harsh slip leads the robot astray: {lanes:?}");
     assert!(first.1 > second.1 && second.0 == 2, "{lanes:?}");
+}
+
+#[test]
+fn behaviours_race_too_and_stop_after_the_slowest_plan() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["boustrophedon"]);
+    let is_bounce = |entrant: &Entrant| entrant.algorithm.kind() == "behaviour" && entrant.id() == "random_walk";
+    let bounce = comparison.entrants().iter().position(is_bounce).expect("it cleans");
+    comparison.choose_entrant(bounce, true);
+    assert_eq!(work(&mut comparison), ["boustrophedon"], "a behaviour needs no plan");
+    assert!(comparison.to_link().contains("vs=boustrophedon&behaviours=random_walk&"), "{}", comparison.to_link());
+    let race = comparison.race_mut().expect("there is a plan");
+    assert_eq!(race.lanes().len(), 2);
+    race.set_speed(0.0);
+    race.play();
+    while race.state() == SessionState::Playing {
+        race.frame(0.016, &mut || true);
+    }
+    assert_eq!(race.state(), SessionState::Finished);
+    let planned = race.lanes()[0].racer.planned_s.expect("a planner");
+    assert!(race.end_s() <= 1.5 * planned + 1.0, "{} after {planned}", race.end_s());
+    assert_eq!(race.places()[0], 1, "a plan is faster than chance");
+    assert!(race.lanes()[1].run().coverage() > 0.2);
+    assert!(comparison.table(None).rows.iter().all(|row| row.index != bounce), "it has no plan for the table");
+}
+
+#[test]
+fn a_planner_races_against_itself_with_other_parameters() {
+    let session = session("thesis8");
+    let mut comparison = comparison(&session, &["snake"]);
+    let snake = PLANNERS.iter().position(|info| info.id == "snake").expect("it exists");
+    comparison.copy(snake);
+    let copy = comparison.entrants().len() - 1;
+    assert_eq!((comparison.copy_number(snake), comparison.copy_number(copy)), (1, 2));
+    comparison.set_entrant_param(copy, "patience", "0").expect("it is in range");
+    assert_eq!(work(&mut comparison), ["snake", "snake~patience:0"]);
+    assert_eq!(comparison.race().map_or(0, |race| race.lanes().len()), 2);
+    assert_eq!(comparison.table(None).rows.len(), 2);
+    let link = comparison.to_link();
+    assert!(link.contains("vs=snake,snake~patience:0&"), "{link}");
+    let mut other = Comparison::new();
+    other.restore(&link).expect("it was just written");
+    assert_eq!(other.to_link(), link);
+    comparison.remove_copy(copy);
+    assert!(comparison.copy_number(copy) == 0 && !comparison.is_chosen(copy));
+    assert_eq!(comparison.race().map_or(0, |race| race.lanes().len()), 1);
+    comparison.remove_copy(snake);
+    assert!(comparison.is_chosen(snake), "an original stays");
+}
+
+#[test]
+fn nine_that_race_are_chosen_by_the_user() {
+    let session = session("thesis8");
+    let ids: Vec<&str> = PLANNERS.iter().map(|planner| planner.id).collect();
+    let mut comparison = comparison(&session, &ids);
+    work(&mut comparison);
+    let racing = |comparison: &Comparison| -> Vec<usize> {
+        comparison.race().map_or(Vec::new(), |race| race.lanes().iter().map(|lane| lane.racer.entrant).collect())
+    };
+    let (first, waiting) = (racing(&comparison), comparison.waiting());
+    assert_eq!(first.len() + waiting.len(), ids.len());
+    // A tenth takes the place of the last one; who leaves makes room for the next.
+    comparison.set_racing(waiting[1], true);
+    assert_eq!(racing(&comparison)[..], [&first[..MOST_LANES - 1], &[waiting[1]]].concat());
+    comparison.set_racing(first[0], false);
+    assert!(!racing(&comparison).contains(&first[0]) && racing(&comparison).len() == MOST_LANES);
+    assert!(comparison.waiting().contains(&first[0]));
 }

@@ -1,6 +1,6 @@
 //! The Floor plan tab: results of files, settings and pointing, without a browser.
 
-use floor_drawing::Role;
+use floor_drawing::{Role, ShadeMethod};
 use robovac_app::{
     export::PathFormat,
     floor_plan::{BodyChoice, DrawingPart, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, coarse},
@@ -69,7 +69,10 @@ fn shades_are_wall_where_they_are_darker_than_said() {
     use Occupancy::{Free, Occupied, Unknown};
     let mut board = open(image());
     assert_eq!(cells(&board), [Occupied, Unknown, Unknown, Free], "the rules of the map server");
-    change(&mut board, |settings| settings.shade = 0.5);
+    change(&mut board, |settings| {
+        (settings.method, settings.shade, settings.part) = (ShadeMethod::Level, 0.5, DrawingPart::Whole);
+        settings.specks = 0.0;
+    });
     assert_eq!(cells(&board), [Occupied, Occupied, Free, Free]);
     change(&mut board, |settings| settings.shade = 0.3);
     assert_eq!(cells(&board), [Occupied, Free, Free, Free]);
@@ -78,7 +81,7 @@ fn shades_are_wall_where_they_are_darker_than_said() {
     let version = board.version();
     change(&mut board, |settings| settings.shade = 0.0);
     assert_ne!(board.version(), version, "the picture of the room goes with it");
-    assert!(board.room().is_none() && board.fault().contains("no free cell"), "{}", board.fault());
+    assert!(board.room().is_none() && board.fault().contains("No floor is left"), "{}", board.fault());
     assert!(board.import(false).is_err());
     change(&mut board, |settings| (settings.shade, settings.negate) = (0.5, false));
     assert_eq!(cells(&board), [Occupied, Occupied, Free, Free], "a fault can be mended");
@@ -111,14 +114,21 @@ fn a_scenario_keeps_its_choices_and_its_metres() {
 
 #[test]
 fn the_sweep_takes_its_planner_and_its_robot_along_and_no_parameters_of_another() {
-    let mut board = open(file("mine.json", SCENARIO));
+    let mut board = open(file("mine.json", SCENARIO.replace("\"resolution\": 0.1", "\"resolution\": 1")));
     change(&mut board, |settings| settings.body = BodyChoice::Model { id: "dvr1".into() });
+    assert!(board.import(true).unwrap_err().contains("plan the sweep"));
+    plan(&mut board).unwrap();
     let choices = board.import(true).unwrap().choices.unwrap();
+    assert!(choices.path.is_some() && choices.own_robot.is_none());
     assert_eq!((choices.robot.as_deref(), choices.planner.as_deref()), (Some("dvr1"), Some("subgoal_sweep")));
     assert!(choices.params.is_empty());
     change(&mut board, |settings| settings.body = BodyChoice::Circle { radius: 0.2 });
+    plan(&mut board).unwrap();
     let choices = board.import(true).unwrap().choices.unwrap();
-    assert_eq!(choices.robot.as_deref(), Some("octagon"), "that of the scenario");
+    assert_eq!(
+        (choices.robot.as_deref(), choices.own_robot.as_deref()),
+        (Some("octagon"), Some("radius:0.2,tool:body"))
+    );
 }
 
 #[test]

@@ -23,7 +23,11 @@ fn place(session: &mut Session, hand: &mut ObjectTool, kind: PlaceableKind, from
 }
 
 fn outline(object: &Object) -> &[Point] {
-    let (Object::Furniture { outline } | Object::DropOff { outline } | Object::Carpet { outline }) = object else {
+    let (Object::Furniture { outline }
+    | Object::LowObstacle { outline, .. }
+    | Object::DropOff { outline }
+    | Object::Carpet { outline }) = object
+    else {
         panic!("{object:?} has no outline")
     };
     outline

@@ -9,6 +9,8 @@ mod map;
 mod map_files;
 mod montecarlo;
 mod opening;
+mod own_robot;
+mod pictures;
 mod scenario;
 mod session;
 mod types;

@@ -6,7 +6,7 @@ use robovac_app::{
 };
 use robovac_core::{
     floor_plan::{MapImage, OccupancyMode, SourceFile, load, room, to_ros_map},
-    geometry::Pose,
+    geometry::{Pose, Vector},
     grid::{Cell, Occupancy},
     robot::OdometryModel,
 };
@@ -110,6 +110,39 @@ fn all_odometry_models_can_be_chosen_and_differ() {
         assert!(poses[..i].iter().all(|other| other != pose), "{i} is like another");
     }
     assert!(small().set("counts", "spiral").unwrap_err().to_string().contains("arc"));
+}
+
+#[test]
+fn the_thesis_grid_is_drawn_measured_and_exported_in_the_same_run() {
+    let mut survey = small();
+    survey.run_ahead(240.0);
+    let ([own, odometry], time) = (survey.figures().expect("there is a run"), survey.view().time_s);
+    assert!(survey.thesis().is_none());
+    survey.set("grid", "thesis").expect("a grid");
+    assert_eq!((survey.view().time_s, survey.view().grid), (time, "thesis"), "the run goes on");
+    let [thesis, same] = survey.figures().expect("there is a run");
+    assert_eq!(same, odometry);
+    // By odometry as printed: its pose is about that of the other column, and floor is known in squares of 20 cm.
+    assert!(
+        thesis.boundary > 0.02 && thesis.known > 0.1 && thesis.right > 0.5 && thesis != own,
+        "{thesis:?}, ours {own:?}"
+    );
+    let plan = survey.to_plan("thesis").expect("something is known");
+    assert_eq!((plan.occupancy.width(), plan.occupancy.height(), plan.resolution), (100, 100, 0.1));
+    let map = survey.shown().expect("there is a robot");
+    for (cell, &status) in plan.occupancy.iter() {
+        let middle = plan.origin.to_world(cell.centre(0.1));
+        // The robot starts in the middle of cells of the map: a little aside of where they meet.
+        let at = map.cell_at(middle + Vector::new(0.012, 0.012));
+        assert_eq!(map.occupancy(at), status, "{cell:?}");
+    }
+    let last = |survey: &MapSession| survey.curve().last().expect("there are samples");
+    let shown = last(&survey);
+    survey.set("grid", "own").expect("a grid");
+    assert_eq!(survey.figures(), Some([own, odometry]));
+    assert_ne!(shown.boundary, last(&survey).boundary);
+    let error = survey.set("grid", "hexagons").unwrap_err().to_string();
+    assert!(error.contains("own, thesis"), "{error}");
 }
 
 #[test]
@@ -309,9 +342,14 @@ fn every_explorer_can_be_chosen_and_links_bring_choices_back() {
     for info in explorers() {
         let mut survey = small();
         survey.set("explorer", info.id).expect("it is offered");
-        for (key, value) in
-            [("track", "odometry"), ("wheels", "harsh"), ("senses", "off"), ("layers", "belief,dirt"), ("pace", "4")]
-        {
+        for (key, value) in [
+            ("track", "odometry"),
+            ("wheels", "harsh"),
+            ("senses", "off"),
+            ("grid", "thesis"),
+            ("layers", "belief,dirt"),
+            ("pace", "4"),
+        ] {
             survey.set(key, value).expect(key);
         }
         let link = survey.setup().to_link();
@@ -320,7 +358,8 @@ fn every_explorer_can_be_chosen_and_links_bring_choices_back() {
         assert_eq!(other.setup().to_link(), link);
         assert_eq!(other.recipe(), survey.recipe());
         other.run_ahead(5.0);
-        assert!(other.run().is_some_and(|run| run.steps() > 0), "{}", info.id);
+        // A Roomba has no laser.
+        assert!(info.claims.needs_laser || other.run().is_some_and(|run| run.steps() > 0), "{}", info.id);
     }
     let mut survey = small();
     let before = survey.setup().to_link();
@@ -337,10 +376,10 @@ fn a_room_that_the_robot_does_not_fit_into_says_so() {
     narrow.load(&[corridor]).expect("it is a map");
     let mut outside = Session::new();
     outside.restore("room=room12ft&robot=roomba600&start=-3,-3,0").expect("a link of ours");
-    for session in [narrow, outside] {
+    for session in [&narrow, &outside] {
         assert!(session.prepared().is_none());
         let mut survey = MapSession::new();
-        survey.take(&session);
+        survey.take(session);
         assert_eq!(survey.phase(), MapPhase::Failed);
         assert!(!survey.complaint().is_empty());
         // Nothing of it may panic.

@@ -36,6 +36,7 @@ fn outcome(seed: u64, end: f64, reached_s: [f64; GOALS.len()]) -> RunOutcome {
         bumps: seed as u32,
         falls: 0,
         dirt_left: None,
+        excess: Some([0.5 * end, end]),
         digest: seed,
     }
 }
@@ -109,7 +110,7 @@ fn a_study_offers_those_that_explore_and_exports_say_what_is_measured() {
 fn outcomes_cross_to_another_thread_and_back() {
     let outcomes = [
         outcome(3, 0.95, [20.0, f64::INFINITY]),
-        RunOutcome { digest: u64::MAX - 5, dirt_left: Some(0.25), ..outcome(4, 0.5, [1.0, 2.0]) },
+        RunOutcome { digest: u64::MAX - 5, dirt_left: Some(0.25), excess: None, ..outcome(4, 0.5, [1.0, 2.0]) },
     ];
     let numbers: Vec<f64> = outcomes.iter().flat_map(RunOutcome::to_numbers).collect();
     assert_eq!(RunOutcome::from_numbers(&numbers), outcomes);
@@ -133,6 +134,7 @@ fn summary_has_the_quantiles_of_the_definition_and_no_times_that_nobody_knows() 
     near(summary.coverage, 0.19, 0.55, 0.91);
     near(summary.distance_m, 1.9, 5.5, 9.1);
     near(summary.bumps, 1.9, 5.5, 9.1);
+    near(summary.excess.expect("they sweep")[1], 0.19, 0.55, 0.91);
     near(Band::curve(&runs)[SAMPLES / 2], 0.095, 0.275, 0.455);
     let [to_90, to_99] = summary.time_to;
     // 400, 500, ..., 1000 and three that never got there: places 0.9, 4.5 and 8.1.
@@ -319,4 +321,18 @@ fn exports_tell_every_run_and_the_same_summary() {
     assert!(
         to_csv(&head, &failed).lines().all(|line| line.replace("\"no, thanks\"", "").split(',').count() == columns)
     );
+}
+
+#[test]
+fn time_of_a_run_follows_from_the_room_until_it_is_chosen() {
+    let minutes = |link: &str, study: &mut Study| {
+        study.take(&session(link));
+        study.minutes()
+    };
+    let mut study = Study::new();
+    let small = minutes("room=room12ft&robot=roomba600", &mut study);
+    let large = minutes("room=flat&robot=roomba600", &mut study);
+    assert!(small < large, "{small} and {large}");
+    study.set_minutes(10);
+    assert_eq!(minutes("room=warehouse&robot=roomba600", &mut study), 10);
 }

@@ -178,7 +178,12 @@ fn rounded_corners_take_less_time_and_are_kept_by_links_and_scenarios() {
     session.plan_now(|| 0.0);
     let stopping = session.planned().unwrap().drive;
     assert!(!session.link().contains("smooth") && !session.view().smooth);
-    session.configure(|settings| { settings.smooth = true; Ok::<(), SettingsError>(()) }).unwrap();
+    session
+        .configure(|settings| {
+            settings.smooth = true;
+            Ok::<(), SettingsError>(())
+        })
+        .unwrap();
     session.plan_now(|| 0.0);
     let smooth = session.planned().unwrap().clone();
     assert!(smooth.drive.duration_s < 0.9 * stopping.duration_s, "{:?} {stopping:?}", smooth.drive);
@@ -265,8 +270,8 @@ fn room_of_ones_own_survives_by_scenario_and_link() {
 fn a_twin_is_kept_by_links_scenarios_and_other_tabs_until_another_robot_is_chosen() {
     let mut session = opened();
     session.restore("room=empty&behaviour=bounce&robot=roomba600&twin=base:242,acceleration:1.4").unwrap();
-    let twin = session.settings().twin;
-    assert_eq!(twin.and_then(|twin| twin.wheel_base_mm), Some(242.0));
+    let twin = session.settings().custom.clone();
+    assert_eq!(twin.as_ref().and_then(|custom| custom.twin()?.wheel_base_mm), Some(242.0));
     assert_eq!(session.view().twin, "base:242,acceleration:1.4");
     let (link, saved) = (session.link(), session.scenario_json());
     let (mut by_link, mut by_file, mut by_tab) = (opened(), opened(), opened());
@@ -274,14 +279,14 @@ fn a_twin_is_kept_by_links_scenarios_and_other_tabs_until_another_robot_is_chose
     by_file.load(&[SourceFile { name: "saved.json".into(), bytes: saved.into_bytes() }]).unwrap();
     by_tab.follow(&session.snapshot()).unwrap();
     for other in [&by_link, &by_file, &by_tab] {
-        assert_eq!(other.settings().twin, twin);
+        assert_eq!(other.settings().custom, twin);
     }
     // A connected robot is itself.
     assert_eq!(session.snapshot().for_connection("bounce").unwrap().choices.twin, None);
     let refused = session.restore("twin=base:2420").unwrap_err().to_string();
-    assert!(refused.contains("wheel_base_mm can't be 2420") && session.settings().twin == twin, "{refused}");
+    assert!(refused.contains("wheel_base_mm can't be 2420") && session.settings().custom == twin, "{refused}");
     session.configure(|settings| settings.select_robot("roomba600")).unwrap();
-    assert_eq!(session.settings().twin, None);
+    assert_eq!(session.settings().custom, None);
 }
 
 #[test]
@@ -424,15 +429,22 @@ fn best_walk_so_far_is_kept() {
 
 /// Lets a film run to its end, and collects what is said meanwhile.
 fn watched(session: &mut Session) -> Vec<String> {
-    let mut told = Vec::new();
-    for _ in 0..60 * 40 {
+    let mut told: Vec<String> = Vec::new();
+    let mut frames = 0;
+    for _ in 0..20 * 200 {
         let text = session.view().search.text;
         assert_eq!(session.picture().is_none(), text.contains("finished"), "{text}");
         if told.last() != Some(&text) {
+            // Nobody reads more than 18 characters a second, and looks at the picture, too.
+            let (seconds, length) = (f64::from(frames) / 20.0, told.last().map_or(0, String::len));
+            assert!(seconds >= length as f64 / 18.0, "{seconds} s for {:?}", told.last());
             told.push(text);
+            frames = 0;
         }
-        session.frame(1.0 / 60.0, &mut || true);
+        frames += 1;
+        session.frame(0.05, &mut || true);
     }
+    assert!(told.len() > 1 && told[told.len() - 1].contains("finished"), "{told:?}");
     told
 }
 
@@ -504,8 +516,11 @@ fn film_that_is_held_goes_on_by_hand() {
     session.turn_film(false);
     assert_eq!(at(&session), 1);
     session.hold_film(false);
-    for _ in 0..120 {
+    for _ in 0..60 * 12 {
         session.frame(1.0 / 60.0, &mut || true);
+        if at(&session) != 1 {
+            break;
+        }
     }
     assert_eq!(at(&session), 2);
     for _ in 0..100 {
@@ -713,7 +728,7 @@ fn robot_that_is_picked_up_drops_its_wheels_and_goes_on_elsewhere() {
     let sensed = session.recording().unwrap().run().sensors();
     assert!(!sensed.wheel_dropped() && (run(&session).position() - Point::new(4.0, 3.0)).norm() < 0.1);
     let events: Vec<_> = session.recording().unwrap().run().events().iter().map(|e| e.what.to_string()).collect();
-    for expected in ["picked up", "wheel drop", "put down"] {
+    for expected in ["lifted", "wheel drop", "put down"] {
         assert!(events.iter().any(|event| event == expected), "{expected} is missing in {events:?}");
     }
 }
@@ -769,4 +784,47 @@ fn what_a_person_did_happens_again_after_scrubbing() {
     session.frame(0.0, &mut || true);
     session.lift();
     assert!((session.recording().unwrap().end_s() - 30.0).abs() < 0.02, "the future is another one");
+}
+
+#[test]
+fn what_is_clean_stays_clean_when_the_room_is_changed() {
+    let mut session = opened();
+    session.run_ahead(600.0);
+    let before = session.view().coverage;
+    assert!(before > 0.1, "{before}");
+    session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
+    session.go_on_stroke(Point::new(2.4, 1.5));
+    session.end_stroke();
+    session.plan_now(|| 0.0);
+    let view = session.view();
+    assert!(view.time_s < 1.0 && (view.coverage - before).abs() < 0.05, "{} after {before}", view.coverage);
+    assert!((view.swept_before - view.coverage).abs() < 0.01, "{}", view.swept_before);
+    // A second change before the robot has moved, and its undo, lose nothing.
+    session.begin_stroke(Brush::Wall, Point::new(3.0, 1.5));
+    session.end_stroke();
+    session.plan_now(|| 0.0);
+    session.undo();
+    session.plan_now(|| 0.0);
+    assert!((session.view().coverage - before).abs() < 0.05, "{} after {before}", session.view().coverage);
+    // Back to the start begins with a dirty floor, and so does another room.
+    session.reset();
+    assert!(session.view().coverage < 0.02 && session.view().swept_before == 0.0);
+    session.run_ahead(300.0);
+    session.select_room("empty").expect("it ships");
+    session.plan_now(|| 0.0);
+    assert!(session.view().coverage < 0.02);
+}
+
+#[test]
+fn link_says_whether_the_search_is_shown() {
+    let mut session = opened();
+    assert!(!session.link().contains("search="));
+    session.show_search(true);
+    let link = session.link();
+    let mut other = opened();
+    other.restore(&link).expect("it was just written");
+    assert!(other.link() == link && link.ends_with("&search=1"), "{link}");
+    // A link that changes only the robot leaves it as it is.
+    other.restore("robot=cell").expect("the robot exists");
+    assert!(other.link().contains("search=1"));
 }

@@ -7,7 +7,7 @@ import { explainer } from "../explainer.js";
 export function startAbout(it) {
   const { app, comparison } = it;
   const dialog = typed("about", HTMLDialogElement);
-  let shown = "";
+  let shown = 0;
   dialog.addEventListener("click", (event) => {
     if (event.target === dialog) dialog.close();
   });
@@ -18,17 +18,18 @@ export function startAbout(it) {
   };
   button("about-explore").addEventListener("click", () =>
     explore((p) => {
-      p.select_algorithm(shown);
-      const params = it.view.entrants.find(({ id }) => id === shown)?.params ?? {};
+      const { id: algorithm, params } = it.view.entrants[shown] ?? { id: "", params: {} };
+      p.select_algorithm(algorithm);
       for (const [id, value] of Object.entries(params)) p.set_param(id, String(value));
     }),
   );
 
   return (entrant) => {
-    const planner = app.catalogue.planners[entrant];
+    const { id: algorithm = "", kind, title = "" } = it.view.entrants[entrant] ?? {};
+    const planner = (kind === "behaviour" ? app.catalogue.behaviours : app.catalogue.planners).find(({ id }) => id === algorithm);
     if (!planner) return;
-    shown = planner.id;
-    byId("about-title").textContent = planner.title;
+    shown = entrant;
+    byId("about-title").textContent = title;
     byId("about-text").replaceChildren(
       ...explainer(planner, app.catalogue.rooms, (room) =>
         explore((p) => {
@@ -45,7 +46,7 @@ export function startAbout(it) {
     canvas.hidden = false;
     canvas.setAttribute("aria-label", `Path of ${planner.title} in ${app.view.room.title}`);
     const drawn = comparison.draw_path(entrant, canvas, canvas.clientWidth, canvas.clientHeight, devicePixelRatio);
-    setHidden(byId("about-none"), drawn);
+    setHidden(byId("about-none"), drawn || kind === "behaviour");
     canvas.hidden = !drawn;
   };
 }

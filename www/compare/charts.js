@@ -4,7 +4,7 @@ import { shown } from "../format.js";
 
 /**
  * @typedef {import("../types").TableView} Table
- * @typedef {import("../types").CatalogueEntry} Planner
+ * @typedef {import("../types").ComparisonView["entrants"][number]} Entrant
  */
 
 /** Numbers that get bars; the first three are those of the figures. */
@@ -21,17 +21,17 @@ const safe = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
  * Draws the charts of a table.
  * @param {HTMLElement} into
  * @param {Table} table
- * @param {Planner[]} planners
+ * @param {Entrant[]} entrants
  * @param {(entrant: number) => void} choose
  */
-export function drawCharts(into, table, planners, choose) {
-  const charts = BARS.map((id) => bars(table, planners, id)).concat(parallel(table, planners));
+export function drawCharts(into, table, entrants, choose) {
+  const charts = BARS.map((id) => bars(table, entrants, id)).concat(parallel(table, entrants));
   into.innerHTML = charts.map((svg) => `<figure>${svg}</figure>`).join("");
   for (const mark of into.querySelectorAll("[data-entrant]")) mark.addEventListener("click", () => choose(Number(mark.getAttribute("data-entrant"))));
 }
 
-/** @param {Table} table @param {Planner[]} planners @param {string} id */
-function bars({ metrics, rows }, planners, id) {
+/** @param {Table} table @param {Entrant[]} entrants @param {string} id */
+function bars({ metrics, rows }, entrants, id) {
   const column = metrics.findIndex((metric) => metric.id === id);
   const metric = metrics[column];
   if (!metric) return "";
@@ -48,19 +48,19 @@ function bars({ metrics, rows }, planners, id) {
   const height = 6 + pitch * known.length;
   const items = known.map(({ row, spread, printed }, i) => {
     const y = 6 + pitch * i;
-    const { title: name, mark } = drawn(planners[row.entrant]);
+    const { title: name, mark } = drawn(entrants[row.entrant]);
     const range = spread.max > spread.min ? `<path class="range" d="M${x(spread.min)} ${y + 22}H${x(spread.max)}"/>` : "";
     return `<g data-entrant="${row.entrant}"><title>${name}: ${shown(metric, spread.median)}</title><text x="0" y="${y + 11}" class="name">${name}</text><rect y="${y + 16}" width="${Math.max(x(spread.median), 1)}" height="12" rx="2" ${mark}/>${range}<text x="${x(spread.max) + 6}" y="${y + 26}" class="value">${shown(metric, spread.median)}</text>${printed === null ? "" : printedBar(x(printed), y + ROW, shown(metric, printed))}</g>`;
   });
-  return svg(title, height, items.join(""), `${title}: ${known.map(({ row, spread }) => `${planners[row.entrant]?.title} ${shown(metric, spread.median)}`).join(", ")}`);
+  return svg(title, height, items.join(""), `${title}: ${known.map(({ row, spread }) => `${entrants[row.entrant]?.title} ${shown(metric, spread.median)}`).join(", ")}`);
 }
 
 /** What a paper prints. @param {number} width @param {number} y @param {string} value */
 const printedBar = (width, y, value) =>
   `<rect class="printed" y="${y}" width="${Math.max(width, 1)}" height="10" rx="2"/><text class="value" x="${width + 6}" y="${y + 9}">${value} printed</text>`;
 
-/** One axis for each number, the best at the top, the worst at the bottom. @param {Table} table @param {Planner[]} planners */
-function parallel({ metrics, rows }, planners) {
+/** One axis for each number, the best at the top, the worst at the bottom. @param {Table} table @param {Entrant[]} entrants */
+function parallel({ metrics, rows }, entrants) {
   const axes = AXES.map((id) => metrics.findIndex((metric) => metric.id === id)).filter((column) => column >= 0 && rows.some((row) => row.values[column]));
   const [top, bottom] = [40, 250];
   const x = (/** @type {number} */ i) => 30 + (i * (WIDTH - 60)) / Math.max(axes.length - 1, 1);
@@ -83,15 +83,15 @@ function parallel({ metrics, rows }, planners) {
       const share = metric && shown(metric, end.best) === shown(metric, end.worst) ? 0 : (value - end.best) / (end.worst - end.best);
       return [`${x(i).toFixed(1)} ${(top + share * (bottom - top)).toFixed(1)}`];
     });
-    const { title: name, mark } = drawn(planners[row.entrant]);
+    const { title: name, mark } = drawn(entrants[row.entrant]);
     return points.length > 1 ? `<path class="profile" d="M${points.join("L")}" data-entrant="${row.entrant}" ${mark}><title>${name}</title></path>` : "";
   });
   return svg("Best at the top, worst at the bottom", 284, marks.join("") + lines.join(""), "Profiles of the algorithms over all numbers; the table has the same data.");
 }
 
-/** A planner's name and mark, as SVG. @param {Planner} [planner] */
-function drawn(planner) {
-  return { title: safe(planner?.title ?? ""), mark: `data-colour="${planner?.mark.colour}" data-shape="${planner?.mark.shape}"` };
+/** A planner's name and mark, as SVG. @param {Entrant} [entrant] */
+function drawn(entrant) {
+  return { title: safe(entrant?.title ?? ""), mark: `data-colour="${entrant?.mark.colour}" data-shape="${entrant?.mark.shape}"` };
 }
 
 /** @param {string} title @param {number} height @param {string} inside @param {string} words */

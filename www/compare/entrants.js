@@ -8,6 +8,8 @@ import { paramField } from "../params.js";
  * @property {(takesPart: boolean) => void} choose
  * @property {(param: string, text: string) => void} setParam
  * @property {(() => void) | undefined} [about]
+ * @property {(() => void) | undefined} [copy] Adds it once more, to be given other parameters.
+ * @property {(() => void) | undefined} [remove]
  */
 
 /** The mark of an algorithm. @param {import("../types").Mark} [mark] */
@@ -24,7 +26,7 @@ export function swatch(mark) {
  * @param {string} scope Makes ids different from those of other lists.
  * @param {Doings} doings
  */
-export function entrantItem({ id, title, params }, mark, scope, { choose, setParam, about }) {
+export function entrantItem({ id, title, params }, mark, scope, { choose, setParam, about, copy, remove }) {
   const box = make("input", { type: "checkbox", id: `${scope}-${id}`, onchange: () => choose(box.checked) });
   const name = make("label", { for: `${scope}-${id}` }, mark, title);
   const item = make("li", { "data-id": id }, box, name, make("span", { className: "status" }));
@@ -39,7 +41,13 @@ export function entrantItem({ id, title, params }, mark, scope, { choose, setPar
       for (const control of controls) control.dataset.param = spec.id;
       return field;
     });
-    item.append(make("details", { className: "tuning" }, make("summary", {}, "Parameters"), make("div", { className: "params" }, ...fields)));
+    const more = make("div", { className: "params" }, ...fields);
+    if (copy) more.append(make("button", { type: "button", onclick: copy, "data-tip": "Adds this algorithm once more. Give the copy other parameters to compare the two." }, "Add a copy"));
+    if (remove) more.append(make("button", { type: "button", onclick: remove }, "Remove this copy"));
+    const fold = make("details", { className: "tuning" }, make("summary", {}, "Parameters"), more);
+    // A copy is there for its parameters.
+    fold.open = remove !== undefined;
+    item.append(fold);
   }
   return item;
 }

@@ -138,11 +138,11 @@ function bandsOf(flat) {
 }
 
 /** @param {import("../main.js").App} app @param {import("../types").StudyPlace} place @param {View} view @param {{ explores: boolean }[]} rows */
-function titleOf({ catalogue }, { room, robot, slip, noise, quantised }, { minutes }, rows) {
+function titleOf({ catalogue }, { room, robot, slip, noise, quantised, start_charge_percent: charge }, { minutes }, rows) {
   const all = rows.every(({ explores }) => explores);
   const what = all ? "Boundary found" : rows.some(({ explores }) => explores) ? "Coverage (boundary found, for explorers)" : "Coverage";
   const title = catalogue.robots.find(({ id }) => id === robot)?.title ?? robot;
-  return `${what} over ${minutes} minutes: ${room}, ${title}, slip ${slip}, noise ${noise}${quantised ? ", quantised wheels" : ""}`;
+  return `${what} over ${minutes} minutes: ${room}, ${title}, slip ${slip}, noise ${noise}${quantised ? ", rounded wheel speeds" : ""}${charge < 100 ? `, start charge ${charge} %` : ""}`;
 }
 
 /** @param {View} view @param {Offer} offer @param {HTMLElement[]} items */

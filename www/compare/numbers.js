@@ -43,7 +43,7 @@ export function startNumbers(it) {
     const focused = document.activeElement?.closest("#compared [data-key]")?.getAttribute("data-key");
     head.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...metrics.map((metric, column) => heading(metric, column, rows, order, sortBy))));
     body.replaceChildren(...sorted(rows, metrics, order).map((row) => line(it, row, metrics, rows, select("table-room").value === "all" ? it.view.rooms.length : 1)));
-    drawCharts(byId("charts"), table, app.catalogue.planners, it.about);
+    drawCharts(byId("charts"), table, it.view.entrants, it.about);
     // The keyboard focus stays where it was.
     const same = focused && byId("compared").querySelector(`[data-key="${focused}"]`);
     if (same instanceof HTMLElement) same.focus({ preventScroll: true });
@@ -102,8 +102,9 @@ function sorted(rows, metrics, order) {
 }
 
 /** @param {import("./tab.js").Comparing} it @param {Row} row @param {Metric[]} metrics @param {Row[]} rows @param {number} rooms */
-function line({ app, about }, row, metrics, rows, rooms) {
-  const planner = app.catalogue.planners[row.entrant];
+function line(it, row, metrics, rows, rooms) {
+  const { about } = it;
+  const planner = it.view.entrants[row.entrant];
   const open = make("button", { type: "button", className: "link", "data-key": String(row.entrant), onclick: () => about(row.entrant) }, planner?.title ?? "");
   const name = make("th", { scope: "row" }, swatch(planner?.mark), open);
   if (row.missing > 0 && rooms > 1) name.append(make("span", { className: "status" }, `${rooms - row.missing} of ${rooms} rooms`));
@@ -111,7 +112,7 @@ function line({ app, about }, row, metrics, rows, rooms) {
   const cells = metrics.map((metric, column) => {
     const spread = row.values[column];
     if (!spread) return make("td", {}, "–");
-    const cell = make("td", { className: row.best[column] ? "best" : "", "data-tip": difference(row, column, metric, rows, app.catalogue.planners) });
+    const cell = make("td", { className: row.best[column] ? "best" : "", "data-tip": difference(row, column, metric, rows, it.view.entrants) });
     cell.append(shown(metric, spread.median));
     const [min, max] = [shown(metric, spread.min), shown(metric, spread.max)];
     if (min !== max) cell.append(make("small", {}, `${min}–${max}`));
@@ -121,14 +122,14 @@ function line({ app, about }, row, metrics, rows, rooms) {
   return result;
 }
 
-/** How a value differs from the best of its column. @param {Row} row @param {number} column @param {Metric} metric @param {Row[]} rows @param {import("../types").CatalogueEntry[]} planners */
-function difference(row, column, metric, rows, planners) {
+/** How a value differs from the best of its column. @param {Row} row @param {number} column @param {Metric} metric @param {Row[]} rows @param {import("../types").ComparisonView["entrants"]} entrants */
+function difference(row, column, metric, rows, entrants) {
   const best = rows.filter((other) => other.best[column]);
   const value = row.values[column]?.median ?? 0;
   const least = best[0]?.values[column]?.median;
   if (least === undefined) return metric.definition;
   if (row.best[column]) return `${metric.label}: the best here${best.length > 1 ? `, tied with ${best.length - 1} more` : ""}. ${metric.definition}`;
-  const names = best.map((other) => planners[other.entrant]?.title).join(", ");
+  const names = best.map((other) => entrants[other.entrant]?.title).join(", ");
   const more = value > least ? "more" : "less";
   const by = metric.unit === "%" || least === 0 ? `${shown(metric, Math.abs(value - least))} ${metric.unit === "%" ? "points" : ""}` : `${Math.abs((100 * (value - least)) / least).toFixed(0)} %`;
   return `${metric.label}: ${by.trim()} ${more} than the best (${shown(metric, least)}, ${names}). ${metric.definition}`;

@@ -18,7 +18,8 @@ import { startTransport, through } from "../shared/time-line.js";
 const REDRAW = 250;
 
 /** Definitions of a robot's figures, and why they differ from those of the table. */
-const DRIVEN = "Rank, coverage, and time when it is done. In the race the robot tracks its path and corrects itself at corners, so it takes a few percent longer than planned (see Numbers).";
+const DRIVEN = "Swept share of the reachable floor, and the time when the robot is done. In the race the robot tracks its path and corrects itself at corners, so it takes a few percent longer than planned (see Numbers).";
+const RANK = "Place: first those that have swept 95 % and are done, by time; then the others by coverage. A behaviour that never stops counts when it has swept 95 %.";
 
 /** @param {Comparing} it */
 export function startRace(it) {
@@ -40,6 +41,7 @@ export function startRace(it) {
     setText(byId("race-hint"), hint(it));
     const who = race ? race.lanes.map(({ entrant }) => entrant).join(" ") : "";
     if (changed(byId("lanes"), "who", who)) buildLanes(it, race);
+    if (changed(byId("bench"), "who", view.waiting.join())) showBench(it);
     if (race) updateLanes(it, race);
     const pane = byId("lanes").querySelector("canvas");
     if (pane) fitSize(pane, it.comparison);
@@ -63,30 +65,45 @@ function hint({ view: { entrants, done, total, cancelled } }) {
 }
 
 /** @param {Comparing} it @param {RaceView | null} race */
-function buildLanes({ app, comparison, about }, race) {
+function buildLanes({ act, view, comparison, about }, race) {
   const panes = (race?.lanes ?? []).map(({ entrant }) => {
-    const planner = app.catalogue.planners[entrant];
-    const name = make("button", { type: "button", className: "link", onclick: () => about(entrant) }, planner?.title ?? "");
-    return make("figure", {}, make("figcaption", {}, swatch(planner?.mark), name, make("output", { "data-tip": DRIVEN })), make("canvas", { role: "img" }));
+    const { title = "", mark } = view.entrants[entrant] ?? {};
+    const name = make("button", { type: "button", className: "link", onclick: () => about(entrant) }, title);
+    const out = make("button", { type: "button", className: "quiet square small", "aria-label": `Take ${title} out of the race`, title: "Take out of the race", onclick: () => act((c) => c.set_racing(entrant, false)) });
+    out.innerHTML = '<svg class="icon" aria-hidden="true"><use href="#i-close" /></svg>';
+    const rank = make("span", { className: "rank", "data-tip": RANK });
+    return make("figure", {}, make("figcaption", {}, rank, swatch(mark), name, make("output", { "data-tip": DRIVEN }), out), make("canvas", { role: "img" }));
   });
   byId("lanes").replaceChildren(...panes);
   byId("lanes").dataset.count = String(panes.length);
   comparison.set_panes(panes.map((pane) => /** @type {HTMLCanvasElement} */ (pane.querySelector("canvas"))));
 }
 
+/** Those that could race, but don't. @param {Comparing} it */
+function showBench({ act, view }) {
+  const names = view.waiting.map((entrant) => {
+    const { title = "", mark } = view.entrants[entrant] ?? {};
+    return make("button", { type: "button", onclick: () => act((c) => c.set_racing(entrant, true)) }, swatch(mark), title);
+  });
+  const tip = "Nine robots race at most. Who joins as the tenth takes the place of the last one.";
+  byId("bench").replaceChildren(...(names.length > 0 ? [make("span", { className: "note", "data-tip": tip }, "Join the race:"), ...names] : []));
+}
+
 /** @param {Comparing} it @param {RaceView} race */
-function updateLanes({ app }, race) {
+function updateLanes({ view }, race) {
   race.lanes.forEach((lane, index) => {
     const pane = byId("lanes").children[index];
     const output = pane?.querySelector("output");
     const canvas = pane?.querySelector("canvas");
     if (!output || !canvas) return;
-    setText(output, `${race.time_s > 0 ? `${lane.place}. ` : ""}${percent(lane.coverage)} %${lane.finished ? ` in ${clock(lane.time_s)}` : ""}`);
+    const [rank, isDone] = [pane?.querySelector(".rank"), lane.finished || lane.won_s !== null];
+    if (rank) setText(rank, race.time_s > 0 ? `#${lane.place}` : "");
+    setText(output, `${percent(lane.coverage)} %${isDone ? ` in ${clock(lane.won_s ?? lane.time_s)}` : ""}`);
     setAttribute(pane, "data-leads", String(lane.place === 1 && race.time_s > 0));
     // While it drives, the picture is put into words now and then; while it stands, the words fit it.
     const far = isMoving(race) ? Math.floor(lane.coverage * 10) : lane.time_s;
     if (changed(canvas, "said", `${race.state} ${far} ${lane.finished}`)) {
-      const title = app.catalogue.planners[lane.entrant]?.title;
+      const title = view.entrants[lane.entrant]?.title;
       canvas.setAttribute("aria-label", `${title}: ${percent(lane.coverage)} % of the reachable floor is clean after ${clock(lane.time_s)} and ${metres(lane.distance_m)} m${lane.finished ? ", done" : ""}; place ${lane.place}.`);
     }
   });
@@ -98,14 +115,25 @@ const isMoving = (race) => ["playing", "seeking"].includes(race?.state ?? "");
 /** Range of the time line, s. @param {RaceView} race */
 const rangeOf = (race) => Math.max(race.planned_s, race.end_s, 1);
 
+/** Times on the axis, s: at most seven, at round minutes. @param {number} range */
+function ticksOf(range) {
+  const step = [10, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400].find((seconds) => range / seconds <= 7) ?? 86_400;
+  return Array.from({ length: Math.floor(range / step) + 1 }, (_, i) => i * step);
+}
+
 /** Coverage over time of every robot. @param {Comparing} it @param {RaceView} race */
-function drawCurves({ app, comparison }, race) {
+function drawCurves({ view, comparison }, race) {
   const range = rangeOf(race);
   const lines = race.lanes.map(({ entrant }, index) => {
     const curve = comparison.coverage_curve(index);
     const points = Array.from({ length: curve.length / 2 }, (_, i) => /** @type {[number, number]} */ ([(1000 * (curve[2 * i] ?? 0)) / range, 99.5 - 99 * (curve[2 * i + 1] ?? 0)]));
-    const mark = app.catalogue.planners[entrant]?.mark;
+    const mark = view.entrants[entrant]?.mark;
     return `<path d="${through([[0, 99.5], ...points])}" data-colour="${mark?.colour}" data-shape="${mark?.shape}"/>`;
   });
+  byId("race-ticks").replaceChildren(...ticksOf(range).map((seconds) => {
+    const tick = make("span", {}, clock(seconds));
+    tick.style.setProperty("--at", String(seconds / range));
+    return tick;
+  }));
   byId("race-curves").innerHTML = `<path class="grid-line" d="M0 .5H1000M0 50H1000M0 99.5H1000"/>${lines.join("")}`;
 }

@@ -16,6 +16,7 @@ const COLUMNS = /** @type {const} */ ([
   ["reached", "of runs", "Share of the runs that swept 99 % in time."],
   ["Coverage", "% at the end", "Swept share of the reachable floor at the end: the median, and the 10 % to 90 % quantiles. Higher is better."],
   ["Distance", "m", "Median distance driven."],
+  ["Excess", "% of distance", "Distance above the proven least length of any path that sweeps as much floor, in percent of that; below it time, above the time for that length at top speed. Medians. Lower is better."],
   ["Bumps", "", "Median number of bumps."],
   ["Falls", "in all runs", "Falls down a drop-off, in all runs together."],
   ["Dirt left", "% at the end", "Share of the dirt left at the end. Lower is better."],
@@ -57,7 +58,7 @@ export function showTable(rows, minutes, stress) {
 }
 
 /** @param {Summary} summary @param {number} minutes @param {{ times: number[], coverage: number } | undefined} best */
-function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls, dirt_left }, minutes, best) {
+function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls, dirt_left, excess }, minutes, best) {
   const times = time_to.flatMap(({ percent: goal, reached, low_s, median_s, high_s }, i) => {
     const late = `> ${clock(60 * minutes)}`;
     const time = make("td", { className: best && median_s !== null && median_s === best.times[i] ? "best" : "" }, median_s === null ? late : clock(median_s));
@@ -69,6 +70,8 @@ function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls, dirt_left 
   const [way, hits] = [make("td", {}, metres(distance_m.median)), make("td", {}, count(bumps.median))];
   hits.append(make("small", {}, `${count(bumps.low)}–${count(bumps.high)}`));
   way.append(make("small", {}, `${metres(distance_m.low)}–${metres(distance_m.high)}`));
+  const more = make("td", {}, excess ? percent(excess[0].median, 0) : "–");
+  if (excess) more.append(make("small", {}, `${percent(excess[1].median, 0)} time`));
   const dirt = dirt_left ? make("td", {}, percent(dirt_left.median), make("small", {}, `${percent(dirt_left.low)}–${percent(dirt_left.high)}`)) : "";
-  return [...times, end, way, hits, make("td", { className: falls > 0 ? "fell" : "" }, count(falls)), ...(dirt ? [dirt] : [])];
+  return [...times, end, way, more, hits, make("td", { className: falls > 0 ? "fell" : "" }, count(falls)), ...(dirt ? [dirt] : [])];
 }

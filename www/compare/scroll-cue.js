@@ -5,6 +5,7 @@
 export function cueScroll(node) {
   const look = () => (node.dataset.more = String(node.scrollWidth - node.clientWidth - node.scrollLeft > 2));
   node.addEventListener("scroll", look, { passive: true });
-  const watch = new ResizeObserver(look);
+  // Not at once: what it changes would be observed again.
+  const watch = new ResizeObserver(() => requestAnimationFrame(look));
   for (const part of [node, ...node.children]) watch.observe(part);
 }

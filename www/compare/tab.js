@@ -3,7 +3,8 @@
 import { Comparison, SessionMirror } from "../../workshop.js";
 import { startAbout } from "./about.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
-import { entrantItem, showChoice, swatch } from "./entrants.js";
+import { showChoice } from "./entrants.js";
+import { showItems } from "./items.js";
 import { startExports } from "./exports.js";
 import { startMirror } from "../session-mirror.js";
 import { startNumbers } from "./numbers.js";
@@ -118,7 +119,6 @@ const trialsOf = (comparison) => ({
 /** @param {Comparing} it */
 function startSetup(it) {
   const { app, act } = it;
-  const { planners } = app.catalogue;
   fill(select("compare-rooms"), it.view.sets);
   fill(select("compare-seeds"), SEEDS.map((n) => [String(n), String(n)]));
   select("compare-rooms").addEventListener("change", () => act((c) => c.set_rooms(select("compare-rooms").value)));
@@ -128,9 +128,11 @@ function startSetup(it) {
     event.preventDefault();
     byId("tab-explore").click();
   });
-  /** @param {(fast: boolean) => boolean} takesPart */
-  const chooseAll = (takesPart) => act((c) => planners.forEach(({ id, fast }) => c.choose(id, takesPart(fast))));
-  button("choose-fast").addEventListener("click", () => chooseAll((fast) => fast));
+  const isFast = (/** @type {string} */ id) => app.catalogue.planners.some((planner) => planner.id === id && planner.fast);
+  /** @param {(id: string) => boolean} takesPart */
+  const chooseAll = (takesPart) =>
+    act((c) => it.view.entrants.forEach(({ id, kind, copy, chosen }, index) => kind === "planner" && copy === 1 && chosen !== takesPart(id) && c.choose(index, takesPart(id))));
+  button("choose-fast").addEventListener("click", () => chooseAll(isFast));
   button("choose-all").addEventListener("click", () => chooseAll(() => true));
   button("trying-stop").addEventListener("click", () => act((c) => (it.view.cancelled ? c.resume() : c.cancel())));
   // On a phone the choices would hide the results.
@@ -138,14 +140,6 @@ function startSetup(it) {
   const fold = () => (typed("compare-setup", HTMLDetailsElement).open = !small.matches);
   fold();
   small.addEventListener("change", fold);
-  const items = planners.map((planner, index) =>
-    entrantItem(planner, swatch(planner.mark), "in", {
-      choose: (takesPart) => act((c) => c.choose(planner.id, takesPart)),
-      setParam: (param, text) => act((c) => c.set_param(planner.id, param, text)),
-      about: () => it.about(index),
-    }),
-  );
-  byId("entrants").replaceChildren(...items);
 }
 
 /** Where all of it happens. @param {App} app */
@@ -156,12 +150,17 @@ function updatePlace({ view: { room, robot, cell_size_m, seed, slip }, catalogue
   setText(byId("compare-robot"), `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}${slips}.`);
 }
 
+/** @type {HTMLElement[]} */
+let items = [];
+
 /** @param {Comparing} it */
-function updateSetup({ view }) {
+function updateSetup(it) {
+  const { view } = it;
+  if (changed(byId("entrants"), "copies", view.entrants.map(({ copy }) => copy).join())) items = showItems(it);
   if (changed(select("compare-rooms"), "set", view.set)) select("compare-rooms").value = view.set;
   if (changed(select("compare-seeds"), "seeds", view.seeds)) select("compare-seeds").value = String(view.seeds);
   view.entrants.forEach((entrant, index) => {
-    const item = byId("entrants").children[index];
+    const item = items[index];
     showChoice(item, entrant);
     const status = item?.querySelector(".status");
     const busy = view.done < view.total && !view.cancelled;
@@ -176,14 +175,11 @@ function updateSetup({ view }) {
 }
 
 /** @param {CompareView} view */
-function updateTrying({ done, total, cancelled, entrants, race }) {
+function updateTrying({ done, total, cancelled, entrants }) {
   const left = done < total;
   const failed = entrants.filter(({ state }) => state === "failed").length;
   const words = left ? `${cancelled ? "Stopped" : "Planning"}: ${done} of ${total}` : `${total} ${total === 1 ? "plan" : "plans"} made`;
-  const lanes = race?.lanes.length ?? 0;
-  const able = entrants.filter(({ state }) => state === "done").length;
-  const most = lanes > 0 && able > lanes ? `; the first ${lanes} race` : "";
-  setText(byId("trying"), `${words}${failed ? `, ${failed} failed` : ""}${most}`);
+  setText(byId("trying"), `${words}${failed ? `, ${failed} failed` : ""}`);
   setHidden(byId("trying-bar"), !left);
   setAttribute(typed("trying-bar", HTMLProgressElement), "value", String(Math.floor((100 * done) / Math.max(total, 1))));
   setHidden(byId("trying-stop"), !left);

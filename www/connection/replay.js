@@ -75,6 +75,13 @@ export function startReplay(it, to) {
   const timeline = startTimeline(go);
   const twin = startTwin(it.app);
   button("replay-csv").addEventListener("click", () => replay && download(`${name}.csv`, replay.csv(), "text/csv"));
+  button("replay-bag").addEventListener("click", () => {
+    try {
+      if (replay) download(`${name}.mcap`, /** @type {BlobPart} */ (replay.bag()), "application/x-mcap");
+    } catch (error) {
+      it.complain(textOf(error));
+    }
+  });
   const showRange = startRange("replay-at", go);
   const look = () => {
     if (!replay) return;

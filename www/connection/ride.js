@@ -94,6 +94,8 @@ export function startRide(it) {
       if (answer === "no") return;
       if (answer === "yes") putAtStart();
     }
+    const refusal = room.refusal();
+    if (refusal) return it.complain(refusal);
     const line = await corners();
     // After a stop or a loss of control it must not start.
     if (!line || !it.view.can.ride) return;
@@ -118,12 +120,16 @@ export function startRide(it) {
     cancel,
     /** @param {import("./types").ConnectionView} view */
     update(view) {
+      if (changed(choice, "path", room.hasPath)) {
+        choice.querySelector("option[value=path]")?.remove();
+        if (room.hasPath) choice.append(new Option("Path from Floor plan", "path"));
+      }
       if (document.activeElement !== choice) choice.value = room.algorithm?.id ?? "";
       const { can, is_moving: goes } = view;
       setHidden(button("connection-to-start"), goes || !it.live.isKnown() || placeOf(view) === "at");
       const where = it.live.isKnown() ? "It is assumed to start on the dashed circle, facing along its arrow." : "It starts from where it stands.";
       const question = view.calibration.step === "asking" ? "Calibration waits for your answer: answer or skip it in Tools, Calibrate." : where;
-      setText(byId("connection-ride-note"), can.drive ? question : "Take control first.");
+      setText(byId("connection-ride-note"), room.refusal() || (can.drive ? question : "Take control first."));
       setEnabled(button("connection-go"), can.ride);
       setEnabled(button("connection-end"), goes || waiting !== undefined);
       setEnabled(choice, !goes);

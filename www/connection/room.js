@@ -2,6 +2,9 @@
 // The room that the robot is in, as the page's copy and the worker's have it, and the algorithm that is to drive.
 import { SessionMirror } from "../../workshop.js";
 
+/** Stands for the path of Explore in place of an algorithm's id. */
+const PATH = "path";
+
 /**
  * The playground's room as it was when it was last taken over, with an algorithm of one's own choice.
  * @param {import("../main.js").App} app
@@ -12,7 +15,10 @@ export function startRoom({ playground, catalogue }) {
   /** The algorithm chosen in Explore. @type {string | null | undefined} */
   let chosenThere;
   let algorithm = "";
+  let refusal = "";
   const all = [...catalogue.behaviours.filter(({ manual }) => !manual), ...catalogue.planners];
+  /** The path that Explore drives, in place of an algorithm. */
+  const path = { .../** @type {import("../types").CatalogueEntry} */ (catalogue.planners[0]), id: PATH, title: "Path from Floor plan" };
 
   /** Says which room it is, and where the robot starts in it. */
   const version = () => JSON.stringify([taken.room_version, taken.room, taken.start]);
@@ -23,16 +29,24 @@ export function startRoom({ playground, catalogue }) {
     /** Algorithms that can drive a robot. */
     all,
     get algorithm() {
-      return all.find(({ id }) => id === algorithm);
+      return algorithm === PATH ? path : all.find(({ id }) => id === algorithm);
     },
+    /** Whether Explore drives a path from the tab Floor plan. */
+    get hasPath() {
+      return Boolean(taken.choices.path);
+    },
+    /** Why a Roomba can't ride the chosen path; empty if it can. */
+    refusal: () => (algorithm === PATH ? refusal : ""),
     /** Takes over what Explore shows now; says whether the room is another one. */
     take() {
       const before = version();
       taken = playground.snapshot();
-      const there = taken.choices.behaviour ?? taken.choices.planner;
+      const there = taken.choices.path ? PATH : (taken.choices.behaviour ?? taken.choices.planner);
       // Manual driving needs no algorithm here.
-      if (there !== chosenThere || !algorithm) algorithm = all.find(({ id }) => id === there)?.id ?? (algorithm || (all[0]?.id ?? ""));
+      if (there === PATH) algorithm = there === chosenThere ? algorithm : PATH;
+      else if (there !== chosenThere || !algorithm) algorithm = all.find(({ id }) => id === there)?.id ?? (algorithm && algorithm !== PATH ? algorithm : (all[0]?.id ?? ""));
       chosenThere = there;
+      refusal = SessionMirror.path_refusal(taken);
       follow();
       return version() !== before;
     },

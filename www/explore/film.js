@@ -3,9 +3,6 @@
 import { button, byId, changed, make, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { style } from "../parts.js";
 
-/** Pixels between the text and the room. */
-const GAP = 10;
-
 /** @type {[name: string, title: string, tip: string, samples: number][]} */
 const KEYS = [
   ["walk", "Path", "The path at this moment of the search.", 1],
@@ -20,7 +17,7 @@ export async function startFilm(app) {
   button("film-back").addEventListener("click", () => app.act((p) => p.turn_film(false)));
   button("film-next").addEventListener("click", () => app.act((p) => p.turn_film(true)));
   button("film-play").addEventListener("click", () => app.act((p) => p.hold_film(app.view.search.film?.runs ?? false)));
-  const [stage, box] = [byId("stage"), byId("search-box")];
+  const stage = byId("stage");
   const keys = KEYS.map(([name, title, tip, samples]) =>
     make(
       "div",
@@ -30,17 +27,11 @@ export async function startFilm(app) {
     ),
   );
   byId("legend").prepend(...keys);
-  /** The lower end of the text, which never moves up, so that the floor stays in place. */
-  let told = 0;
-  addEventListener("resize", () => (told = 0));
 
-  return ({ state, search: { film, text } }) => {
+  return ({ state, search: { film } }) => {
     setHidden(byId("film"), !film);
     const isSeen = film !== null && film.at < film.pictures && state !== "playing" && state !== "seeking";
     setAttribute(stage, "data-film", String(isSeen));
-    const bottom = box.getBoundingClientRect().bottom - stage.getBoundingClientRect().top + GAP;
-    const next = film === null && !text ? 0 : Math.max(told, bottom);
-    if (next !== told) app.playground.keep_clear((told = next));
     if (!film) return;
     const { at, pictures, runs } = film;
     const isOver = at >= pictures;

@@ -1,6 +1,6 @@
 // @ts-check
 // Parts of the page that the opening scene doesn't need, loaded when needed or after the first input.
-import { byId, typed } from "../dom.js";
+import { button, byId, typed } from "../dom.js";
 import { updateFolds } from "./view.js";
 
 /**
@@ -21,6 +21,11 @@ const visit = new Promise((/** @type {(event: unknown) => void} */ come) => {
  * function to be called in every frame */
 export async function startLater(app) {
   const { behaviours } = app.catalogue;
+  /** Whether their menu was asked for before it was there. */
+  let wantsLayers = false;
+  const layers = button("layers-open");
+  layers.disabled = false;
+  layers.addEventListener("click", () => (wantsLayers = true), { once: true });
   const parts = [
     later(
       () => typed("senses-fold", HTMLDetailsElement).open,
@@ -35,17 +40,43 @@ export async function startLater(app) {
       () => import("./placing.js").then(({ startPlacing }) => startPlacing(app)),
     ),
     later(
+      ({ room }) => room.id === "" || hasOwnRooms(),
+      () => import("./own-rooms.js").then(({ startMenu }) => startMenu(app)),
+    ),
+    later(
+      ({ state }) => state === "finished",
+      () => import("./ending.js").then(({ startEnding }) => startEnding(app)),
+    ),
+    later(
+      ({ message, tool, search, state }) => message !== "" || tool === "place" || search.text !== "" || state === "finished",
+      () => import("./clear.js").then(({ startClear }) => startClear(app)),
+    ),
+    later(
+      () => wantsLayers,
+      () => import("./layers.js").then(({ startLayers }) => startLayers(app, wantsLayers)),
+    ),
+    later(
       ({ search }) => search.film !== null || search.text !== "",
       () => import("./film.js").then(({ startFilm }) => startFilm(app)),
     ),
   ];
-  void visit.then(() => import("../help.js").then(({ fillHelp }) => fillHelp(byId("help-text"))).catch(console.warn));
+  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips()), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe())])).catch(console.warn);
   const view = app.playground.view();
   updateFolds(view);
   // A part that loads slowly doesn't delay the page.
   const patience = new Promise((end) => setTimeout(end, PAUSE));
   await Promise.race([Promise.all(parts.map((part) => part.begin(view))), patience]);
   return (now) => parts.forEach((part) => part.update(now));
+}
+
+const help = () => import("../help.js").then(({ fillHelp }) => fillHelp(byId("help-text")));
+
+function hasOwnRooms() {
+  try {
+    return localStorage.getItem("own-rooms") !== null;
+  } catch {
+    return false;
+  }
 }
 
 /**

@@ -1,13 +1,21 @@
 // @ts-check
 // The menu of layers shown on the floor.
-import { button, byId } from "../dom.js";
+import { button, byId, make } from "../dom.js";
 
-/** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */
-export function startLayers(app) {
+/** @type {[layer: string, title: string, tip: string][]} */
+const LAYERS = [
+  ["coverage", "Coverage", "How often each spot was swept."],
+  ["dirt", "Dirt", "Dirt left on the floor."],
+  ["sensors", "Sensors", "Where the sensors measure: points for cliff sensors, rays for light bumper and laser."],
+  ["estimate", "Estimated trail", "Pose and trail estimated from wheel counts, next to the true ones."],
+];
+
+/** @param {import("../main.js").App} app @param {boolean} isWanted Opens the menu at once. @returns {(view: import("../types").PageView) => void} */
+export function startLayers(app, isWanted) {
   const menu = byId("layers");
   const opener = button("layers-open");
-  const boxes = [...menu.querySelectorAll("input")];
-  opener.disabled = false;
+  const boxes = LAYERS.map(([layer]) => make("input", { type: "checkbox", "data-layer": layer }));
+  menu.append(...boxes.map((box, i) => make("label", { className: "check", "data-tip": LAYERS[i]?.[2] ?? "" }, box, make("span", { className: "label" }, LAYERS[i]?.[1] ?? ""))));
 
   /** @param {boolean} open */
   const show = (open) => {
@@ -15,6 +23,7 @@ export function startLayers(app) {
     opener.setAttribute("aria-expanded", String(open));
     if (open) boxes[0]?.focus();
   };
+  if (isWanted) show(true);
   opener.addEventListener("click", () => show(menu.hidden === true));
   document.addEventListener("pointerdown", ({ target }) => {
     if (!menu.hidden && target instanceof Node && !menu.contains(target) && !opener.contains(target)) show(false);

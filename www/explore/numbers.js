@@ -17,7 +17,7 @@ const RUN = [
   { metric: "coverage", plan: (p) => 100 * p.coverage, run: (v) => 100 * v.coverage },
   { metric: "duration", more: "A run takes a little longer than its plan, as the robot keeps itself on the path.", plan: (p) => p.duration_s, run: (v) => v.time_s },
   { metric: "length", label: "Distance", plan: (p) => p.length_m, run: (v) => v.distance_m },
-  { metric: "turning", plan: (p) => p.turning_deg, run: (v) => v.turning_deg },
+  { metric: "turning", plan: (p) => p.turning_deg / 360, run: (v) => v.turning_deg / 360 },
   { metric: "overlap", plan: (p) => 100 * p.overlap, run: (v) => 100 * v.overlap },
   { label: "Bumps", tip: "How often the bumper touched a wall or furniture.", run: (v) => count(v.bumps) },
   { label: "Position error", tip: "Distance between the true position and the one estimated from wheel counts.", run: (v) => smallLength(v.pose_error_m) },
@@ -59,7 +59,7 @@ function ownGap({ plan }) {
 function lineOf({ metric: id, label, more, plan, beyond, run, when }, metrics) {
   const metric = metrics.find((known) => known.id === id);
   if (!metric) throw new Error(`no metric is called "${id}"`);
-  const unit = !metric.unit || isClock(metric) ? "" : metric.unit === "°" ? "°" : ` ${metric.unit}`;
+  const unit = !metric.unit || isClock(metric) ? "" : ` ${metric.unit}`;
   const text = (/** @type {number | null} */ value) => {
     if (value === null) return "–";
     return id === "above_bound" && value === 0 ? "proven optimal" : shown(metric, value) + unit;
@@ -92,7 +92,9 @@ export function startNumbers({ catalogue }) {
   byId("metrics-plan").append(...PLAN.map((line) => row(line, true)));
 
   return (view) => {
-    const known = view.plan && view.plan.length_m > 0 ? view.plan : null;
+    const known = view.plan && (view.plan.length_m > 0 || view.path_corners) ? view.plan : null;
+    // A path in metres has no cells.
+    setHidden(byId("metrics-plan"), view.path_corners > 0);
     for (const { of, plan, run, line } of rows) {
       if (typeof of.tip !== "string") setAttribute(line, "data-tip", of.tip(view));
       if (of.when) setHidden(line, !of.when(view));

@@ -3,6 +3,7 @@
 import { button, byId, changed, fill, input, make, select, setHidden, setText, typed } from "../dom.js";
 import { explainer } from "../explainer.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
+import { complain } from "../messages.js";
 import { paramField } from "../params.js";
 
 /**
@@ -14,8 +15,10 @@ import { paramField } from "../params.js";
 
 /** Parameters beyond these fold away. */
 const FEW = 2;
-/** Menu entry of a twin, which isn't in the catalogue. */
-const TWIN = "twin";
+/** Entries of the menu of cells, percent: cells are chosen for so much coverage. */
+const COVERAGES = [95, 98, 99];
+/** Menu entries that aren't in the catalogue: a twin, an own robot, a path from the tab Floor plan. */
+const [TWIN, OWN, PATH] = ["twin", "own", "path"];
 
 /** @param {App} app @returns {(view: View) => void} */
 export function startPanel(app) {
@@ -26,8 +29,9 @@ export function startPanel(app) {
   select("algorithm").replaceChildren(group("Path planners", planners), group("Reactive behaviours", behaviours));
   fill(select("odometry"), ODOMETRIES);
   byId("odometry-field").setAttribute("data-tip", ODOMETRY_TIP);
-  fill(select("robot"), robots.map(({ id, title }) => [id, title]));
-  fill(select("cell-size"), cell_sizes_m.map((size) => [String(size), `${+(size * 100).toFixed(2)} cm`]));
+  fill(select("robot"), [...robots.map(({ id, title }) => /** @type {[string, string]} */ ([id, title])), [OWN, "Own robot…"]]);
+  const cells = select("cell-size");
+  fill(cells, [...cell_sizes_m, ...COVERAGES].map((size) => [String(size), size < 2 ? `${+(size * 100).toFixed(2)} cm` : `for ${size} %`]));
 
   /** @param {(p: App["playground"]) => void} what */
   const change = (what) => {
@@ -42,13 +46,29 @@ export function startPanel(app) {
     const control = byId(id);
     control.addEventListener("change", () => change((p) => set(p, Reflect.get(control, "value"))));
   };
-  bind("room", (p, id) => p.select_room(id));
+  // Own rooms stand in the menu by their ids, behind a colon.
+  bind("room", (p, id) => (id.startsWith(":") ? void openOwnRoom(app, id.slice(1)) : p.select_room(id)));
   bind("algorithm", (p, id) => p.select_algorithm(id));
-  bind("robot", (p, id) => (id === TWIN ? p.restore(`twin=${twin}`) : p.select_robot(id)));
-  bind("cell-size", (p, metres) => p.set_cell_size(Number(metres)));
+  // From then on the keys drive, and don't go on in the menu.
+  select("algorithm").addEventListener("change", ({ currentTarget }) => {
+    if (behaviours.some(({ id, manual }) => manual && id === Reflect.get(currentTarget ?? {}, "value"))) byId("floor").focus();
+  });
+  const openOwn = () => {
+    // The menu shows what holds until the robot is used.
+    shown.clear();
+    import("./own-robot.js").then(({ openOwnRobot }) => openOwnRobot(app)).catch(() => complain("The form could not be loaded. Check the connection, then try again."));
+  };
+  bind("robot", (p, id) => (id === OWN ? openOwn() : id === TWIN ? p.restore(`twin=${twin}`) : p.select_robot(id)));
+  button("robot-edit").addEventListener("click", openOwn);
+  bind("cell-size", (p, text) => {
+    const size = Number(text);
+    if (size < 2) return p.set_cell_size(size);
+    void import("./fit-cells.js").then(({ fitCells }) => fitCells(app, size)).finally(() => shown.delete(cells));
+  });
   bind("slip", (p, id) => p.set_slip(id));
   bind("noise", (p, level) => p.set_noise("all", level));
   input("quantised").addEventListener("change", () => change((p) => p.set_quantised(input("quantised").checked)));
+  bind("start-charge", (p, percent) => p.set_start_charge(percent));
   const noises = sensors.map(([sensor, title]) => noiseMenu(title, (level) => change((p) => p.set_noise(sensor, level))));
   byId("noises").replaceChildren(...noises.map(({ field }) => field));
   bind("odometry", (p, id) => p.set_odometry(id));
@@ -72,9 +92,22 @@ export function startPanel(app) {
   const showRobot = (view) => {
     if (view.twin && !twin) select("robot").append(new Option("Twin of your Roomba", TWIN));
     twin = view.twin || twin;
-    show(select("robot"), view.twin ? TWIN : view.robot);
-    const summary = robots.find(({ id }) => id === view.robot)?.summary ?? "";
-    setText(byId("robot-note"), view.twin ? "Your robot, as fitted to a recording in the tab Robot" : summary);
+    show(select("robot"), view.own_robot ? OWN : view.twin ? TWIN : view.robot);
+    setHidden(button("robot-edit"), !view.own_robot);
+    const model = robots.find(({ id }) => id === view.robot);
+    const note = view.own_robot ? `Your shape, tool, speeds and sensors; the rest as ${model?.title}` : view.twin ? "Your robot, as fitted to a recording in the tab Robot" : model?.summary;
+    setText(byId("robot-note"), note ?? "");
+  };
+
+  /** @param {View} view */
+  const showAlgorithm = ({ algorithm, path_corners }) => {
+    const menu = select("algorithm");
+    if (changed(menu, "path", path_corners > 0)) {
+      menu.querySelector(`option[value=${PATH}]`)?.remove();
+      if (path_corners) menu.prepend(new Option("Path from Floor plan", PATH));
+      shown.delete(menu);
+    }
+    show(menu, path_corners ? PATH : algorithm);
   };
 
   /** @type {Map<string, HTMLElement[]>} */
@@ -92,13 +125,16 @@ export function startPanel(app) {
     byId("params-more").replaceChildren(...fields.slice(FEW));
   };
 
+  /** Of the algorithm. */
+  let title = "";
   return (view) => {
     const { room } = view;
     showRoom(room, rooms);
     show(select("room"), room.id);
-    show(select("algorithm"), view.algorithm);
+    showAlgorithm(view);
     showRobot(view);
-    show(select("cell-size"), String(view.cell_size_m));
+    setText(byId("now"), `${title}, ${select("robot").selectedOptions[0]?.textContent ?? ""}`);
+    show(cells, String(view.cell_size_m));
     showRealism(view, show);
     noises.forEach(({ menu }, index) => show(menu, view.noise[index] ?? "off"));
     show(select("odometry"), view.odometry);
@@ -114,10 +150,11 @@ export function startPanel(app) {
     input("show-search").disabled = refusal !== "";
     warnOfCells(view, robots);
     const algorithm = algorithms.find(({ id }) => id === view.algorithm);
-    if (algorithm && changed(byId("params"), "algorithm", algorithm.id)) {
-      buildParams(algorithm);
-      setText(byId("algorithm-kind"), algorithm.manual ? "you drive" : algorithm.kind === "planner" ? "path planner" : "reactive behaviour");
-      setText(byId("algorithm-note"), algorithm.summary);
+    if (algorithm && changed(byId("params"), "algorithm", `${algorithm.id} ${view.path_corners}`)) {
+      buildParams(view.path_corners ? { ...algorithm, params: [] } : algorithm);
+      title = view.path_corners ? "Planned path" : algorithm.title;
+      setText(byId("algorithm-kind"), view.path_corners ? "planned path" : algorithm.manual ? "you drive" : algorithm.kind === "planner" ? "path planner" : "reactive behaviour");
+      setText(byId("algorithm-note"), view.path_corners ? `Planned in the tab Floor plan: ${view.path_corners.toLocaleString("en")} corners, driven as they are` : algorithm.summary);
       setText(byId("explainer-title"), algorithm.title);
       byId("explainer-text").replaceChildren(...explainer(algorithm, rooms, (room) => change((p) => p.select_room(room))));
     }
@@ -126,6 +163,12 @@ export function startPanel(app) {
       if (value !== undefined) for (const control of controls) show(control, String(value));
     }
   };
+}
+
+/** @param {App} app @param {string} id */
+async function openOwnRoom(app, id) {
+  const { openRoom } = await import("./own-rooms.js");
+  await openRoom(app, id);
 }
 
 /** @param {string} label @param {AlgorithmEntry[]} entries */
@@ -141,19 +184,20 @@ function noiseMenu(title, tell) {
 }
 
 /** @param {View} view @param {Show} show */
-function showRealism({ slip, noise, quantised }, show) {
+function showRealism({ slip, noise, quantised, start_charge_percent: charge }, show) {
   const level = noise.every((one) => one === noise[0]) ? (noise[0] ?? "off") : "mixed";
   show(select("slip"), slip);
   show(select("noise"), level);
   show(input("quantised"), String(quantised));
-  const on = [slip !== "none" && "slip", level !== "off" && "noise", quantised && "quantised"].filter(Boolean);
+  show(input("start-charge"), String(charge));
+  const on = [slip !== "none" && "slip", level !== "off" && "noise", quantised && "rounded speeds", charge < 100 && `${charge} % charge`].filter(Boolean);
   setText(byId("realism-note"), on.join(", ") || "ideal");
 }
 
 /** Cells wider than the tool leave strips between lanes unswept. @param {View} view @param {import("../types").RobotEntry[]} robots */
 function warnOfCells(view, robots) {
   // The textbook's robot is as wide as its cell.
-  const tool = view.robot === "cell" ? Infinity : (robots.find(({ id }) => id === view.robot)?.tool_width_m ?? Infinity);
+  const tool = view.robot === "cell" || view.own_robot || view.path_corners ? Infinity : (robots.find(({ id }) => id === view.robot)?.tool_width_m ?? Infinity);
   const wide = view.cell_size_m > tool + 1e-9;
   setHidden(byId("cell-note"), !wide);
   if (wide) setText(byId("cell-note"), `Wider than the tool (${+(tool * 100).toFixed(1)} cm): strips between the lanes stay dirty.`);

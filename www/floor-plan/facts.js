@@ -11,6 +11,8 @@ export function startFacts(it) {
     if (doors) await it.set({ gap: doors.gap });
     byId("floor-plan-floor").focus();
   });
+  button("floor-plan-asks-yes").addEventListener("click", () => void it.set({ confirmed: it.view?.settings.metre ?? null }));
+  button("floor-plan-asks-scale").addEventListener("click", () => button("floor-plan-scale").click());
   return show;
 }
 
@@ -29,6 +31,8 @@ function show(view) {
   setText(byId("floor-plan-result"), view ? result(view) : "Choose or drop a file to see it here with its size.");
   button("floor-plan-use").disabled = !view?.room;
   showDoors(view);
+  setHidden(byId("floor-plan-asks"), !view?.asks);
+  if (view?.asks) setText(byId("floor-plan-asks-text"), `This floor plan is ${view.asks}. Is that its size?`);
 }
 
 /** Doors that the room reaches through. @param {FloorPlanView | undefined} view */

@@ -23,14 +23,15 @@ export function startScale(it) {
   return (view) => {
     if (!view) return;
     const { settings, units, kind, is_scalable } = view;
-    setHidden(byId("floor-plan-unit-field"), kind !== "drawing");
+    setHidden(byId("floor-plan-unit-field"), units.length === 0);
     setHidden(byId("floor-plan-pixel-field"), kind === "drawing" || !is_scalable);
+    setText(byId("floor-plan-pixel-label"), kind === "image" ? "A pixel is" : "A cell is");
     setHidden(byId("floor-plan-scale"), !is_scalable);
     setText(byId("floor-plan-scale-note"), note(view));
     setAttribute(byId("floor-plan-unit-field"), "data-open", String(kind === "drawing" && settings.metre === null));
 
     const known = units.find(({ metre }) => metre === settings.metre);
-    const own = settings.metre !== null && !known ? `1 unit = ${plain(settings.metre)} m` : "";
+    const own = settings.metre !== null && !known ? `1 ${kind === "drawing" ? "unit" : "pixel"} = ${plain(settings.metre)} m` : "";
     if (changed(unit, "options", JSON.stringify([units, own, settings.metre === null]))) {
       fill(unit, units.map(({ name, metre, size }) => [String(metre), `${name}: ${size}`]));
       if (settings.metre === null) unit.prepend(make("option", { value: "" }, "Choose…"));
@@ -55,5 +56,5 @@ export function startScale(it) {
 function note({ kind, says_unit, settings, is_scalable }) {
   if (!is_scalable) return "A scenario is measured in metres.";
   if (kind === "drawing") return settings.metre === null ? "The file doesn't give its unit. Choose the one that gives the right size, or scale it by two points." : "";
-  return says_unit ? "" : "The image doesn't give its pixel size: 5 cm is assumed.";
+  return says_unit || settings.metre !== 0.05 ? "" : "The image doesn't give its scale: 5 cm a pixel is assumed. Scale it by two points whose distance you know.";
 }

@@ -2,6 +2,7 @@
 // The sweep of 001: scan width, obstacle map, the stages one after the other, their results, and export.
 import { button, byId, input, select, setAttribute, setHidden, setText } from "../dom.js";
 import { download } from "../files.js";
+import { clock } from "../format.js";
 import { onNumber, plain, showValue } from "./fields.js";
 
 /** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
@@ -50,7 +51,7 @@ export function startSweep(it) {
       download(file.name, new Blob([/** @type {BlobPart} */ (/** @type {unknown} */ (file.bytes))]), file.media);
     });
   }
-  button("floor-plan-drive").addEventListener("click", () => void it.use(true));
+  button("floor-plan-drive").addEventListener("click", async () => (await planned()) && it.use(true));
 
   return (view) => {
     const isReady = Boolean(view?.room) && !view?.body_fault;
@@ -95,6 +96,7 @@ function numbers(sweep, seconds) {
     finish: sweep.finish[0] ? `${count(sweep.finish[0])}, ${sweep.finish[1].toFixed(1)} m` : "0",
     order: sweep.nearest ? compared(sweep, sweep.nearest) : "",
     coverage: `${(100 * sweep.coverage).toFixed(1)} %`,
+    driven: `${(100 * sweep.driven[0]).toFixed(1)} %, ${clock(sweep.driven[1])}`,
     seconds: seconds < 1 ? `${Math.round(1000 * seconds)} ms` : `${seconds.toFixed(1)} s`,
   };
   for (const [name, value] of Object.entries(values)) setText(byId(`floor-plan-n-${name}`), value);

@@ -12,6 +12,7 @@ import { startKeeping } from "./keep.js";
 import { startLayers } from "./layers.js";
 import { startScale } from "./scale.js";
 import { startSweep } from "./sweep.js";
+import { startTurn } from "./turn.js";
 import { startWalls } from "./walls.js";
 
 /**
@@ -113,7 +114,7 @@ export function startFloorPlan(app, module) {
     root.dataset.taken = `${++taken} ${isOpen ? "open" : "refused"}`;
   };
 
-  const updates = [startFacts, startScale, startLayers, startWalls, startBody, startSweep].map((begin) => begin(it));
+  const updates = [startFacts, startScale, startTurn, startLayers, startWalls, startBody, startSweep].map((begin) => begin(it));
   const picture = startCanvas(it);
   const keeping = startKeeping(it);
   client.onstart = (canvas) => {

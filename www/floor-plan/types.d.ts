@@ -9,6 +9,7 @@ export type Request =
   | { type: "restore"; files: File[]; settings: Partial<FloorPlanSettings> }
   | { type: "set"; settings: Partial<FloorPlanSettings> }
   | { type: "scale"; metres: number }
+  | { type: "turn"; degrees: number }
   | { type: "sweep" }
   | { type: "slice"; heading: number }
   | { type: "export"; format: string }

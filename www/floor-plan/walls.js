@@ -9,15 +9,31 @@ const CELLS = [0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5];
 
 /** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
 export function startWalls(it) {
-  const [gap, cell, shade, negate] = [input("floor-plan-gap"), select("floor-plan-cell"), input("floor-plan-shade"), input("floor-plan-negate")];
+  const [gap, shade, contrast, specks, negate] = ["gap", "shade", "contrast", "specks", "negate"].map((name) => input(`floor-plan-${name}`));
+  const [cell, method] = [select("floor-plan-cell"), select("floor-plan-method")];
   fill(cell, CELLS.map((side) => [String(side), `${100 * side} cm`]));
   const told = () => {
     setText(byId("floor-plan-gap-value"), gap.valueAsNumber ? `${gap.valueAsNumber.toFixed(2)} m` : "none");
-    setText(byId("floor-plan-shade-value"), `${Math.round(100 * shade.valueAsNumber)} %`);
+    for (const [name, range] of /** @type {const} */ ([["shade", shade], ["contrast", contrast]])) setText(byId(`floor-plan-${name}-value`), `${Math.round(100 * range.valueAsNumber)} %`);
+    setText(byId("floor-plan-specks-value"), specks.valueAsNumber ? `${Math.round(100 * specks.valueAsNumber)} cm` : "none");
   };
-  for (const range of [gap, shade]) range.addEventListener("input", told);
+  for (const range of [gap, shade, contrast, specks]) range.addEventListener("input", told);
+  // The picture follows the hand, one change after the other.
+  let isSetting = false;
+  const follow = async (/** @type {"shade" | "contrast"} */ name, /** @type {HTMLInputElement} */ range) => {
+    if (isSetting) return;
+    isSetting = true;
+    for (let last = NaN; last !== range.valueAsNumber; ) {
+      last = range.valueAsNumber;
+      await it.set({ [name]: last });
+    }
+    isSetting = false;
+  };
+  shade.addEventListener("input", () => void follow("shade", shade));
+  contrast.addEventListener("input", () => void follow("contrast", contrast));
   gap.addEventListener("change", () => void it.set({ gap: gap.valueAsNumber }));
-  shade.addEventListener("change", () => void it.set({ shade: shade.valueAsNumber }));
+  specks.addEventListener("change", () => void it.set({ specks: specks.valueAsNumber }));
+  method.addEventListener("change", () => void it.set({ method: /** @type {import("./types").ShadeMethod} */ (method.value) }));
   cell.addEventListener("change", () => void it.set({ resolution: Number(cell.value) }));
   negate.addEventListener("change", () => void it.set({ negate: negate.checked }));
 
@@ -25,9 +41,9 @@ export function startWalls(it) {
   for (const node of buttons) {
     const part = node.dataset.part ?? "";
     node.addEventListener("click", () => {
-      if (part === "whole") {
+      if (part === "whole" || part === "indoors") {
         it.client.say({ type: "tool", tool: "view" });
-        return void it.set({ part: { kind: "whole" } });
+        return void it.set({ part: { kind: part } });
       }
       it.client.say({ type: "tool", tool: /** @type {import("./types").DrawingTool} */ (part) });
       it.toCanvas(true);
@@ -38,12 +54,19 @@ export function startWalls(it) {
     hint(view);
     if (!view) return;
     const { kind, settings, tool } = view;
-    for (const id of ["floor-plan-layer-group", "floor-plan-part-group", "floor-plan-gap-field", "floor-plan-cell-field"]) setHidden(byId(id), kind !== "drawing");
-    setHidden(byId("floor-plan-wall-group"), kind === "map");
-    for (const id of ["floor-plan-shade-field", "floor-plan-negate-field"]) setHidden(byId(id), kind !== "image");
+    const [isDrawing, isImage] = [kind === "drawing", kind === "image"];
+    const hidden = { "layer-group": !isDrawing, "part-group": kind === "map", "wall-group": kind === "map", "cell-field": !view.has_cells, "method-field": !isImage };
+    const own = isImage && settings.method !== "map";
+    const more = { "gap-field": !isDrawing && !own, "shade-field": !isImage || settings.method !== "level", "contrast-field": !isImage || settings.method !== "local", "specks-field": !own, "negate-field": !isImage, "shade-key": !own };
+    for (const [id, isHidden] of Object.entries({ ...hidden, ...more })) setHidden(byId(`floor-plan-${id}`), isHidden);
     showValue(gap, String(settings.gap));
-    showValue(shade, String(settings.shade));
+    if (!isSetting) {
+      showValue(shade, String(settings.shade));
+      showValue(contrast, String(settings.contrast));
+    }
+    showValue(specks, String(settings.specks));
     showValue(cell, String(settings.resolution));
+    showValue(method, settings.method);
     negate.checked = settings.negate;
     told();
     const isTaking = ["rectangle", "polygon", "room"].includes(tool);

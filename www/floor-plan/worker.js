@@ -3,6 +3,7 @@
 // worker.
 import init, { FloorPlanSession } from "../../floor_plan.js";
 import { PANS } from "../shared/pan-zoom.js";
+import { readable } from "../shared/pictures.js";
 
 /** How long a stage of the sweep takes to be shown, ms. */
 const STAGE_MS = 1600;
@@ -73,8 +74,9 @@ const show = () => tell({ type: "view", view: session.view() });
 /** @param {File[]} files */
 async function read(files) {
   try {
-    return await Promise.all(files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
+    return await readable(files);
   } catch (error) {
+    if (typeof error === "string") throw error;
     // Files that the browser can't read: folders, deleted files.
     throw `The file could not be read (${error instanceof Error ? error.message : error}). Choose a file rather than a folder.`;
   }
@@ -93,6 +95,8 @@ async function answer(request) {
       return session.set({ ...session.view()?.settings, ...request.settings });
     case "scale":
       return session.scale_to(request.metres);
+    case "turn":
+      return session.turn_to(request.degrees);
     case "sweep":
       return session.sweep((/** @type {number} */ done) => tell({ type: "progress", done }));
     case "slice":

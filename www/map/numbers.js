@@ -60,7 +60,7 @@ export function startNumbers(_it) {
       [centimetres(position), `${heading.toFixed(1)}°`].forEach((text, j) => cells[j] && setText(cells[j], view.time_s > 0 ? text : "–"));
     });
     for (const { row, cell } of single) setText(cell, row.of(view));
-    setText(byId("map-here"), view.known !== null ? "Relocalising" : view.tracking === "odometry" ? "Robot" : "Corrected");
+    setText(byId("map-here"), view.known !== null ? "Relocalising" : view.grid === "thesis" ? "Thesis" : view.tracking === "odometry" ? "Robot" : "Corrected");
     const has = view.figures && view.time_s > 0;
     setText(byId("map-n-boundary"), view.figures ? percent(view.figures.boundary) : "–");
     setText(byId("map-n-time"), clock(view.time_s));

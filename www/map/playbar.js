@@ -42,7 +42,7 @@ export function startPlaybar(it) {
     const range = rangeOf(view);
     const isLost = view.known !== null;
     showTime(running, `${clock(view.time_s)}, ${isLost ? off(view) : `${percent(view.figures?.boundary ?? 0, 0)} % of the boundary mapped`}`);
-    const is = `${view.samples} ${view.version} ${range} ${view.end_s} ${isLost}`;
+    const is = `${view.grid} ${view.samples} ${view.version} ${range} ${view.end_s} ${isLost}`;
     if (isDue(() => changed(byId("map-curve"), "curve", is), !running)) {
       const curve = it.session.curve();
       top = drawDrift(curve, view.end_s);

@@ -1,12 +1,12 @@
 // @ts-check
 // The settings of the Map tab: the behaviour and its parameters, tracking, wheels and sensors.
-import { button, byId, changed, fill, select, setAttribute, setText } from "../dom.js";
+import { button, byId, changed, fill, select, setAttribute, setHidden, setText } from "../dom.js";
 import { explainer } from "../explainer.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { paramField } from "../params.js";
 
 /** Menus by their name in links. */
-const MENUS = /** @type {const} */ ([["map-explorer", "explorer", "behaviour"], ["map-track", "track", "tracking"], ["map-counts", "counts", "counts"], ["map-wheels", "wheels", "wheels"], ["map-senses", "senses", "senses"]]);
+const MENUS = /** @type {const} */ ([["map-explorer", "explorer", "behaviour"], ["map-track", "track", "tracking"], ["map-counts", "counts", "counts"], ["map-wheels", "wheels", "wheels"], ["map-senses", "senses", "senses"], ["map-grid", "grid", "grid"]]);
 
 /** @param {import("./tab.js").MapTab} it */
 export function startSetup(it) {
@@ -72,6 +72,8 @@ export function startSetup(it) {
     }
     const perfect = view.wheels === "none" && view.senses === "off";
     setText(byId("map-real-note"), perfect ? "Perfect wheels don't drift: there is nothing to correct." : "Without slip nothing drifts, so perfect wheels in Explore become typical ones here.");
+    setHidden(byId("map-expected"), !view.expectation);
+    setText(byId("map-expected"), view.expectation);
     setText(byId("map-seed"), String(it.app.view.seed));
     setText(byId("map-robot"), it.app.catalogue.robots.find(({ id }) => id === it.app.view.robot)?.title ?? "");
   };

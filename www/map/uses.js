@@ -25,6 +25,12 @@ export function startUses(it, keeping) {
     for (const { name, bytes, kind } of files) download(name, bytes, kind);
     toast("Saved as a ROS map: image and YAML file");
   });
+  button("map-bag").addEventListener("click", async () => {
+    const stored = session.store();
+    if (!stored) return;
+    const { saveBag } = await import("../bags.js");
+    await saveBag({ snapshot: app.playground.snapshot(), link: session.link(), stored }, `${fileName(it.view.title)}.mapping`);
+  });
   button("map-forget").addEventListener("click", () => {
     if (!it.act((s) => s.forget())) return;
     keeping.forget();
@@ -54,8 +60,8 @@ export function startUses(it, keeping) {
   const open = async (chosen) => {
     if (chosen.length === 0) return;
     try {
-      const { readMap } = await import("../workers.js");
-      const map = await readMap(await Promise.all(chosen.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }))));
+      const [{ readMap }, { readable }] = await Promise.all([import("../workers.js"), import("../shared/pictures.js")]);
+      const map = await readMap(await readable(chosen));
       // The run can have continued meanwhile.
       keeping.save();
       const before = ran();
@@ -99,6 +105,7 @@ export function startUses(it, keeping) {
       if (changed(select("map-planner"), "value", planner)) select("map-planner").value = planner;
       setEnabled(button("map-room-use"), can.use_map);
       setEnabled(button("map-export"), can.use_map);
+      setEnabled(button("map-bag"), can.use_map);
       setEnabled(button("map-forget"), can.forget);
       setEnabled(button("map-open"), can.open);
       setEnabled(button("map-lose"), can.open && can.use_map);

@@ -67,7 +67,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "A slanted wall is a staircase of cells, and every winding turns at each step.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: false, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        in_metres: false,
+        traces: false,
+        search: Search::None,
+    },
     params: &[ParamSpec {
         id: "side",
         label: "Reference side",

@@ -50,7 +50,11 @@ pub const INFO: PlannerInfo = PlannerInfo {
             O(b²).",
         use_when: "The first choice for known rooms: few turns, hardly any revisits, and fast even in a hall. Slanted \
                    or ragged walls split the room into many small parts, which costs efficiency.",
-        shines: Example { room: "empty", why: "Long lanes from wall to wall, with hardly any revisits." },
+        shines: Example {
+            room: "empty",
+            why: "Long lanes from wall to wall; hardly any cell is visited twice. Swept again can still be high: it counts \
+                  the strips where a tool wider than a cell overlaps the neighbouring lane.",
+        },
         fails: Example {
             room: "spiral",
             why: "All lanes have one direction, so half of the arms are swept across, in short lanes with many turns.",
@@ -68,15 +72,15 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "lanes",
             label: "Lanes",
-            help: "Direction of the lanes: the faster one for this robot, or always the same.",
+            help: "Direction of the lanes. Automatic takes the faster one for this robot.",
             kind: ParamKind::Choice {
-                options: &[("auto", "the faster"), ("horizontal", "horizontal"), ("vertical", "vertical")],
+                options: &[("auto", "automatic"), ("horizontal", "horizontal"), ("vertical", "vertical")],
             },
         },
         ParamSpec {
             id: "effort",
-            label: "Effort",
-            help: "Search effort for a better order of the parts; 0 visits the nearest part first.",
+            label: "Search time",
+            help: "How long to search for a better order of the parts, as a multiple of the usual time; 0 visits the nearest part first.",
             kind: ParamKind::Number { min: 0.0, max: 10.0, step: 1.0, default: 1.0, unit: "" },
         },
         ParamSpec {

@@ -64,8 +64,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     params: &[
         ParamSpec {
             id: "effort",
-            label: "Effort",
-            help: "Search effort for a better order of parts and lanes; 0 visits the nearest part first.",
+            label: "Search time",
+            help: "How long to search for a better order of parts and lanes, as a multiple of the usual time; 0 visits the nearest part first.",
             kind: ParamKind::Number { min: 0.0, max: 4.0, step: 1.0, default: 1.0, unit: "" },
         },
         ParamSpec {

@@ -20,6 +20,9 @@ pub enum PlanError {
     /// The planner plans in metres and the job has no place.
     #[error("the planner plans in metres: it needs the floor that the cells lie on")]
     NoFloor,
+    /// The planner plans for a disc and the robot's tool isn't one.
+    #[error("the planner plans in metres for a tool in the middle of the robot, narrower than it")]
+    OtherTool,
 }
 
 /// Handed to a planner for one run.

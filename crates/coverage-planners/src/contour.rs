@@ -62,7 +62,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "A slanted wall is a staircase of cells, and every ring repeats all of its steps.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: false, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        in_metres: false,
+        traces: false,
+        search: Search::None,
+    },
     params: &[ParamSpec {
         id: "order",
         label: "Order",

@@ -67,7 +67,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "lshape", why: "One long meander round the corner, close to the best plan." },
         fails: Example { room: "maze", why: "It can't see dead ends and drives back for cells it missed." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: false, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        in_metres: false,
+        traces: false,
+        search: Search::None,
+    },
     params: &[
         weight("rotation", "Turning", "Energy of a quarter turn; a step costs 1.", 1.0),
         weight("visited", "Clean floor", "Energy bonus for each clean cell among the eight neighbours.", 0.5),

@@ -71,8 +71,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     params: &[
         ParamSpec {
             id: "effort",
-            label: "Effort",
-            help: "Search effort for a better tour; 0 keeps the first one.",
+            label: "Search time",
+            help: "How long to search for a better tour, as a multiple of the usual time; 0 keeps the first one.",
             kind: ParamKind::Number { min: 0.0, max: 10.0, step: 1.0, default: 1.0, unit: "" },
         },
         ParamSpec {

@@ -38,7 +38,14 @@ impl CoverageJob {
     ///
     /// Cells that aren't connected with `start` are left out; `None` if `start` isn't free.
     pub fn new(free: &Grid<bool>, start: Cell, heading: Direction) -> Option<Self> {
-        free.is_set(start).then(|| Self { free: reachable(free, start), start, heading, step_s: 1.0, turn_s: 2.0, place: None })
+        free.is_set(start).then(|| Self {
+            free: reachable(free, start),
+            start,
+            heading,
+            step_s: 1.0,
+            turn_s: 2.0,
+            place: None,
+        })
     }
 
     /// The job of covering `planning_grid` with `robot`.

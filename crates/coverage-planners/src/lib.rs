@@ -68,6 +68,7 @@ pub use job::{CoverageJob, JobPlace};
 pub use objective::{Finish, Objective, Proof};
 pub use path::{CoveragePath, PathError};
 pub use robovac_core::registry::{Example, Explainer, ParamError, ParamKind, ParamSpec, ParamValue, Params};
+pub use snake::OnlineSnake;
 pub use trace::{THE_END, TraceStep};
 
 /// An algorithm that finds a walk over all free cells, or a path in metres over their floor.

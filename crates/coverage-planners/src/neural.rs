@@ -65,7 +65,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         fails: Example { room: "maze", why: "Uncleaned floor on many sides pulls the robot back and forth." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: false, in_metres: false, traces: false, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: false,
+        in_metres: false,
+        traces: false,
+        search: Search::None,
+    },
     params: &[
         ParamSpec {
             id: "straight",

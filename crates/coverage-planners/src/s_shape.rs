@@ -54,7 +54,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "lshape", why: "Few obstacles: parallel lanes, and one return for the other arm." },
         fails: Example { room: "maze", why: "Every dead end of the maze is a dead end of the walk, too." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: false, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        in_metres: false,
+        traces: false,
+        search: Search::None,
+    },
     params: &[ParamSpec {
         id: "lanes",
         label: "Lanes",

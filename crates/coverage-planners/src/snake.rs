@@ -53,8 +53,12 @@
 //! ```
 
 mod memory;
+mod online;
 mod program;
 mod text;
+mod walk;
+
+pub use online::OnlineSnake;
 
 use super::{BuildPlanner, PlannerClaims, PlannerInfo, Search};
 use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
@@ -76,7 +80,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "No obstacles: a lawn mower's U-turns from wall to wall." },
         fails: Example { room: "maze", why: "Branches that it passes stay uncleaned, so it keeps coming back." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: true, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        in_metres: false,
+        traces: true,
+        search: Search::None,
+    },
     params: &[
         ParamSpec {
             id: "rules",

@@ -64,7 +64,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Spirals are square here: slanted walls stop them early and leave patches to return to.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: false, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        in_metres: false,
+        traces: false,
+        search: Search::None,
+    },
     params: &[
         ParamSpec {
             id: "room",

@@ -63,7 +63,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Where 2 x 2 squares don't fit the corridor, it drives there and back, again and again.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: false, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        in_metres: false,
+        traces: false,
+        search: Search::None,
+    },
     params: &[ParamSpec {
         id: "tree",
         label: "Tree",

@@ -67,12 +67,19 @@ pub const INFO: PlannerInfo = PlannerInfo {
         shines: Example { room: "empty", why: "No obstacles: line after line, without revisits." },
         fails: Example { room: "maze", why: "The nearest point is often behind a wall, at the end of a long detour." },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: true, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        in_metres: false,
+        traces: true,
+        search: Search::None,
+    },
     params: &[
         ParamSpec {
             id: "scan_lines",
-            label: "Scan width",
-            help: "Rows of cells between scan lines; cells left in between are cleaned at the end.",
+            label: "Lane spacing",
+            help: "Rows of cells between lanes, the paper's scan width; cells left in between are cleaned at the end.",
             kind: ParamKind::Number { min: 1.0, max: 10.0, step: 1.0, default: 1.0, unit: "rows" },
         },
         ParamSpec {

@@ -61,7 +61,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Straight wavefronts meet slanted walls, and each leaves an uncleaned corner.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: false, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        in_metres: false,
+        traces: false,
+        search: Search::None,
+    },
     params: &[GOAL],
 };
 

@@ -59,7 +59,14 @@ pub const INFO: PlannerInfo = PlannerInfo {
             why: "Slanted walls are staircases of cells, and following them it turns at every step.",
         },
     },
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, traces: false, search: Search::None },
+    claims: PlannerClaims {
+        complete: true,
+        deterministic: true,
+        fast: true,
+        in_metres: false,
+        traces: false,
+        search: Search::None,
+    },
     params: &[
         ParamSpec {
             id: "alpha",

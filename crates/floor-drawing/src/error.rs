@@ -27,16 +27,13 @@ pub enum DrawingError {
 /// Reasons why a drawing can't be read or no room can be traced from it, with remedies.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DrawingFlaw {
-    /// A DWG file, whatever its name.
-    #[error(
-        "this is a DWG drawing, AutoCAD's own format; save it as DXF in the CAD program or convert it with LibreDWG"
-    )]
-    Dwg,
     /// A file that isn't a drawing.
-    #[error("this is {kind}, not a drawing; choose a DXF, SVG or GeoJSON file")]
+    #[error("this is {kind}: {remedy}")]
     NotADrawing {
-        /// Its likely type, e.g. "a PNG image".
+        /// Its likely type, e.g. "a PDF document".
         kind: &'static str,
+        /// How to make a drawing of it.
+        remedy: &'static str,
     },
     /// A file that is too large.
     #[error("the file has {found} MB, but the limit is {most} MB; split the drawing or remove what isn't needed")]

@@ -21,12 +21,14 @@
 //! its unit and its part. [`to_dxf`] draws lines, such as a sweeping path, beside a drawing.
 
 mod colours;
+mod direction;
 mod dxf;
 mod error;
 mod flatten;
 mod geojson;
 mod model;
 mod overlay;
+mod picture;
 mod read;
 mod roles;
 mod svg;
@@ -34,10 +36,12 @@ mod trace;
 mod tracing;
 mod write;
 
+pub use direction::{dominant_direction, picture_direction};
 pub use error::{DrawingError, DrawingFlaw};
 pub use model::{Drawing, DrawingLayer, MAX_COORDINATE, MAX_LAYERS, MAX_POINTS, Role, Stroke};
 pub use overlay::Overlay;
+pub use picture::{Picture, ShadeMethod, WallShades, suggest};
 pub use read::{drawing_kind, is_drawing, is_dxf, read};
-pub use trace::trace;
+pub use trace::{trace, trace_picture};
 pub use tracing::{DrawingRegion, Traced, Tracing};
 pub use write::{outlines, to_dxf};

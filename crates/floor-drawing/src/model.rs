@@ -191,7 +191,14 @@ impl Builder {
             stroke.layer = moved[stroke.layer as usize];
         }
         let Self { layers, strokes, points, .. } = self;
-        Ok(Drawing { name: stem(base_name(file)), metre, layers, strokes, points, left_out })
+        Ok(super::trace::without_page(Drawing {
+            name: stem(base_name(file)),
+            metre,
+            layers,
+            strokes,
+            points,
+            left_out,
+        }))
     }
 }
 

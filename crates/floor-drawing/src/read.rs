@@ -1,26 +1,10 @@
 //! Reads files; the format is detected from the content.
 
 use super::{Drawing, DrawingError, DrawingFlaw, dxf, error::bad, geojson, svg};
-use robovac_core::floor_plan::SourceFile;
+use robovac_core::floor_plan::{ForeignFile, SourceFile, foreign, is_image};
 
 /// Largest file that is read, MB.
 const MAX_MEGABYTES: usize = 256;
-
-/// First bytes of common file types, with their names.
-const OTHERS: &[(&[u8], &str)] = &[
-    (b"\x89PNG", "a PNG image"),
-    (b"\xff\xd8\xff", "a JPEG image"),
-    (b"GIF8", "a GIF image"),
-    (b"BM", "a BMP image"),
-    (b"RIFF", "a WebP image or a sound"),
-    (b"%PDF", "a PDF document"),
-    (b"PK\x03\x04", "a ZIP archive"),
-    (b"P5", "a PGM image"),
-    (b"P2", "a PGM image"),
-];
-
-/// First bytes of DWGs.
-const DWG: &[u8] = b"AC10";
 
 enum DrawingFormat {
     Dxf,
@@ -55,13 +39,13 @@ pub fn is_dxf(file: &SourceFile) -> bool {
     matches!(kind(&file.bytes), Some(DrawingFormat::Dxf))
 }
 
-/// The kind of a drawing, by its content, e.g. "a DXF drawing"; also recognises DWG, which [`read`] doesn't support.
+/// The kind of a drawing, by its content, e.g. "a DXF drawing".
 pub fn drawing_kind(file: &SourceFile) -> Option<&'static str> {
     match kind(&file.bytes) {
         Some(DrawingFormat::Dxf) => Some("a DXF drawing"),
         Some(DrawingFormat::Svg) => Some("an SVG drawing"),
         Some(DrawingFormat::GeoJson) => Some("a GeoJSON drawing"),
-        None => file.bytes.starts_with(DWG).then_some("a DWG drawing"),
+        None => None,
     }
 }
 
@@ -109,12 +93,13 @@ pub fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
         Some(DrawingFormat::Dxf) => dxf::read(file),
         Some(DrawingFormat::Svg) => svg::read(file),
         Some(DrawingFormat::GeoJson) => geojson::read(file),
-        None if bytes.starts_with(DWG) => refuse(DrawingFlaw::Dwg),
         None => {
-            let other = OTHERS.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|&(_, kind)| kind);
             let is_text = std::str::from_utf8(bytes).is_ok();
             let unknown = if is_text { "text of an unknown format" } else { "a file of an unknown format" };
-            refuse(DrawingFlaw::NotADrawing { kind: other.unwrap_or(unknown) })
+            let kind = if is_image(file) { "an image" } else { unknown };
+            let unknown = ForeignFile { kind, remedy: "choose a drawing (DXF, SVG or GeoJSON)" };
+            let ForeignFile { kind, remedy } = foreign(bytes).unwrap_or(unknown);
+            refuse(DrawingFlaw::NotADrawing { kind, remedy })
         }
     }
 }

@@ -21,6 +21,12 @@ const IGNORED: &[&str] = &[
     "AXES",
     "LABEL",
     "LEGEND",
+    "BACKGROUND",
+    "PAGE=",
+    "PAPER=",
+    "SHEET=",
+    "LOGO",
+    "WATERMARK",
     "DEFPOINTS",
     "VIEWPORT",
     "VPORT",
@@ -47,6 +53,12 @@ const IGNORED: &[&str] = &[
     "ACHS",
     "RASTER",
     "RAHMEN",
+    "PLANKOPF",
+    "SCHRIFTFELD",
+    "SCHRIFTKOPF",
+    "HINTERGRUND",
+    "BLATT=",
+    "NORDPFEIL",
     "ELEKTRO",
     "DECKE", // French
     "COTE",
@@ -56,6 +68,10 @@ const IGNORED: &[&str] = &[
     "PORTE=",
     "PORTES=",
     "CARTOUCHE",
+    "CADRE",
+    "ARRIÈRE",
+    "ARRIERE",
+    "FEUILLE",
     "AXE=", // Spanish, Portuguese, Italian
     "COTA",
     "SOMBREADO",
@@ -68,6 +84,13 @@ const IGNORED: &[&str] = &[
     "EJE",
     "EIXO",
     "ASSI",
+    "CAJETIN",
+    "CAJETÍN",
+    "FONDO=",
+    "MARCO=",
+    "CARIMBO",
+    "CARTIGLIO",
+    "SQUADRATURA",
     // Dutch, Scandinavian, Polish, Czech
     "MAAT",
     "ARCERING",
@@ -176,6 +199,12 @@ const WALLS: &[&str] = &[
     "PARTITION",
 ];
 
+/// Whether a name says that a layer has walls.
+pub(super) fn says_wall(name: &str) -> bool {
+    let name = name.to_uppercase();
+    WALLS.iter().any(|word| name.contains(word))
+}
+
 /// Guesses the role of a layer. Names without a known word are taken as walls: an additional obstacle is safer than a
 /// missing one.
 ///
@@ -265,11 +294,21 @@ mod tests {
             "размеры",
             "SWEEP_PATH",
             "FURN-TEXT",
+            "PLANKOPF",
+            "Hintergrund",
+            "Schriftfeld_A3",
+            "Background",
+            "page 1",
+            "Paper",
+            "Title block",
+            "A-ANNO-TTLB",
+            "CARTOUCHE",
+            "cajetín",
         ] {
             assert_eq!(guess(name), Role::Ignored, "{name}");
         }
         // Words that contain a short one by coincidence.
-        for name in ["Radim", "Remote", "Ajourcote"] {
+        for name in ["Sheetrock", "Radim", "Remote", "Ajourcote"] {
             assert_eq!(guess(name), Role::Wall, "{name}");
         }
     }

@@ -64,6 +64,7 @@ pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
         builder: Builder::new(),
         labels: labels(&document),
         height: f64::from(tree.size().height()),
+        page: [tree.size().width(), tree.size().height()],
         scale,
         paths: 0,
     };
@@ -136,6 +137,8 @@ struct SvgPainter {
     labels: BTreeMap<String, String>,
     /// Height of the picture, pixels.
     height: f64,
+    /// Width and height of the page, pixels.
+    page: [f32; 2],
     scale: f64,
     paths: u32,
 }
@@ -163,6 +166,18 @@ impl SvgPainter {
         Ok(())
     }
 
+    /// Whether a path is a filled rectangle as large as the page.
+    fn is_background(&self, path: &usvg::Path) -> bool {
+        let bounds = path.abs_bounding_box();
+        let [width, height] = self.page;
+        let is_plain = path.stroke().is_none() && path.data().segments().count() <= 6;
+        is_plain
+            && bounds.left() <= 0.01 * width
+            && bounds.top() <= 0.01 * height
+            && bounds.right() >= 0.99 * width
+            && bounds.bottom() >= 0.99 * height
+    }
+
     fn path(&mut self, path: &usvg::Path, names: &Names) -> Result<(), DrawingFlaw> {
         if !path.is_visible() {
             self.builder.leave_out("hidden paths", 1);
@@ -177,7 +192,9 @@ impl SvgPainter {
             let [red, green, blue] = colour;
             format!("#{red:02x}{green:02x}{blue:02x}")
         });
-        let layer = self.builder.layer(&name)?;
+        // The paper isn't a wall, whatever it is called.
+        let name = if self.is_background(path) { "background" } else { &name };
+        let layer = self.builder.layer(name)?;
         if self.builder.layer_mut(layer).strokes == 0 {
             self.builder.layer_mut(layer).colour = colour;
         }

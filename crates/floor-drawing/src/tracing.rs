@@ -3,12 +3,15 @@
 use super::model::Role;
 use robovac_core::{
     floor_plan::FloorPlan,
-    geometry::{Point, Vector},
+    geometry::{Point, Pose, Vector},
+    math::{cos, sin},
 };
 
 /// The part of a drawing to be traced, in drawing units.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DrawingRegion {
+    /// The floor that walls enclose, with outer doors closed; all of it, if they enclose hardly any.
+    Indoors,
     /// All of it.
     Whole,
     /// An axis-aligned rectangle.
@@ -47,8 +50,30 @@ pub struct Traced {
     /// Position of the room's lower-left corner in the drawing, in drawing units: a point of the room is
     /// `corner + point / metre` in the drawing.
     pub corner: Vector,
+    /// Angle by which the drawing was turned around its origin before it was traced, rad, counter-clockwise. `corner` is
+    /// in the turned drawing.
+    pub turn: f64,
     /// Metres per drawing unit.
     pub metre: f64,
     /// Gaps that were closed: both ends, m, in the room.
     pub gaps: Vec<[Point; 2]>,
+}
+
+impl Traced {
+    /// The room as it is if the drawing was turned by `turn` around its origin before it was traced.
+    pub fn turned(mut self, turn: f64) -> Self {
+        self.turn = turn;
+        if turn != 0.0 {
+            let low = self.to_drawing(Point::origin()) * self.metre;
+            self.plan.origin = Pose::new(low.x, low.y, -turn);
+        }
+        self
+    }
+
+    /// A point of the room, m, as a point of the drawing as it was before it was turned.
+    pub fn to_drawing(&self, point: Point) -> Point {
+        let at = self.corner + point.coords / self.metre;
+        let (sin, cos) = (sin(-self.turn), cos(-self.turn));
+        if self.turn == 0.0 { Point::from(at) } else { Point::new(at.x * cos - at.y * sin, at.x * sin + at.y * cos) }
+    }
 }

@@ -4,6 +4,7 @@ use floor_drawing::{DrawingError, drawing_kind};
 use robovac_core::{
     floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile},
     registry::Params,
+    robot::CustomRobot,
 };
 use robovac_sim::{
     Noise, NoiseLevel, SensorKind,
@@ -29,6 +30,8 @@ pub struct ScenarioChoices {
     pub robot: Option<String>,
     /// Figures of a twin, as in links; without them the robot is the model.
     pub twin: Option<String>,
+    /// Choices of an own robot, as in links.
+    pub own_robot: Option<String>,
     /// Side of the planning cells, m.
     pub cell_size: Option<f64>,
     /// Id of the planner.
@@ -37,6 +40,8 @@ pub struct ScenarioChoices {
     pub behaviour: Option<String>,
     /// Parameters of the planner or behaviour, by name.
     pub params: Vec<(String, String)>,
+    /// A path that is driven in place of the planner's, as in links.
+    pub path: Option<String>,
     /// Seed of all random numbers.
     pub seed: Option<String>,
     /// Level of wheel slip.
@@ -45,6 +50,8 @@ pub struct ScenarioChoices {
     pub noise: Option<Vec<(String, String)>>,
     /// Whether wheel speeds are quantised.
     pub quantised: Option<bool>,
+    /// Charge of the battery at the start, percent.
+    pub start_charge_percent: Option<u64>,
     /// How the robot computes its pose.
     pub odometry: Option<String>,
     /// Whether the corners of plans are rounded.
@@ -63,7 +70,7 @@ pub enum ImportError {
     /// A file is a drawing, from which a room must be traced first.
     #[error(
         "\"{name}\" is {kind}, from which a room must be traced first; open it in the Floor plan tab of the page or \
-         use \"robovac convert\" (save a DWG as DXF first)"
+         use \"robovac convert\""
     )]
     IsADrawing {
         /// The file.
@@ -111,11 +118,14 @@ impl ScenarioChoices {
     /// The choices of `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        let Scenario { robot, twin, cell_size, planner, behaviour, slip, noise, quantised, odometry, smooth, .. } =
-            scenario.clone();
+        let Scenario {
+            robot, twin, own_robot, path, cell_size, planner, behaviour, slip, noise, odometry, smooth, ..
+        } = scenario.clone();
         Self {
             robot,
             twin: twin.map(|twin| twin.to_string()),
+            own_robot: own_robot.map(|own| own.to_string()),
+            path: path.map(|path| path.to_string()),
             cell_size,
             planner,
             behaviour,
@@ -123,7 +133,8 @@ impl ScenarioChoices {
             seed: scenario.seed.map(|seed| seed.to_string()),
             slip,
             noise: noise.map(|levels| levels.into_iter().collect()),
-            quantised,
+            quantised: scenario.quantised,
+            start_charge_percent: scenario.start_charge_percent,
             odometry,
             smooth,
         }
@@ -132,13 +143,16 @@ impl ScenarioChoices {
     /// The choices that a scenario can contain, from `settings`.
     pub fn of_settings(settings: &Settings) -> Self {
         let Settings { algorithm, ref params, conditions, .. } = *settings;
+        let custom = settings.custom.as_ref();
         let defaults = Params::defaults(algorithm.params());
         let changed = params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
         let noisy = SensorKind::ALL.into_iter().map(|(kind, name)| (name, conditions.noise.of(kind)));
         let noisy = noisy.filter(|&(_, level)| level != NoiseLevel::Off);
         Self {
             robot: Some(settings.robot.to_owned()),
-            twin: settings.twin.map(|twin| twin.to_string()),
+            twin: custom.and_then(CustomRobot::twin).map(|twin| twin.to_string()),
+            own_robot: custom.and_then(CustomRobot::own).map(ToString::to_string),
+            path: settings.path.as_ref().map(ToString::to_string),
             cell_size: Some(settings.cell_size),
             planner: algorithm.planner().map(|info| info.id.to_owned()),
             behaviour: algorithm.behaviour().map(|info| info.id.to_owned()),
@@ -147,6 +161,7 @@ impl ScenarioChoices {
             slip: Some(conditions.slip.id().to_owned()),
             noise: Some(noisy.map(|(name, level)| (name.to_owned(), level.id().to_owned())).collect()),
             quantised: Some(conditions.quantised),
+            start_charge_percent: Some(conditions.start_charge_percent.into()),
             odometry: Some(settings.odometry.id().to_owned()),
             smooth: Some(settings.smooth),
         }
@@ -166,6 +181,9 @@ impl ScenarioChoices {
         if let Some(text) = &self.twin {
             at("twin", settings.take_link("twin", text))?;
         }
+        if let Some(text) = &self.own_robot {
+            at("own_robot", settings.take_link("own", text))?;
+        }
         if let Some(metres) = self.cell_size {
             at("cell_size", settings.set_cell_size(metres))?;
         }
@@ -173,6 +191,9 @@ impl ScenarioChoices {
             if let Some(id) = id {
                 at(kind, settings.select_fresh_of_kind(kind, id))?;
             }
+        }
+        if let Some(text) = &self.path {
+            at("path", settings.take_link("path", text))?;
         }
         for (id, text) in &self.params {
             at(&format!("params.{id}"), settings.set_param(id, text))?;
@@ -191,6 +212,9 @@ impl ScenarioChoices {
         }
         if let Some(on) = self.quantised {
             settings.conditions.quantised = on;
+        }
+        if let Some(percent) = self.start_charge_percent {
+            at("start_charge_percent", settings.set_start_charge(Some(percent), &percent.to_string()))?;
         }
         if let Some(id) = &self.odometry {
             at("odometry", settings.set_odometry(id))?;
@@ -214,7 +238,6 @@ mod tests {
     fn drawings_are_called_what_they_are() {
         for (content, kind) in [
             ("  0\nSECTION\n  2\nENTITIES\n", "a DXF"),
-            ("AC1032\0", "a DWG"),
             ("\u{feff}<svg xmlns='http://www.w3.org/2000/svg'/>", "an SVG"),
             ("{\"type\": \"FeatureCollection\", \"features\": []}", "a GeoJSON"),
         ] {
@@ -222,5 +245,9 @@ mod tests {
             let message = Import::read(&[file]).unwrap_err().to_string();
             assert!(message.starts_with(&format!("\"house\" is {kind} drawing, from which a room")), "{message}");
         }
+        // Opened where drawings are: the message doesn't send one there.
+        let dwg = SourceFile { name: "house.dwg".to_owned(), bytes: b"AC1032\0".to_vec() };
+        let message = Import::read(&[dwg]).unwrap_err().to_string();
+        assert!(message.contains("save it as DXF") && !message.contains("tab"), "{message}");
     }
 }

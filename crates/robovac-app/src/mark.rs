@@ -9,6 +9,7 @@ const COLOURS: usize = 8;
 /// Shapes there, one for each round of the colours.
 const PLANNER_SHAPES: [u8; 3] = [0, 1, 4];
 const BEHAVIOUR_SHAPES: [u8; 3] = [2, 3, 5];
+const SHAPES: usize = PLANNER_SHAPES.len() + BEHAVIOUR_SHAPES.len();
 
 const _: () = assert!(
     PLANNERS.len() <= COLOURS * PLANNER_SHAPES.len() && BEHAVIOURS.len() <= COLOURS * BEHAVIOUR_SHAPES.len(),
@@ -32,6 +33,11 @@ impl Mark {
         };
         let number = position.unwrap_or(0);
         Self { colour: number % COLOURS, shape: shapes[number / COLOURS] }
+    }
+
+    /// That of a copy, from 2 on: another shape in the same colour.
+    pub fn copied(self, copy: usize) -> Self {
+        Self { shape: ((usize::from(self.shape) + copy.saturating_sub(1)) % SHAPES) as u8, ..self }
     }
 }
 

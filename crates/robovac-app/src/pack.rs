@@ -20,6 +20,7 @@ pub fn pack(objects: &[Object]) -> Vec<f64> {
             Object::VirtualWall { pose, length } => (6, vec![pose.x, pose.y, pose.heading, *length]),
             Object::Mover { who: Who::Person, path } => (7, flat(path)),
             Object::Mover { who: Who::Pet, path } => (8, flat(path)),
+            Object::LowObstacle { outline, height } => (9, [vec![*height], flat(outline)].concat()),
         };
         packed.extend([f64::from(kind), numbers.len() as f64]);
         packed.extend(numbers);
@@ -33,17 +34,18 @@ pub fn unpack(mut packed: &[f64]) -> Vec<Object> {
     while let [kind, count, rest @ ..] = packed {
         let Some((numbers, rest)) = rest.split_at_checked(*count as usize) else { break };
         packed = rest;
-        let points = || numbers.chunks_exact(2).map(|p| Point::new(p[0], p[1])).collect();
+        let points = |numbers: &[f64]| numbers.chunks_exact(2).map(|p| Point::new(p[0], p[1])).collect();
         objects.push(match (*kind as u8, numbers) {
-            (0, _) => Object::Furniture { outline: points() },
-            (1, _) => Object::DropOff { outline: points() },
-            (2, _) => Object::Carpet { outline: points() },
+            (0, outline) => Object::Furniture { outline: points(outline) },
+            (1, outline) => Object::DropOff { outline: points(outline) },
+            (2, outline) => Object::Carpet { outline: points(outline) },
             (3, &[x, y, radius]) => Object::Leg { at: Point::new(x, y), radius },
             (4, &[x, y, radius]) => Object::Dirt { at: Point::new(x, y), radius },
             (5, &[x, y, heading]) => Object::Dock { pose: Pose { x, y, heading } },
             (6, &[x, y, heading, length]) => Object::VirtualWall { pose: Pose { x, y, heading }, length },
-            (7, _) => Object::Mover { who: Who::Person, path: points() },
-            (8, _) => Object::Mover { who: Who::Pet, path: points() },
+            (7, path) => Object::Mover { who: Who::Person, path: points(path) },
+            (8, path) => Object::Mover { who: Who::Pet, path: points(path) },
+            (9, &[height, ref outline @ ..]) => Object::LowObstacle { outline: points(outline), height },
             _ => break,
         });
     }
@@ -68,6 +70,7 @@ mod tests {
             Object::VirtualWall { pose, length: 2.0 },
             Object::Mover { who: Who::Person, path: path.clone() },
             Object::Mover { who: Who::Pet, path: path[..1].to_vec() },
+            Object::LowObstacle { outline: path.clone(), height: 0.015 },
         ];
         let packed = pack(&objects);
         assert_eq!(unpack(&packed), objects);

@@ -1,10 +1,10 @@
-//! `--slip`, `--noise`, `--quantised`, `--odometry`: errors of wheels and sensors.
+//! `--slip`, `--noise`, `--quantised`, `--charge`, `--odometry`: errors of wheels and sensors, and the battery.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use robovac_core::robot::OdometryModel;
 use robovac_sim::{Conditions, Noise, NoiseLevel, SensorKind, SlipLevel};
 
-/// Errors of wheels and sensors.
+/// Errors of wheels and sensors, and the battery.
 #[derive(clap::Args)]
 pub struct ConditionsArguments {
     /// Wheel slip: none, typical or harsh [default: none]
@@ -16,6 +16,9 @@ pub struct ConditionsArguments {
     /// Round wheel speeds to the steps of the robot's motor controller
     #[arg(long)]
     quantised: bool,
+    /// Battery charge at the start, percent [default: 100]
+    #[arg(long, value_name = "PERCENT", value_parser = clap::value_parser!(u8).range(1..=100))]
+    charge: Option<u8>,
     /// How odometry computes the pose from encoder counts
     #[arg(long, value_name = "MODEL", default_value = OdometryModel::Arc.id(), value_parser = odometry_parser())]
     pub odometry: OdometryModel,
@@ -37,7 +40,8 @@ impl ConditionsArguments {
             }
         }
         let (slip, quantised) = (self.slip.unwrap_or(otherwise.slip), self.quantised || otherwise.quantised);
-        Conditions { slip, noise, quantised, ..otherwise }
+        let start_charge_percent = self.charge.unwrap_or(otherwise.start_charge_percent);
+        Conditions { slip, noise, quantised, start_charge_percent, ..otherwise }
     }
 }
 

@@ -3,8 +3,9 @@
 use floor_drawing::DrawingError;
 use robovac_app::ImportError;
 use robovac_core::registry::ParamError;
+use robovac_ros::BagError;
 use robovac_sim::experiment::planning::PlanningError;
-use std::{fmt, io};
+use std::{fmt, io, path::Path};
 
 /// Exit code of a run that worked.
 pub const OK: u8 = 0;
@@ -27,6 +28,21 @@ impl Failure {
     /// A file can't be read or written.
     pub fn io(path: impl fmt::Display, error: &io::Error) -> Self {
         Self { code: IO, message: format!("{path}: {error}; check the path and your permissions") }
+    }
+
+    /// A bag can't be written.
+    pub fn bag(path: &Path, error: BagError) -> Self {
+        match error {
+            BagError::File(error) => Self::io(path.display(), &error),
+            other @ BagError::Format(_) => Self::system(format!("{}: {other}; please report this", path.display())),
+        }
+    }
+
+    /// The program has no node of ROS 2 in it.
+    #[cfg(not(feature = "ros2"))]
+    pub fn without_ros2() -> Self {
+        let build = "cargo build --release -p robovac-cli --features ros2";
+        Self::usage(format!("this program was built without its node of ROS 2; build it with \"{build}\""))
     }
 
     /// The system refuses something, with what helps.

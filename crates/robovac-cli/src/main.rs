@@ -2,6 +2,7 @@
 //!
 //! One file a sub-command; each turns its arguments into text or a [`failure::Failure`].
 
+mod bag_file;
 mod bench;
 mod bridge;
 mod clean;
@@ -19,6 +20,8 @@ mod montecarlo;
 mod output;
 mod plan;
 mod recording;
+#[cfg(feature = "ros2")]
+mod ros2;
 mod signals;
 mod simulate;
 mod source;
@@ -78,6 +81,15 @@ enum Command {
     Map(map::Arguments),
     Monitor(monitor::Arguments),
     Recording(recording::Arguments),
+    #[cfg(feature = "ros2")]
+    Ros2(ros2::Arguments),
+    /// A node of ROS 2. This program was built without it: see docs/ros2.md
+    #[cfg(not(feature = "ros2"))]
+    #[command(disable_help_flag = true)]
+    Ros2 {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
+        rest: Vec<String>,
+    },
     Twin(twin::Arguments),
     VirtualRoomba(virtual_roomba::Arguments),
 }
@@ -104,6 +116,10 @@ fn main() -> ExitCode {
         Command::Map(arguments) => map::run(&arguments),
         Command::Monitor(arguments) => monitor::run(&arguments),
         Command::Recording(arguments) => recording::run(&arguments),
+        #[cfg(feature = "ros2")]
+        Command::Ros2(arguments) => ros2::run(&arguments),
+        #[cfg(not(feature = "ros2"))]
+        Command::Ros2 { .. } => Err(failure::Failure::without_ros2()),
         Command::Twin(arguments) => twin::run(&arguments),
         Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
     };

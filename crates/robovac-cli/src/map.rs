@@ -1,6 +1,7 @@
 //! `map`: quality of a robot's maps, with and without drift correction.
 
 use super::{
+    bag_file::BagFile,
     conditions::ConditionsArguments,
     failure::Failure,
     output,
@@ -10,18 +11,29 @@ use super::{
 use clap::ValueEnum;
 use robovac_core::{
     geometry::{Pose, difference},
-    robot::SensorReadings,
+    robot::{Laser, SensorReadings},
 };
+use robovac_ros::{Pace, RunTopics, SourceMap};
 use robovac_sim::{
     Run, STEP_S, controller,
-    mapping::{MapQuality, MapTruth, Mapper, MapperSetup, RESOLUTION, SeenBoundary, Tracking},
+    mapping::{
+        MapObserver, MapQuality, MapTruth, Mapper, MapperSetup, OccupancyMap, RESOLUTION, SeenBoundary, ThesisMap,
+        Tracking,
+    },
     montecarlo::quantile,
 };
 use serde::Serialize;
-use std::{fmt::Write, sync::Arc, time::Instant};
+use std::{
+    fmt::Write,
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::Instant,
+};
 
 /// Readings that are taken at once, so that measuring the time takes none: a second.
 const BATCH: usize = 67;
+/// Name of the thesis' grid in results.
+const THESIS: &str = "thesis";
 
 /// Map a room in simulation and compare maps and poses with ground truth
 #[derive(clap::Args)]
@@ -44,6 +56,12 @@ pub struct Arguments {
     /// Localisation
     #[arg(long, value_name = "WAY", default_value = "both")]
     tracking: TrackingWays,
+    /// Grid of the map
+    #[arg(long, value_name = "GRID", default_value = "own")]
+    grid: MapGrid,
+    /// Write ROS 2 messages of the run with the first seed as MCAP, with the first kind of tracking's map
+    #[arg(long, value_name = "FILE")]
+    mcap: Option<PathBuf>,
     /// Write JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -60,7 +78,52 @@ enum TrackingWays {
     Both,
 }
 
-/// Result of a run with one kind of tracking.
+/// Grids that are measured.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum MapGrid {
+    /// Cells of 5 cm with probabilities
+    Own,
+    /// Also the grid of Krapinec's thesis: 100 x 100 cells of 10 cm, by odometry, as printed
+    Thesis,
+}
+
+/// What keeps a map during a run.
+enum Kept {
+    Mapper(Box<Mapper>),
+    Thesis(Box<ThesisMap>),
+}
+
+impl Kept {
+    fn id(&self) -> &'static str {
+        match self {
+            Self::Mapper(mapper) => mapper.setup().tracking.id(),
+            Self::Thesis(_) => THESIS,
+        }
+    }
+
+    fn update(&mut self, sensed: &SensorReadings) {
+        match self {
+            Self::Mapper(mapper) => mapper.update(sensed),
+            Self::Thesis(thesis) => thesis.update(sensed),
+        }
+    }
+
+    fn pose(&self) -> Pose {
+        match self {
+            Self::Mapper(mapper) => mapper.pose(),
+            Self::Thesis(thesis) => thesis.pose(),
+        }
+    }
+
+    fn map(&self) -> &OccupancyMap {
+        match self {
+            Self::Mapper(mapper) => mapper.map(),
+            Self::Thesis(thesis) => thesis.map(),
+        }
+    }
+}
+
+/// Result of a run with one kind of tracking, or on the thesis' grid.
 #[derive(Serialize)]
 struct MapOutcome {
     seed: u64,
@@ -90,14 +153,15 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let id = &arguments.behaviour;
     let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
     let params = arguments.params.checked(info.params)?;
-    let prepared = arguments.placement.placement(DEFAULT_ROBOT)?.prepare()?;
+    let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
+    let prepared = placement.prepare()?;
     let conditions = arguments.conditions.conditions();
     let ways: &[Tracking] = match arguments.tracking {
         TrackingWays::Odometry => &[Tracking::Odometry],
         TrackingWays::Corrected => &[Tracking::Corrected],
         TrackingWays::Both => &[Tracking::Corrected, Tracking::Odometry],
     };
-    let first = arguments.params.seed;
+    let (first, has_thesis) = (arguments.params.seed, arguments.grid == MapGrid::Thesis);
     let mut outcomes = Vec::new();
     for seed in first..first.saturating_add(arguments.seeds) {
         let run = prepared.run_behaviour(info, &params, conditions, seed);
@@ -109,31 +173,62 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
             odometry: arguments.conditions.odometry,
             seed,
         };
-        let mappers = ways.iter().map(|&way| Followed::new(Mapper::new(setup(way)))).collect();
-        outcomes.extend(follow(run, mappers, arguments.minutes, seed));
+        if let Some(path) = arguments.mcap.as_deref().filter(|_| seed == first) {
+            let mapper = Mapper::new(setup(ways.first().copied().unwrap_or_default()));
+            let observer = MapObserver::default().with_mapper(mapper);
+            let run = prepared.run_behaviour(info, &params, conditions, seed);
+            let run = run.ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?.observed(Box::new(observer));
+            let source = SourceMap { plan: &placement.plan, robot: &prepared.robot, path: &[] };
+            record(run, &source, arguments.minutes, path)?;
+        }
+        let mappers = ways.iter().map(|&way| Kept::Mapper(Box::new(Mapper::new(setup(way)))));
+        let thesis = has_thesis.then(|| Kept::Thesis(Box::new(ThesisMap::new(&prepared.robot, prepared.floor.start))));
+        outcomes.extend(follow(
+            run,
+            mappers.chain(thesis).map(Followed::new).collect(),
+            prepared.robot.sensors.laser,
+            arguments.minutes,
+            seed,
+        ));
     }
-    Ok(if arguments.json { output::json(&outcomes) } else { to_text(ways, &outcomes) })
+    let names: Vec<&str> = ways.iter().map(|way| way.id()).chain(has_thesis.then_some(THESIS)).collect();
+    Ok(if arguments.json { output::json(&outcomes) } else { to_text(&names, &outcomes) })
 }
 
-/// A mapper that follows a run, and how far off it was.
+/// Drives once more with the mapper in the run, and writes its messages.
+fn record(mut run: Run, source: &SourceMap<'_>, minutes: f64, path: &Path) -> Result<(), Failure> {
+    let mut bag = BagFile::create(path)?;
+    let most_steps = (60.0 * minutes / STEP_S) as u64;
+    let mut topics = RunTopics::new(source, &run, Pace::FILE);
+    while !run.is_finished() && run.steps() < most_steps {
+        run.step();
+        topics.step(&run);
+        bag.put_all(topics.take())?;
+    }
+    topics.finish(&run);
+    bag.put_all(topics.take())?;
+    bag.finish()
+}
+
+/// A map that follows a run, and how far off its pose was.
 struct Followed {
-    mapper: Mapper,
+    kept: Kept,
     errors: Vec<(f64, f64)>,
     seconds: f64,
 }
 
 impl Followed {
-    fn new(mapper: Mapper) -> Self {
-        Self { mapper, errors: Vec::new(), seconds: 0.0 }
+    fn new(kept: Kept) -> Self {
+        Self { kept, errors: Vec::new(), seconds: 0.0 }
     }
 
     fn take(&mut self, readings: &[SensorReadings], truth: Pose) {
         let begin = Instant::now();
         for sensed in readings {
-            self.mapper.update(sensed);
+            self.kept.update(sensed);
         }
         self.seconds += begin.elapsed().as_secs_f64();
-        self.note(truth, self.mapper.pose());
+        self.note(truth, self.kept.pose());
     }
 
     fn note(&mut self, truth: Pose, pose: Pose) {
@@ -143,10 +238,9 @@ impl Followed {
 }
 
 /// Drives to the end with mappers that listen; a behaviour that makes a map of its own drives by that.
-fn follow(mut run: Run, mut mappers: Vec<Followed>, minutes: f64, seed: u64) -> Vec<MapOutcome> {
+fn follow(mut run: Run, mut mappers: Vec<Followed>, laser: Option<Laser>, minutes: f64, seed: u64) -> Vec<MapOutcome> {
     let most_steps = (60.0 * minutes / STEP_S) as u64;
     let mut readings = Vec::with_capacity(BATCH);
-    let laser = mappers.first().and_then(|followed| followed.mapper.setup().robot.sensors.laser);
     let (mut seen, mut last) = (SeenBoundary::default(), None);
     while !run.is_finished() && run.steps() < most_steps {
         run.step();
@@ -174,7 +268,7 @@ fn follow(mut run: Run, mut mappers: Vec<Followed>, minutes: f64, seed: u64) -> 
 
 impl Followed {
     fn outcome(self, truth: &MapTruth, seen: Option<&SeenBoundary>, time_s: f64, seed: u64) -> MapOutcome {
-        let MapQuality { right, known, boundary, boundary_error_m, .. } = truth.quality(self.mapper.map());
+        let MapQuality { right, known, boundary, boundary_error_m, .. } = truth.quality(self.kept.map());
         let of = |value: &dyn Fn(&(f64, f64)) -> f64| {
             let values: Vec<f64> = self.errors.iter().map(value).collect();
             let last = values.last().copied().unwrap_or_default();
@@ -182,14 +276,14 @@ impl Followed {
         };
         MapOutcome {
             seed,
-            tracking: self.mapper.setup().tracking.id(),
+            tracking: self.kept.id(),
             error_m: of(&|error| error.0),
             error_deg: of(&|error| error.1),
             quality: Quality {
                 right,
                 known,
                 boundary,
-                seen: seen.map(|seen| seen.mapped(truth, self.mapper.map())),
+                seen: seen.map(|seen| seen.mapped(truth, self.kept.map())),
                 boundary_error_m,
             },
             times_real_time: time_s / self.seconds.max(1e-9),
@@ -204,11 +298,11 @@ fn at(values: &[f64], p: f64) -> f64 {
     quantile(&sorted, p).unwrap_or_default()
 }
 
-fn to_text(ways: &[Tracking], outcomes: &[MapOutcome]) -> String {
+fn to_text(names: &[&str], outcomes: &[MapOutcome]) -> String {
     let mut text = String::new();
-    for way in ways {
-        let of_way: Vec<&MapOutcome> = outcomes.iter().filter(|outcome| outcome.tracking == way.id()).collect();
-        let _ = writeln!(text, "{}", way.id());
+    for name in names {
+        let of_way: Vec<&MapOutcome> = outcomes.iter().filter(|outcome| outcome.tracking == *name).collect();
+        let _ = writeln!(text, "{name}");
         let heads =
             ["end", "median", "90 %", "end", "median", "90 %", "right", "floor", "boundary", "seen", "off", "speed"];
         let _ = write!(text, "{:>10}", "seed");

@@ -38,6 +38,9 @@ pub struct Arguments {
     /// Show every command and frame instead of one line per second
     #[arg(long)]
     traffic: bool,
+    #[cfg(feature = "ros2")]
+    #[command(flatten)]
+    ros2: super::ros2::WatchedArguments,
 }
 
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
@@ -89,6 +92,8 @@ fn watch(
     let (mut reported, mut kept) = (began, began);
     let (mut told, mut connected) = (0, false);
     let mut buffer = [0; LUMP];
+    #[cfg(feature = "ros2")]
+    let mut node = super::ros2::WatchedNode::new(&arguments.ros2, link)?;
     link.opened(0.0);
     loop {
         let now = began.elapsed().as_secs_f64();
@@ -102,6 +107,10 @@ fn watch(
         }
         link.beat(now);
         link.tick(now);
+        #[cfg(feature = "ros2")]
+        if let Some(node) = &mut node {
+            node.publish(link)?;
+        }
         let is_over = is_over.load(Ordering::Relaxed) || arguments.seconds.is_some_and(|seconds| now >= seconds);
         if is_over {
             // Nothing to be refused: it is always allowed.

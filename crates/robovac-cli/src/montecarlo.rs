@@ -61,7 +61,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let entrants = arguments.entrants.find()?;
     let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
     let (conditions, odometry) = (arguments.conditions.conditions(), arguments.conditions.odometry);
-    let terms = Terms { conditions, odometry, smooth: false, duration_s: 60.0 * arguments.minutes, plan_seed: arguments.seed };
+    let terms =
+        Terms { conditions, odometry, smooth: false, duration_s: 60.0 * arguments.minutes, plan_seed: arguments.seed };
     let mut lab = Lab::on(placement.prepare()?, terms);
     // That an algorithm has no plan here is a result too.
     let failures: Vec<Option<String>> =
@@ -136,35 +137,37 @@ fn make_all(
 
 /// A Markdown table: medians, with 10 to 90 % of the runs in brackets.
 fn table(head: &StudyHeader<'_>, placement: &Placement, arguments: &Arguments, entries: &[EntrantRuns<'_>]) -> String {
-    let Conditions { slip, noise, quantised, .. } = head.conditions;
+    let Conditions { slip, noise, quantised, start_charge_percent: charge, .. } = head.conditions;
     let quantised = if quantised { ", quantised wheel speeds" } else { "" };
+    let charge = if charge < 100 { format!(", start charge {charge} %") } else { String::new() };
     let (robot, minutes) = (placement.robot.title, head.minutes);
     let mut text = format!(
-        "### {}, {robot}: {} runs of {minutes} min, slip {}, noise {noise}{quantised}\n\n\
-         | Algorithm | Coverage, % | 90 % after, min | runs | 99 % after, min | runs | Distance, m | Bumps | Falls | Dirt left, % |\n\
+        "### {}, {robot}: {} runs of {minutes} min, slip {}, noise {noise}{quantised}{charge}\n\n\
+         | Algorithm | Coverage, % | 90 % after, min | runs | 99 % after, min | runs | Distance, m | Excess, % | Bumps | Falls | Dirt left, % |\n\
          |---{}|\n",
         head.room,
         arguments.seeds,
         slip.id(),
-        "|--:".repeat(9),
+        "|--:".repeat(10),
     );
     for (entrant, result) in entries {
         let summary = match result {
             Ok(runs) => Summary::of(runs),
             Err(why) => {
-                let _ = writeln!(text, "| {entrant} ({why}) |{}", " – |".repeat(9));
+                let _ = writeln!(text, "| {entrant} ({why}) |{}", " – |".repeat(10));
                 None
             }
         };
         let Some(summary) = summary else { continue };
-        let Summary { runs, coverage, time_to: [to_90, to_99], distance_m, bumps, falls, dirt_left } = summary;
+        let Summary { runs, coverage, time_to: [to_90, to_99], distance_m, bumps, falls, dirt_left, excess } = summary;
         let percent = coverage.times(100.0);
         let dirt = dirt_left.map_or("–".to_owned(), |left| band(left.times(100.0), 1));
+        let excess = excess.map_or("–".to_owned(), |[metres, _]| band(metres.times(100.0), 0));
         let time = |to: &TimeTo| format!("{} | {}", times(to), share(to.reached, runs));
         // Writing to a string doesn't fail.
         let _ = writeln!(
             text,
-            "| {entrant} | {} | {} | {} | {} | {} | {falls} | {dirt} |",
+            "| {entrant} | {} | {} | {} | {} | {excess} | {} | {falls} | {dirt} |",
             band(percent, 1),
             time(&to_90),
             time(&to_99),
@@ -172,7 +175,8 @@ fn table(head: &StudyHeader<'_>, placement: &Placement, arguments: &Arguments, e
             band(bumps, 0)
         );
     }
-    text += "\nMedians, with the 10th and 90th percentiles in brackets. Dash: too few runs got there in time.\n";
+    text += "\nMedians, with the 10th and 90th percentiles in brackets. Dash: too few runs got there in time.\n\
+             Excess: distance above the least that sweeping as much floor takes.\n";
     if entries.iter().any(|(entrant, _)| entrant.explores()) {
         text += "Coverage of exploring behaviours: share of reachable walls and furniture detected.\n";
     }

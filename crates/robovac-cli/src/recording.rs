@@ -1,10 +1,7 @@
 //! `recording`: what a recording of a robot's line contains.
 
-mod cdr;
-mod mcap;
-mod ros;
-
 use super::{failure::Failure, output::json};
+use robovac_app::export::recording_bag;
 use robovac_link::{
     connection::LineRecording,
     recording::{Examination, Timeline, csv},
@@ -55,7 +52,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     while examination.go_on(PART_S) {}
     let timeline = examination.timeline();
     if let Some(path) = &arguments.mcap {
-        mcap::write(&recording, &timeline, create(path)?).map_err(|e| mcap::failure(path, &e))?;
+        recording_bag(&recording, &timeline, create(path)?).map_err(|e| Failure::bag(path, e))?;
     }
     Ok(if arguments.json { json(&timeline) } else { text(&timeline) })
 }

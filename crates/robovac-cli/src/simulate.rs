@@ -1,6 +1,7 @@
 //! `simulate`: a robot drives a planned walk by its own pose estimate, or runs a behaviour.
 
 use super::{
+    bag_file::BagFile,
     conditions::ConditionsArguments,
     failure::Failure,
     output, plan,
@@ -9,6 +10,7 @@ use super::{
 };
 use coverage_planners::smooth::{SmoothPath, SmoothSetup};
 use robovac_core::{floor_plan::ScenarioPose, robot::OdometryModel};
+use robovac_ros::{Pace, RunTopics, SourceMap};
 use robovac_sim::{
     Conditions, Run, STEP_S, SlipLevel, What, controller,
     experiment::{
@@ -49,6 +51,9 @@ pub struct Arguments {
     /// Simulated time limit [default: none; 1800 for behaviours that never finish]
     #[arg(long, value_name = "SECONDS", value_parser = parse_seconds, allow_hyphen_values = true)]
     max_time: Option<f64>,
+    /// Write ROS 2 messages as MCAP, for Foxglove and "ros2 bag"
+    #[arg(long, value_name = "FILE")]
+    mcap: Option<PathBuf>,
     /// Write one JSON object instead of a table and a summary
     #[arg(long)]
     json: bool,
@@ -74,6 +79,7 @@ struct SimulateReport {
     slip: SlipLevel,
     noise: String,
     quantised: bool,
+    start_charge_percent: u8,
     odometry: OdometryModel,
     /// The plan with rounded corners, if they are.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -144,8 +150,10 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         conditions = file.conditions(conditions);
     }
     let conditions = arguments.conditions.over(conditions);
+    // First of all: a long run that can't be written is lost.
+    let mut bag = arguments.mcap.as_deref().map(BagFile::create).transpose()?;
     let mut smooth = None;
-    let (prepared, mut run) = match algorithm {
+    let (prepared, mut run, path) = match algorithm {
         Algorithm::Planner(planner) => {
             let mut task = PlanningTask { placement: placement.clone(), planner, params: params.clone(), seed };
             arguments.coverage.fit_cells(&mut task)?;
@@ -158,22 +166,37 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
                 (planned, smooth) = (rounded, Some(plan));
             }
             let run = planned.run(&prepared, conditions, odometry, seed);
-            (prepared, run)
+            (prepared, run, planned.line.to_vec())
         }
         Algorithm::Behaviour(info) => {
             let prepared = placement.prepare()?;
             let run = prepared.run_behaviour(info, &params, conditions, seed);
-            (prepared, run.ok_or_else(|| Failure::unknown("behaviour", info.id, "behaviours"))?)
+            (prepared, run.ok_or_else(|| Failure::unknown("behaviour", info.id, "behaviours"))?, Vec::new())
         }
     };
     let never_ends = algorithm.behaviour().is_some_and(|info| !info.claims.ends);
     let max_time = arguments.max_time.or(never_ends.then_some(MOST_TIME_S));
-    let samples = drive(&mut run, arguments.sample, max_time);
+    let source = SourceMap { plan: &placement.plan, robot: &prepared.robot, path: &path };
+    let mut topics = bag.is_some().then(|| RunTopics::new(&source, &run, Pace::FILE));
+    let mut record = |run: &Run| match (&mut topics, &mut bag) {
+        (Some(topics), Some(bag)) => {
+            topics.step(run);
+            bag.put_all(topics.take())
+        }
+        _ => Ok(()),
+    };
+    let samples = drive(&mut run, arguments.sample, max_time, &mut record)?;
+    if let (Some(topics), Some(mut bag)) = (&mut topics, bag) {
+        topics.finish(&run);
+        bag.put_all(topics.take())?;
+        bag.finish()?;
+    }
     let report = SimulateReport {
         task: TaskReport::new(algorithm, &params, seed, &placement, &prepared),
         slip: conditions.slip,
         noise: conditions.noise.to_string(),
         quantised: conditions.quantised,
+        start_charge_percent: conditions.start_charge_percent,
         odometry,
         smooth,
         totals: Totals::of(&run),
@@ -208,18 +231,25 @@ impl AlgorithmArguments {
     }
 }
 
-/// Drives to the end or for `max_time` seconds, and takes a sample at the start, every `interval` seconds and at the end.
-fn drive(run: &mut Run, interval: f64, max_time: Option<f64>) -> Vec<SimulateSample> {
+/// Drives to the end or for `max_time` seconds, and takes a sample at the start, every `interval` seconds and at the end;
+/// `record` sees every step.
+fn drive(
+    run: &mut Run,
+    interval: f64,
+    max_time: Option<f64>,
+    record: &mut dyn FnMut(&Run) -> Result<(), Failure>,
+) -> Result<Vec<SimulateSample>, Failure> {
     let most_steps = max_time.map_or(u64::MAX, |seconds| (seconds / STEP_S) as u64);
     let mut samples = vec![SimulateSample::of(run)];
     while !run.is_finished() && run.steps() < most_steps {
         run.step();
+        record(run)?;
         let is_last = run.is_finished() || run.steps() == most_steps;
         if is_last || run.time_s() >= samples.len() as f64 * interval {
             samples.push(SimulateSample::of(run));
         }
     }
-    samples
+    Ok(samples)
 }
 
 impl SimulateSample {
@@ -257,6 +287,9 @@ impl SimulateReport {
         let quantised = if self.quantised { ", quantised" } else { "" };
         let _ = writeln!(text, "Wheels    slip: {}, odometry: {}{quantised}", self.slip.id(), self.odometry.id());
         let _ = writeln!(text, "Sensors   noise: {}", self.noise);
+        if self.start_charge_percent < 100 {
+            let _ = writeln!(text, "Battery   start charge: {} %", self.start_charge_percent);
+        }
         if let Some(plan) = &self.smooth {
             let (planned, stopped) = (output::minutes(plan.planned_s), output::minutes(plan.stopped_s));
             let _ = writeln!(

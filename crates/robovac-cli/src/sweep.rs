@@ -6,7 +6,10 @@ use coverage_planners::{
     sweep::{LinkOrder, Sweep, SweepError, SweepSetup, in_frame, planned_for, sweep},
 };
 use floor_drawing::{Traced, is_drawing, is_dxf};
-use robovac_app::{export::PathFormat, floor_plan::sweep_dxf};
+use robovac_app::{
+    export::{PathFormat, path_bag},
+    floor_plan::sweep_dxf,
+};
 use robovac_core::{
     cspace::{CspaceError, Outline},
     geometry::{Point, Vector},
@@ -41,8 +44,8 @@ pub struct Arguments {
     /// Distance to keep from everything in metres
     #[arg(long, value_name = "M", default_value_t = 0.0, allow_hyphen_values = true)]
     clearance: f64,
-    /// Output file; can be repeated; its extension chooses the format: .csv table, .yaml ROS path, .oi.txt Open
-    /// Interface bytes for a Roomba 600, .txt program, .json all stages
+    /// Output file; can be repeated; its extension chooses the format: .csv table, .yaml ROS path, .mcap
+    /// ROS 2 bag, .oi.txt Open Interface bytes for a Roomba 600, .txt program, .json all stages
     #[arg(long, value_name = "FILE")]
     out: Vec<PathBuf>,
 }
@@ -113,7 +116,9 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let file = arguments.source.file()?.filter(is_drawing);
     let room = match &file {
         Some(file) => arguments.drawing.trace(file)?,
-        None => Traced { plan: arguments.source.plan()?, corner: Vector::zeros(), metre: 1.0, gaps: Vec::new() },
+        None => {
+            Traced { plan: arguments.source.plan()?, corner: Vector::zeros(), turn: 0.0, metre: 1.0, gaps: Vec::new() }
+        }
     };
     let original = file.as_ref().filter(|file| is_dxf(file)).map(|file| file.bytes.as_slice());
     let plan = &room.plan;
@@ -166,7 +171,7 @@ fn format_of(out: &std::path::Path) -> Result<SweepFormat, Failure> {
     let paths = PathFormat::ALL.map(|format| (format.file_type().0, Some(format)));
     let mut all = paths.into_iter().chain([("json", None)]);
     all.find(|(ending, _)| name.ends_with(&format!(".{ending}"))).map(|(_, format)| format).ok_or_else(|| {
-        let endings = ".csv, .yaml, .oi.txt, .txt, .json or .dxf";
+        let endings = ".csv, .yaml, .mcap, .oi.txt, .txt, .json or .dxf";
         Failure::usage(format!("--out {}: unknown file extension; use {endings}", out.display()))
     })
 }
@@ -179,6 +184,9 @@ fn written(
     (robot, heading, planned): (&RobotModel, f64, &str),
 ) -> Result<Vec<u8>, Failure> {
     let Some(format) = format else { return Ok(output::json(&stages(found, report)).into_bytes()) };
+    if format == PathFormat::Bag {
+        return path_bag(&room.plan, robot, &found.path, heading).map_err(|error| Failure::system(error.to_string()));
+    }
     let (path, heading) = in_frame(&found.path, heading, room.plan.origin);
     match format.text((&path, heading), robot, planned) {
         Some(text) => Ok(text.into_bytes()),

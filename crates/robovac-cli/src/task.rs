@@ -66,8 +66,7 @@ impl CoverageArguments {
         let Some(percent) = self.coverage else { return Ok(()) };
         let room = task.placement.prepare()?;
         let share = percent / 100.0;
-        let fitted =
-            room.fit_cells(task.planner, &task.params, task.seed, share, &mut |_| ControlFlow::Continue(()));
+        let fitted = room.fit_cells(task.planner, &task.params, task.seed, share, &mut |_| ControlFlow::Continue(()));
         let Some(fitted) = fitted else {
             let way = match () {
                 () if task.planner.claims.in_metres => "the planner needs no cells; use --param coverage=PERCENT",

@@ -1,11 +1,11 @@
-//! Exact contact of a body (circle or convex polygon) with walls, furniture and movers.
+//! Exact contact of a body (circle or polygon, convex or not) with walls, furniture and movers.
 
 use super::Touch;
 use robovac_core::{
     coverage::{Obstacle, Walls},
     geometry::{
-        Point, Pose, Shape, Vector, difference, edges, nearest_on_convex, nearest_on_disc, outward, overlap,
-        overlap_box, overlap_disc,
+        Point, Pose, Shape, Vector, convex_pieces, difference, edges, nearest_on_convex, nearest_on_disc, outward,
+        overlap, overlap_box, overlap_disc,
     },
     robot::{Body, RobotModel},
 };
@@ -15,8 +15,10 @@ const BUMPER_PLAY: f64 = 0.001;
 /// Pushing a body out of one obstacle can push it into the next; an overlap that this many rounds don't resolve is a
 /// dead end.
 const ROUNDS: usize = 10;
-/// Overlap that is tolerated, m: too small to be seen or to press the bumper.
+/// Overlap that is tolerated where a body is wedged, m: too small to be seen or to press the bumper. On paths that may
+/// touch, none is.
 const TOLERANCE: f64 = 0.0002;
+const NONE: f64 = 1e-6;
 /// Cosine of the angle within which contacts of a circle count as one, given the play of the bumper.
 const SAME: f64 = 0.95;
 /// Longest motion of any point of a body between two checks, m. Corners of polygons must not jump over thin legs;
@@ -43,17 +45,40 @@ pub(super) struct Collision {
 
 /// The outline of a body, for contact.
 #[derive(Debug, Clone)]
-pub(super) struct Footprint {
-    body: Body,
+pub(crate) struct Footprint {
     radius: f64,
     stride: f64,
-    /// Corners of a polygon at the last pose, m; empty for a circle.
-    corners: Vec<Point>,
-    /// Outward normals of its sides at that pose, and at heading 0.
-    normals: Vec<Vector>,
-    local_normals: Vec<Vector>,
+    tolerance: f64,
+    /// Convex pieces of a polygon; none for a circle.
+    pieces: Vec<BodyPiece>,
     /// Contact points of a polygon; a buffer for reuse.
     touched: Vec<Point>,
+}
+
+/// A convex piece of a body.
+#[derive(Debug, Clone)]
+struct BodyPiece {
+    /// Its corners and the outward normals of its sides at the last pose, m, and in the body's frame.
+    corners: Vec<Point>,
+    normals: Vec<Vector>,
+    local: (Vec<Point>, Vec<Vector>),
+}
+
+impl BodyPiece {
+    fn new(corners: Vec<Point>) -> Self {
+        let normals: Vec<Vector> = edges(&corners).map(|(a, b)| outward(a, b)).collect();
+        Self { corners: corners.clone(), normals: normals.clone(), local: (corners, normals) }
+    }
+
+    /// Its least extent in any direction that a side faces, m.
+    fn width(&self) -> f64 {
+        let extent = |normal: &Vector| {
+            let along = self.local.0.iter().map(|p| p.coords.dot(normal));
+            let (low, high) = along.fold((f64::MAX, f64::MIN), |(low, high), at| (low.min(at), high.max(at)));
+            high - low
+        };
+        self.normals.iter().map(extent).fold(f64::MAX, f64::min)
+    }
 }
 
 impl<'a> CollisionObstacles<'a> {
@@ -159,25 +184,29 @@ impl Thing<'_> {
 
 impl Footprint {
     pub fn new(model: &RobotModel) -> Self {
-        let (stride, corners) = match model.body {
+        let (stride, pieces) = match model.body {
             Body::Round => (STRIDE.1.min(0.5 * model.radius), Vec::new()),
             Body::Polygon(local) => {
                 let corners: Vec<Point> = local.iter().map(|&[x, y]| Point::new(x, y)).collect();
                 let inner = edges(&corners).map(|(a, b)| (a - Point::origin()).dot(&outward(a, b)));
-                // At most half the distance from the origin to the nearest side, and never 0.
-                (STRIDE.0.min(0.5 * inner.fold(f64::MAX, f64::min)).max(1e-4), corners)
+                let inner = inner.fold(f64::MAX, f64::min);
+                let pieces: Vec<BodyPiece> = convex_pieces(&corners).into_iter().map(BodyPiece::new).collect();
+                // At most half the distance from the origin to the nearest side, and never 0. A thin piece of a body that
+                // isn't convex must not jump over something.
+                let thin = if let [_] = pieces[..] {
+                    inner
+                } else {
+                    0.5 * pieces.iter().map(BodyPiece::width).fold(f64::MAX, f64::min)
+                };
+                (STRIDE.0.min(0.5 * thin).max(1e-4), pieces)
             }
         };
-        let normals: Vec<Vector> = edges(&corners).map(|(a, b)| outward(a, b)).collect();
-        Self {
-            body: model.body,
-            radius: model.radius,
-            stride,
-            corners,
-            local_normals: normals.clone(),
-            normals,
-            touched: Vec::new(),
-        }
+        Self { radius: model.radius, stride, tolerance: TOLERANCE, pieces, touched: Vec::new() }
+    }
+
+    /// From now on it stays where it is rather than overlap anything.
+    pub fn make_exact(&mut self) {
+        self.tolerance = NONE;
     }
 
     /// Moves the body from one pose, where it overlaps nothing, towards another, as far as obstacles allow, sliding
@@ -218,7 +247,7 @@ impl Footprint {
     }
 
     fn is_round(&self) -> bool {
-        self.body == Body::Round
+        self.pieces.is_empty()
     }
 
     /// One stride: the pose after pushing out, or else after only the motion or only the turn, or else the old pose.
@@ -245,7 +274,7 @@ impl Footprint {
         }
         let is_near = (pose.position() - wanted).norm() < 4.0 * self.stride;
         let left = self.deepest(obstacles, pose).map_or(0.0, |(depth, _)| depth);
-        (is_near && left < TOLERANCE).then_some(pose)
+        (is_near && left < self.tolerance).then_some(pose)
     }
 
     /// The deepest overlap with an obstacle, m, and the direction out of it.
@@ -259,8 +288,10 @@ impl Footprint {
         let (low, high) = self.place(pose);
         let mut deepest = (1e-9, Vector::zeros());
         obstacles.near(low, high, |thing| {
-            if let Some(found) = thing.overlap(&self.corners, &self.normals).filter(|found| found.0 > deepest.0) {
-                deepest = found;
+            for piece in &self.pieces {
+                if let Some(found) = thing.overlap(&piece.corners, &piece.normals).filter(|found| found.0 > deepest.0) {
+                    deepest = found;
+                }
             }
         });
         (deepest.0 > 1e-9).then_some(deepest)
@@ -275,9 +306,9 @@ impl Footprint {
             // The cells of a flat wall beside its nearest point are almost as near.
             let mut near: Vec<(f64, Vector)> = Vec::new();
             obstacles.nearest_of_each(at, self.radius + BUMPER_PLAY, |wall, distance| {
-                near.push((distance, (wall - at) / distance));
+                let index = near.iter().position(|other| other.0.total_cmp(&distance).is_gt()).unwrap_or(near.len());
+                near.insert(index, (distance, (wall - at) / distance));
             });
-            near.sort_by(|a, b| a.0.total_cmp(&b.0));
             for (_, direction) in near {
                 if touch.iter().all(|other| other.dot(&direction) < SAME) {
                     touch.add(direction);
@@ -285,11 +316,7 @@ impl Footprint {
             }
             return touch;
         }
-        let (low, high) = self.place(pose);
-        let play = Vector::new(BUMPER_PLAY, BUMPER_PLAY);
-        let Self { corners, touched, .. } = self;
-        touched.clear();
-        obstacles.near(low - play, high + play, |thing| thing.touch(corners, BUMPER_PLAY, touched));
+        self.touch_within(obstacles, pose, BUMPER_PLAY);
         // The farthest point ahead decides between front and rear.
         let ahead = |p: &Point| (p - at).dot(&pose.direction());
         let Some(first) = self.touched.iter().max_by(|a, b| ahead(a).total_cmp(&ahead(b))) else { return touch };
@@ -303,6 +330,29 @@ impl Footprint {
         touch
     }
 
+    /// Collects the points at which a polygon is less than `play` metres from an obstacle.
+    fn touch_within(&mut self, obstacles: CollisionObstacles<'_>, pose: Pose, play: f64) {
+        let (low, high) = self.place(pose);
+        let around = Vector::new(play, play);
+        let Self { pieces, touched, .. } = self;
+        touched.clear();
+        obstacles.near(low - around, high + around, |thing| {
+            for piece in pieces.iter() {
+                thing.touch(&piece.corners, play, touched);
+            }
+        });
+    }
+
+    /// Whether the body, at `pose`, is less than `gap` metres from a wall or furniture.
+    pub fn is_near_walls(&mut self, walls: &Walls, pose: Pose, gap: f64) -> bool {
+        let obstacles = CollisionObstacles { walls, movers: &[] };
+        if self.is_round() {
+            return obstacles.nearest(pose.position(), self.radius + gap).is_some();
+        }
+        self.touch_within(obstacles, pose, gap);
+        !self.touched.is_empty()
+    }
+
     /// Whether the body, at `pose`, overlaps a disc or is nearer to it than `gap` metres.
     pub fn is_near_disc(&mut self, pose: Pose, centre: Point, radius: f64, gap: f64) -> bool {
         let reach = radius + gap;
@@ -311,21 +361,22 @@ impl Footprint {
             return to_origin < self.radius + reach;
         }
         self.place(pose);
-        (nearest_on_convex(&self.corners, centre) - centre).norm() < reach
+        self.pieces.iter().any(|piece| (nearest_on_convex(&piece.corners, centre) - centre).norm() < reach)
     }
 
     /// Puts the corners of a polygon where they are at `pose`; returns the box around them.
     fn place(&mut self, pose: Pose) -> (Point, Point) {
         let (mut low, mut high) = (pose.position(), pose.position());
-        let Body::Polygon(local) = self.body else { return (low, high) };
         let d = pose.direction();
-        for (corner, &[x, y]) in self.corners.iter_mut().zip(local) {
-            *corner = Point::new(pose.x + d.x * x - d.y * y, pose.y + d.y * x + d.x * y);
-            low = low.inf(corner);
-            high = high.sup(corner);
-        }
-        for (normal, n) in self.normals.iter_mut().zip(&self.local_normals) {
-            *normal = Vector::new(d.x * n.x - d.y * n.y, d.y * n.x + d.x * n.y);
+        for BodyPiece { corners, normals, local } in &mut self.pieces {
+            for (corner, &Point { coords: at }) in corners.iter_mut().zip(&local.0) {
+                *corner = Point::new(pose.x + d.x * at.x - d.y * at.y, pose.y + d.y * at.x + d.x * at.y);
+                low = low.inf(corner);
+                high = high.sup(corner);
+            }
+            for (normal, n) in normals.iter_mut().zip(&local.1) {
+                *normal = Vector::new(d.x * n.x - d.y * n.y, d.y * n.x + d.x * n.y);
+            }
         }
         (low, high)
     }

@@ -109,7 +109,7 @@ impl fmt::Display for What {
             Self::Docked => "docked, charging",
             Self::BatteryEmpty => "battery empty",
             Self::Fell => "fell off an edge",
-            Self::Lifted => "picked up",
+            Self::Lifted => "lifted",
             Self::PutDown => "put down",
             Self::Began(activity) => activity,
             Self::Done => "done",

@@ -30,6 +30,7 @@
 
 mod contact;
 mod dirt;
+mod docking;
 mod event;
 mod input;
 mod life;
@@ -50,6 +51,7 @@ pub mod montecarlo;
 mod recording;
 
 pub use dirt::Spot;
+pub use docking::{berth, dock_at};
 pub use event::{Event, What};
 pub use input::Input;
 pub use life::Life;

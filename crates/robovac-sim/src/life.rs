@@ -81,6 +81,17 @@ impl Life {
         if self.dirt[0] > 0.0 { (self.dirt[1] / self.dirt[0]).clamp(0.0, 1.0) } else { 0.0 }
     }
 
+    /// Takes over what is left of spots that were there before.
+    pub(crate) fn take_over(&mut self, earlier: &Self) {
+        for spot in &mut self.spots {
+            let is_it = |old: &&Spot| (old.centre, old.radius) == (spot.centre, spot.radius);
+            if let Some(old) = earlier.spots.iter().find(is_it) {
+                spot.clone_from(old);
+            }
+        }
+        self.dirt[1] = self.spots.iter().map(Spot::amount).sum();
+    }
+
     /// The spots of dirt, with their remaining amounts.
     pub fn spots(&self) -> &[Spot] {
         &self.spots

@@ -64,6 +64,11 @@ impl RunRecording {
         Self { inputs, ..self }
     }
 
+    /// The same from the start again, without what was simulated so far.
+    pub fn again(&self) -> Self {
+        Self::within(self.key_frames[0].clone(), 0).with_inputs(self.inputs.clone())
+    }
+
     /// A person's inputs, with the number of steps before each.
     pub fn inputs(&self) -> &[(u64, Input)] {
         &self.inputs
@@ -87,6 +92,11 @@ impl RunRecording {
     /// Time (s) and coverage (0 to 1) of the whole run so far.
     pub fn curve(&self) -> &[(f64, f64)] {
         &self.curve
+    }
+
+    /// Coverage at the beginning: above that of the start alone if the floor was swept before.
+    pub fn first_coverage(&self) -> f64 {
+        self.curve.first().map_or(0.0, |&(_, coverage)| coverage)
     }
 
     /// Changes when the displayed run is replaced rather than continued.

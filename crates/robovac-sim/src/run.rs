@@ -5,7 +5,7 @@ use crate::controller::{Controller, drive_on, interlock::Blocked};
 use robovac_core::{
     coverage::{CoverageTracker, ReachableFloor},
     geometry::{Point, Pose, difference},
-    robot::{Odometry, OdometryModel, RobotModel, RobotPort, SensorReadings},
+    robot::{Drive, Odometry, OdometryModel, RobotModel, RobotPort, SensorReadings},
 };
 use std::{any::Any, collections::VecDeque, sync::Arc};
 
@@ -38,7 +38,7 @@ pub struct Conditions {
     pub noise: Noise,
     /// Whether the wheels turn only at the speeds that the motor controller can keep.
     pub quantised: bool,
-    /// Charge of the battery at the start, percent.
+    /// Charge of the battery at the start, percent, 0 to 100.
     pub start_charge_percent: u8,
     /// Whether empty batteries are replaced. Otherwise the run ends there.
     pub spare_batteries: bool,
@@ -84,10 +84,11 @@ impl Run {
         let floor = Arc::clone(&setup.floor);
         controller.start_at(floor.start);
         let mut tracker = CoverageTracker::new(&floor);
-        tracker.sweep_to(&floor, floor.start.position());
+        tracker.sweep_to(&floor, floor.start);
         let world = Arc::clone(&setup.world);
         let life = Life::new(&world, &floor, setup.seed);
         let robot = SimRobot::new(&setup.robot, floor.start, setup.conditions, setup.seed);
+        let robot = if floor.is_for_path { robot.with_exact_contact() } else { robot };
         let trail = RecentTrail(vec![floor.start.position()]);
         let keeps_track = controller.estimate().is_some();
         let odometry = (!keeps_track).then(|| Odometry::new(&setup.robot, OdometryModel::Arc, floor.start));
@@ -109,6 +110,13 @@ impl Run {
             observer: None,
             events: VecDeque::new(),
         }
+    }
+
+    /// The same on floor that `earlier`, a run in the same room before it was changed, has already swept.
+    pub fn after(mut self, earlier: &Self) -> Self {
+        self.tracker.take_over(&self.floor, &earlier.tracker);
+        self.life.take_over(&earlier.life);
+        self
     }
 
     /// Adds an observer.
@@ -157,7 +165,7 @@ impl Run {
         self.distance_m += (pose.position() - before.position()).norm();
         self.turning_rad += difference(before.heading, pose.heading).abs();
         self.bumps += u32::from(self.robot.sensors().bumped() && !signs.bumped());
-        self.tracker.sweep_to(&self.floor, pose.position());
+        self.tracker.sweep_to(&self.floor, pose);
         self.trail.extend(pose.position());
     }
 
@@ -314,6 +322,11 @@ impl Run {
     /// The latest sensor reading.
     pub fn sensors(&self) -> &SensorReadings {
         self.robot.sensors()
+    }
+
+    /// The wheel speeds that the robot was last commanded.
+    pub fn commanded(&self) -> Drive {
+        self.robot.commanded()
     }
 
     /// Distance driven, m.

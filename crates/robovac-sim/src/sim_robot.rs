@@ -61,10 +61,21 @@ impl SimRobot {
         }
     }
 
+    /// For paths that may touch: its contact is exact, also where it is wedged.
+    pub fn with_exact_contact(mut self) -> Self {
+        self.footprint.make_exact();
+        self
+    }
+
     /// The true pose, which no controller gets.
     #[inline]
     pub fn pose(&self) -> Pose {
         self.pose
+    }
+
+    /// Commanded wheel speeds.
+    pub fn commanded(&self) -> Drive {
+        self.wanted
     }
 
     /// Present wheel speeds.

@@ -29,7 +29,7 @@ impl World {
         let mut world = Self::default();
         for object in &plan.objects {
             match object.clone() {
-                Object::Furniture { .. } | Object::Leg { .. } => {}
+                Object::Furniture { .. } | Object::LowObstacle { .. } | Object::Leg { .. } => {}
                 Object::DropOff { outline } => world.drop_offs.push(outline),
                 Object::Carpet { outline } => world.carpets.push(outline),
                 Object::Dirt { at, radius } => world.dirt.push((at, radius)),

@@ -89,6 +89,10 @@ pub(super) fn objects(
                 trace(context, view, outline, true);
                 (palette.furniture, palette.furniture_line)
             }
+            Object::LowObstacle { outline, .. } => {
+                trace(context, view, outline, true);
+                (palette.carpet, palette.furniture_line)
+            }
             Object::Leg { at, radius } => {
                 disc(*at, *radius)?;
                 (palette.furniture, palette.furniture_line)
@@ -136,7 +140,7 @@ pub(super) fn part(
 ) -> Result<(), JsValue> {
     let place = |&[x, y]: &[f64; 2]| session.sheet().place(Point::new(x, y));
     match &session.settings().part {
-        DrawingPart::Whole => return Ok(()),
+        DrawingPart::Indoors | DrawingPart::Whole => return Ok(()),
         DrawingPart::Rectangle { corners: [a, b] } => {
             let corners = [*a, [b[0], a[1]], *b, [a[0], b[1]]];
             trace(context, viewport, &corners.each_ref().map(place), true);
@@ -153,6 +157,29 @@ pub(super) fn part(
     dash(context, &[8.0, 5.0])?;
     stroke(context, palette.select, 2.0, palette);
     dash(context, &[])
+}
+
+/// The place that an error is about: a ring around an opening, a cross on a point.
+pub(super) fn fault(
+    context: &Context,
+    session: &DrawingSession,
+    viewport: &Viewport,
+    palette: &Palette,
+) -> Result<(), JsValue> {
+    let (Some(mark), Some(metre)) = (session.mark(), session.settings().metre) else { return Ok(()) };
+    let at = viewport.to_screen(session.sheet().place(mark.at));
+    context.begin_path();
+    if mark.width > 0.0 {
+        let radius = 0.75 * mark.width / metre * session.sheet().scale * viewport.scale;
+        context.arc(at.x, at.y, radius.clamp(12.0, 120.0), 0.0, TAU)?;
+    } else {
+        for (x, y) in [(7.0, 7.0), (7.0, -7.0)] {
+            context.move_to(at.x - x, at.y - y);
+            context.line_to(at.x + x, at.y + y);
+        }
+    }
+    stroke(context, palette.warning, 3.0, palette);
+    Ok(())
 }
 
 /// Set points, the shape that they begin, and the crosshair.

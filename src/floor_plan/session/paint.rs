@@ -2,14 +2,15 @@
 //! of the canvas, which moves with the view.
 
 use super::{marks, sweeping};
-use floor_drawing::{Drawing, Role, Traced};
+use floor_drawing::{Drawing, Role, ShadeMethod, Traced};
 use robovac_app::{
     Palette, Viewport,
-    floor_plan::{DrawingSession, seen_on},
+    floor_plan::{DrawingSession, DrawingSource, seen_on},
 };
 use robovac_core::{
     geometry::{Point, Vector},
     grid::{Grid, Occupancy},
+    math::{cos, sin},
 };
 use robovac_playground::{
     canvas::layer::{OffscreenLayer, cell_picture},
@@ -51,6 +52,8 @@ pub(super) struct FloorPlanPainter {
     /// Lines of each layer of the drawing, on the sheet.
     lines: Vec<Path2d>,
     room: Option<((u32, bool), OffscreenLayer)>,
+    /// The image that the room is traced from.
+    image: Option<OffscreenLayer>,
     slice: Option<(OffscreenLayer, f64)>,
     picture: OffscreenLayer,
     drawn: Option<(PlanStill, Viewport)>,
@@ -63,13 +66,27 @@ impl FloorPlanPainter {
     pub fn new(canvas: OffscreenCanvas) -> Result<Self, JsValue> {
         let context = canvas.get_context("2d")?.ok_or("no off-screen canvas; use a current browser")?.unchecked_into();
         let picture = OffscreenLayer::new(1, 1)?;
-        Ok(Self { canvas, context, lines: Vec::new(), room: None, slice: None, picture, drawn: None, took: 0.0 })
+        Ok(Self {
+            canvas,
+            context,
+            lines: Vec::new(),
+            room: None,
+            image: None,
+            slice: None,
+            picture,
+            drawn: None,
+            took: 0.0,
+        })
     }
 
     /// Takes another file.
     pub fn take(&mut self, session: &DrawingSession) -> Result<(), JsValue> {
         (self.room, self.slice, self.drawn) = (None, None, None);
         self.lines.clear();
+        self.image = match session.source() {
+            DrawingSource::Image { shades, .. } => Some(cell_picture(shades, |&shade| [shade, shade, shade, 255])?),
+            _ => None,
+        };
         if let Some(drawing) = session.source().drawing() {
             let place = |point: &Point| session.sheet().place(*point);
             self.lines = paths(drawing, place)?;
@@ -133,6 +150,7 @@ impl FloorPlanPainter {
             }
         }
         marks::part(&self.context, session, viewport, palette)?;
+        marks::fault(&self.context, session, viewport, palette)?;
         marks::hand(&self.context, session, viewport, palette)?;
         if let Some(metre) = session.settings().metre {
             marks::scale_bar(&self.context, viewport, metre / session.sheet().scale, palette)?;
@@ -148,6 +166,26 @@ impl FloorPlanPainter {
         self.context.draw_image_with_offscreen_canvas(&self.picture.canvas, 0.0, 0.0)
     }
 
+    /// Whether the room lies on the image that it is traced from. The pixels of a map are its cells.
+    fn sees_through(&self, session: &DrawingSession) -> bool {
+        self.image.is_some() && (session.settings().method != ShadeMethod::Map || session.settings().turn != 0.0)
+    }
+
+    /// The image, turned.
+    fn draw_image(&self, session: &DrawingSession, viewport: &Viewport) -> Result<(), JsValue> {
+        let (Some(image), DrawingSource::Image { turn, .. }) = (&self.image, session.source()) else { return Ok(()) };
+        let sheet = session.sheet();
+        let (sin, cos) = (sin(*turn), cos(*turn));
+        let side = viewport.scale * sheet.scale * viewport.pixel_ratio;
+        // Its upper left corner.
+        let height = f64::from(image.canvas.height());
+        let corner = viewport.to_screen(sheet.place(Point::new(-height * sin, height * cos))) * viewport.pixel_ratio;
+        let context = &self.picture.context;
+        context.set_transform(side * cos, -side * sin, side * sin, side * cos, corner.x, corner.y)?;
+        context.set_image_smoothing_enabled(side < 2.0);
+        context.draw_image_with_offscreen_canvas(&image.canvas, 0.0, 0.0)
+    }
+
     /// The room, the grid and the drawing's lines.
     fn draw_picture(
         &mut self,
@@ -160,11 +198,15 @@ impl FloorPlanPainter {
         if let Some(room) = session.room()
             && self.room.as_ref().is_none_or(|(made, _)| *made != key)
         {
-            self.room = Some((key, room_picture(room, palette)?));
+            let is_seen_through = self.sees_through(session);
+            self.room = Some((key, room_picture(room, palette, is_seen_through)?));
         }
         self.picture.clear(self.canvas.width(), self.canvas.height());
         let context = &self.picture.context;
         let ratio = viewport.pixel_ratio;
+        if self.sees_through(session) {
+            self.draw_image(session, viewport)?;
+        }
         context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
         if let Some(room) = session.room() {
             let view = room_view(session, room, viewport);
@@ -223,8 +265,12 @@ fn paths(drawing: &Drawing, place: impl Fn(&Point) -> Point) -> Result<Vec<Path2
 }
 
 /// One pixel for each cell of the room.
-fn room_picture(room: &Traced, palette: &Palette) -> Result<OffscreenLayer, JsValue> {
-    let [free, occupied, unknown] = [palette.floor, palette.wall_line, palette.unknown].map(opaque);
+fn room_picture(room: &Traced, palette: &Palette, is_seen_through: bool) -> Result<OffscreenLayer, JsValue> {
+    let [mut free, mut occupied, mut unknown] = [palette.floor, palette.wall_line, palette.unknown].map(opaque);
+    if is_seen_through {
+        // Okabe and Ito's blue and vermilion, which differ in lightness, too.
+        (free, occupied, unknown) = ([86, 180, 233, 60], [213, 94, 0, 130], [213, 94, 0, 60]);
+    }
     cell_picture(&room.plan.occupancy, |cell| match cell {
         Occupancy::Free => free,
         Occupancy::Occupied => occupied,

@@ -10,7 +10,7 @@ use super::{
 };
 use robovac_app::{
     Palette, RobotView, Viewport,
-    map::{CellVerdict, MapPhase, MapSession},
+    map::{CellVerdict, MapGrid, MapPhase, MapSession},
 };
 use robovac_core::{
     floor_plan::{FloorPlan, Object},
@@ -48,6 +48,7 @@ struct ShownMap {
     version: u64,
     steps: u64,
     returned: bool,
+    grid: MapGrid,
     layers: Vec<&'static str>,
     dark: bool,
 }
@@ -72,6 +73,7 @@ impl MapPainter {
             // While a stored run is restored, the stored map is shown.
             steps: session.run().filter(|_| session.returned().is_none()).map_or(0, Run::steps),
             returned: session.returned().is_none(),
+            grid: session.setup().grid,
             layers: session.setup().layers.names(),
             dark,
         };

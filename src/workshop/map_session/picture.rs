@@ -43,12 +43,11 @@ impl CellPicture {
     /// Draws the robot's present estimate.
     pub fn update(&mut self, session: &MapSession, ink: &MapInk) -> Result<(), JsValue> {
         self.signs.clear();
-        let (Some(estimate), Some(truth)) = (session.estimate(), session.truth()) else {
+        let (Some(estimate), Some(map), Some(truth)) = (session.estimate(), session.shown(), session.truth()) else {
             self.size = [0; 2];
             return Ok(());
         };
         let layers = session.setup().layers;
-        let map = estimate.map;
         let (mut low, mut high) = truth.bounds();
         let baseline = session.run().and_then(robovac_sim::Run::baseline).filter(|_| layers.has("odometry"));
         for (a, b) in [Some(map), baseline.map(Mapper::map)].into_iter().flatten().filter_map(OccupancyMap::bounds) {

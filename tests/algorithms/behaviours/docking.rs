@@ -1,19 +1,22 @@
 //! Home by the beams.
 
-use super::support::{conditions, lay_out, lay_out_from, run_with};
+use super::support::{conditions, lay_out, lay_out_from, run, run_with};
 use rand::RngExt;
 use robovac_core::{
-    floor_plan::{FloorPlan, Object, Sketch},
-    geometry::Pose,
+    coverage::with_objects,
+    floor_plan::{FloorPlan, Object, ROOMS, RoomKind, Sketch},
+    geometry::{Point, Pose, difference},
     math,
     registry::{ParamValue, Params},
     rng::seeded,
-    robot::model,
+    robot::{OdometryModel, model},
 };
 use robovac_sim::{
-    Conditions, NoiseLevel, Run, RunSetup,
-    controller::{self, BehaviourInfo},
+    Conditions, Input, NoiseLevel, Run, RunSetup, World, berth,
+    controller::{self, BehaviourInfo, Recharge},
+    experiment::planning::RoomSetup,
 };
+use std::sync::Arc;
 
 /// A furnished room of 4 m x 3 m with a dock in the middle of its lower wall.
 pub fn room_with_dock() -> FloorPlan {
@@ -95,4 +98,95 @@ fn nobody_goes_home_who_is_told_not_to() {
     let params = Params::checked(info.params, [("home_at", ParamValue::Number(0.0))]).expect("it is in range");
     let mut run = run_with(&low_battery(&room_with_dock(), 10), info, &params, 3);
     assert!(!step_until(&mut run, 2.0, |run| run.activity() == "searching for the dock"));
+}
+
+#[test]
+fn every_furnished_room_has_a_dock_that_charges() {
+    for info in ROOMS.iter().filter(|info| info.kind == RoomKind::Cluttered) {
+        let plan = (info.build)();
+        let docks = World::new(&plan).docks;
+        let [dock] = docks[..] else { panic!("{} has {} docks", info.id, docks.len()) };
+        // Rooms keep their floor: the docks of those with nothing else in them are recessed.
+        if plan.objects.len() == 1 {
+            assert_eq!(with_objects(&plan).occupancy, plan.occupancy, "{}", info.id);
+        }
+        let (robot, level) = (model("roomba600").expect("it ships"), NoiseLevel::Typical);
+        let at = dock.to_world(Point::new(0.75, 0.05));
+        let start = Pose::new(at.x, at.y, dock.heading + math::PI);
+        let setup = lay_out_from(&plan, robot, conditions(level), start).expect("it fits");
+        assert!((setup.floor.start.position() - at).norm() < 0.1, "{}: no floor before the dock", info.id);
+        let mut run = run(&setup, behaviour("dock"), 1);
+        assert!(step_until(&mut run, 1.0, |run| run.sensors().battery.on_dock), "{}: it isn't charged", info.id);
+        assert!((run.pose().position() - berth(dock, robot).position()).norm() < 0.03, "{}", info.id);
+    }
+}
+
+/// Lanes 0.4 m apart over the right half of the room, and a Roomba that follows them and recharges below `low` percent up
+/// to a little more.
+fn planned(start_charge_percent: u8, low: f64, level: NoiseLevel, seed: u64) -> (RoomSetup, Run) {
+    let robot = model("roomba600").expect("it ships");
+    let prepared = RoomSetup::new(&room_with_dock(), robot, 0.15, None).expect("it fits");
+    let line = [(1.0, 1.5), (3.0, 1.5), (3.0, 1.1), (1.2, 1.1), (1.2, 0.6), (3.0, 0.6), (3.0, 1.8), (1.2, 1.8)];
+    let line: Arc<[Point]> = line.map(|(x, y)| Point::new(x, y)).into();
+    let follower = prepared.follower(robot, &line, OdometryModel::Arc);
+    let docks = &prepared.world.docks;
+    let recharge = Recharge::new(&follower, &prepared.floor, docks, seed).expect("it can dock").between(low, low + 2.0);
+    let conditions = Conditions { start_charge_percent, ..conditions(level) };
+    let run = Run::new(&prepared.setup(conditions, seed), Box::new(recharge));
+    (prepared, run)
+}
+
+#[test]
+fn a_planned_run_goes_home_is_charged_and_goes_on_where_it_stopped() {
+    for seed in 0..4 {
+        let (_, mut run) = planned(50, 49.8, NoiseLevel::Typical, seed);
+        assert!(step_until(&mut run, 2.0, |run| run.activity() == "driving back to its dock"), "it doesn't go home");
+        let (left, corner) = (run.pose(), run.corner());
+        assert!(step_until(&mut run, 5.0, |run| run.activity() == "charging"), "{seed}: it doesn't get home");
+        assert!(run.sensors().battery.on_dock);
+        assert!(step_until(&mut run, 10.0, |run| run.activity() == "driving back to its path"), "it stays at home");
+        assert!(run.sensors().battery.share() >= 0.517, "{seed}: it leaves too soon");
+        assert!(step_until(&mut run, 2.0, |run| run.activity().is_empty()), "{seed}: it doesn't come back");
+        let off = (run.pose().position() - left.position()).norm();
+        assert!(off < 0.15, "{seed}: it goes on {off} m from where it stopped");
+        assert_eq!(run.corner(), corner, "{seed}");
+        step_until(&mut run, 5.0, |_| false);
+        assert!(run.is_finished() && !run.sensors().battery.on_dock, "{seed}: it isn't done");
+        let off = (run.pose().position() - Point::new(1.2, 1.8)).norm();
+        assert!(off < 0.25, "{seed}: it ends {off} m off");
+    }
+}
+
+#[test]
+fn a_planned_run_with_charge_left_is_the_same_as_without_a_dock() {
+    let (prepared, mut run) = planned(100, 15.0, NoiseLevel::Off, 1);
+    let line: Arc<[Point]> = [Point::new(1.0, 1.5), Point::new(3.0, 1.5)].into();
+    let follower = prepared.follower(&prepared.robot, &line, OdometryModel::Arc);
+    let mut bare = Run::new(&prepared.setup(Conditions::default(), 1), Box::new(follower));
+    step_until(&mut run, 0.1, |_| false);
+    step_until(&mut bare, 0.1, |_| false);
+    assert_eq!(run.digest(), bare.digest());
+}
+
+#[test]
+fn a_planned_run_that_was_carried_off_finds_its_place_at_the_dock() {
+    let mut home = 0;
+    for seed in 0..4 {
+        let (_, mut run) = planned(90, 15.0, NoiseLevel::Typical, seed);
+        step_until(&mut run, 0.3, |_| false);
+        run.apply(Input::Lift);
+        step_until(&mut run, 0.05, |_| false);
+        run.apply(Input::PutDown(Pose::new(2.4, 1.4, 2.0)));
+        step_until(&mut run, 0.1, |_| false);
+        assert!(run.pose_error_m() > Some(0.3), "{seed}: it can't know yet");
+        if step_until(&mut run, 12.0, |run| run.activity() == "driving back to its path") {
+            home += 1;
+            let (estimate, pose) = (run.estimate().expect("it has one"), run.pose());
+            assert!((estimate.position() - pose.position()).norm() < 0.04, "{seed}: {estimate}, {pose}");
+            assert!(difference(estimate.heading, pose.heading).abs() < 0.16, "{seed}");
+            step_until(&mut run, 5.0, |_| false);
+            assert!(run.is_finished(), "{seed}: it doesn't go on");
+        }
+    }
+    assert!(home >= 3, "{home} of 4 find their dock");
 }

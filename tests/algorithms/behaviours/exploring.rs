@@ -14,12 +14,9 @@ use robovac_sim::{
 };
 use std::sync::Arc;
 
-/// A closed loop, the subject of Image 7.1 (lost): a robot that turns away from every wall goes round in the room in
-/// the middle and passes the doors, 70 cm wide, of the two rooms beside it; one that follows walls goes through them.
+/// The subject of Image 7.1.
 fn closed_loop() -> FloorPlan {
-    let rooms = [[1.2, 0.2, 3.8, 2.6], [0.1, 0.6, 1.1, 2.2], [3.9, 0.6, 5.1, 2.2]];
-    let doors = [[1.1, 1.05, 1.2, 1.75], [3.8, 1.05, 3.9, 1.75]];
-    Sketch::solid(5.2, 2.8, 0.05).carve(&rooms).carve(&doors).start(2.5, 1.4, 17.0).finish("closed loop", "")
+    (room("closed_loop").expect("it ships").build)()
 }
 
 /// A run of a behaviour that explores, with what it has met.

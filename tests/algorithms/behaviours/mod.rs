@@ -3,7 +3,11 @@
 mod contract;
 mod docking;
 mod exploring;
+mod online_snake;
 mod papers;
 mod paths;
+mod rooms;
 mod stairs;
 mod support;
+
+pub use docking::room_with_dock;

@@ -2,8 +2,7 @@
 
 use super::support::{LARGE, Scenario, build, scenarios, walking};
 use coverage_planners::{
-    CoverageJob, CoveragePath, PlanContext, PlanError, PlannerInfo, ProgressReport, SLOW_CELLS,
-    metrics::WalkMetrics,
+    CoverageJob, CoveragePath, PlanContext, PlanError, PlannerInfo, ProgressReport, SLOW_CELLS, metrics::WalkMetrics,
 };
 use robovac_core::{
     grid::{Cell, Direction, from_picture},

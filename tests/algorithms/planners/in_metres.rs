@@ -7,7 +7,7 @@ use coverage_planners::{
     lanes::{FreeSpace, swept_share},
 };
 use robovac_core::{
-    floor_plan::{FloorPlan, generate::random_flat, load, SourceFile, room},
+    floor_plan::{FloorPlan, SourceFile, generate::random_flat, load, room},
     geometry::{Point, Pose},
     registry::{ParamKind, ParamValue, Params},
     robot::model,
@@ -37,7 +37,8 @@ fn drawn(text: &str) -> FloorPlan {
 fn jobs() -> Vec<(String, CoverageJob)> {
     let mut jobs: Vec<(String, CoverageJob)> =
         (0..3).map(|seed| (format!("random flat {seed}"), job(&random_flat(1, 1, seed), "roomba600", None))).collect();
-    for (id, robot) in [("slanted", "roomba600"), ("kitchen", "octagon"), ("thesis8", "cell"), ("landing", "roomba600")] {
+    for (id, robot) in [("slanted", "roomba600"), ("kitchen", "octagon"), ("thesis8", "cell"), ("stairs", "roomba600")]
+    {
         jobs.push((format!("{id} for {robot}"), job(&(room(id).expect("it ships").build)(), robot, None)));
     }
     for text in [".\n", "..\n", ".\n.\n.\n", "..\n.#\n..\n"] {
@@ -66,7 +67,9 @@ fn paths_touch_nothing_and_sweep_the_floor() {
     for (name, job) in jobs() {
         for info in planners() {
             let what = format!("{} in {name}", info.id);
-            let path = build(info, usize::MAX).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
+            // In a room hardly larger than the robot only a search finds the few centimetres to move.
+            let effort = if place(&job).floor.area() < 1.0 { 0 } else { usize::MAX };
+            let path = build(info, effort).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
             holds(&path, &job, &what);
             let swept = swept_share(&place(&job).floor, &path.line);
             // A disc doesn't reach into corners of cells that a robot fills.
@@ -97,7 +100,11 @@ fn seed_determines_the_path_and_watching_changes_nothing() {
             }
             ControlFlow::Continue(())
         };
-        assert!(plan(&mut PlanContext::observed(1, &mut observer)) == alone, "{} plans otherwise when watched", info.id);
+        assert!(
+            plan(&mut PlanContext::observed(1, &mut observer)) == alone,
+            "{} plans otherwise when watched",
+            info.id
+        );
         assert!(calls >= 3, "{} reports {calls} times", info.id);
         assert_eq!(plan(&mut PlanContext::new(2)) == alone, info.claims.deterministic, "{}", info.id);
     }

@@ -11,9 +11,9 @@ const LINE: &str = "0 LINE 8 WALL 10 0 20 0 11 1 21 0";
 #[test]
 fn other_files_are_called_by_their_name() {
     for (bytes, expected) in [
-        (&b"AC1032\0\0\0"[..], "this is a DWG drawing, AutoCAD's own format; save it as DXF"),
-        (b"\x89PNG\r\n\x1a\n", "this is a PNG image, not a drawing; choose a DXF, SVG or GeoJSON file"),
-        (b"\xff\xd8\xff\xe0", "this is a JPEG image"),
+        (&b"AC1032\0\0\0"[..], "this is a DWG drawing, AutoCAD's own format: save it as DXF"),
+        (b"\x89PNG\r\n\x1a\n", "this is an image: choose a drawing (DXF, SVG or GeoJSON)"),
+        (b"%PDF-1.4", "this is a PDF document: export"),
         (b"####\n#..#\n", "this is text of an unknown format"),
         (b"\xfe\xed\xfa", "this is a file of an unknown format"),
         (b" \n", "is empty"),

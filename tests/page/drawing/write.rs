@@ -108,7 +108,7 @@ fn binary_drawings_stay_binary() {
 
 #[test]
 fn what_is_no_drawing_is_not_written_beside() {
-    assert!(to_dxf(Some(b"AC1032"), &[]).unwrap_err().to_string().contains("not a drawing"));
+    assert!(to_dxf(Some(b"AC1032"), &[]).unwrap_err().to_string().contains("not a DXF file"));
     let cut = pairs("0 SECTION 2 ENTITIES 0 LINE");
     assert!(to_dxf(Some(cut.as_bytes()), &[]).unwrap_err().to_string().contains("cut off"));
 }

@@ -36,7 +36,7 @@ const SAMPLE: &str = r#"{
     { "dirt": { "at": [0.5, 2], "radius": 0.25 } },
     { "dock": { "x": 0, "y": 0.75, "heading_deg": 0 } },
     { "virtual_wall": { "x": 1.75, "y": 3, "heading_deg": -90, "length": 1.5 } },
-    { "mover": { "who": "pet", "path": [[0.5, 0.5], [2.5, 1.5]] } }
+    { "mover": { "who": "pet", "path": [[0.5, 0.5], [2.5, 1.5]] } }, { "low_obstacle": { "outline": [[3, 2], [3.5, 2], [3.5, 2.25]], "height": 0.015 } }
   ],
   "robot": "roomba600",
   "behaviour": "bounce",
@@ -46,6 +46,7 @@ const SAMPLE: &str = r#"{
   "slip": "typical",
   "noise": { "cliff": "harsh" },
   "quantised": true,
+  "start_charge_percent": 40,
   "odometry": "straight"
 }"#;
 
@@ -86,6 +87,7 @@ fn everything_in_a_scenario_is_read() {
             Object::Dock { pose: Pose::new(0.0, 0.75, 0.0) },
             Object::VirtualWall { pose: Pose::new(1.75, 3.0, -std::f64::consts::FRAC_PI_2), length: 1.5 },
             Object::Mover { who: Who::Pet, path: vec![point(0.5, 0.5), point(2.5, 1.5)] },
+            Object::LowObstacle { outline: vec![point(3.0, 2.0), point(3.5, 2.0), point(3.5, 2.25)], height: 0.015 },
         ]
     );
     let mut session = Session::new();
@@ -95,7 +97,7 @@ fn everything_in_a_scenario_is_read() {
         (view.algorithm, view.robot, view.seed, view.slip, view.odometry),
         ("bounce", "roomba600", 7, "typical", "straight")
     );
-    assert!(session.link().contains("noise.cliff=harsh&quantised=true"), "{}", session.link());
+    assert!(session.link().contains("noise.cliff=harsh&quantised=true&charge=40"), "{}", session.link());
     assert_eq!(*session.plan().as_ref(), plan);
 }
 
@@ -178,12 +180,12 @@ const STRUCTURE: &[Case] = &[
     (
         "\"version\": 2,",
         "",
-        "\"a.json\", line 37, column 1: missing field `version`; fix that line or export the file again",
+        "\"a.json\", line 38, column 1: missing field `version`; fix that line or export the file again",
     ),
     (
         "\"name\": \"Nook\"",
         "\"title\": \"Nook\"",
-        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `planner`, `behaviour`, `params`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `odometry`, `smooth`; fix that line or export the file again",
+        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `own_robot`, `planner`, `behaviour`, `params`, `path`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`, `smooth`; fix that line or export the file again",
     ),
     (
         "\"radius\": 0.02",
@@ -193,12 +195,17 @@ const STRUCTURE: &[Case] = &[
     (
         "\"drop_off\"",
         "\"stairs\"",
-        "\"a.json\", line 21, column 14, objects[2]: unknown variant `stairs`, expected one of `furniture`, `leg`, `drop_off`, `carpet`, `dirt`, `dock`, `virtual_wall`, `mover`; fix that line or export the file again",
+        "\"a.json\", line 21, column 14, objects[2]: unknown variant `stairs`, expected one of `furniture`, `leg`, `low_obstacle`, `drop_off`, `carpet`, `dirt`, `dock`, `virtual_wall`, `mover`; fix that line or export the file again",
     ),
     (
         "\"quantised\": true",
         "\"quantised\": 1",
         "\"a.json\", line 35, column 16, quantised: invalid type: integer `1`, expected a boolean; fix that line or export the file again",
+    ),
+    (
+        "\"start_charge_percent\": 40",
+        "\"start_charge_percent\": 0",
+        "\"a.json\", line 36, column 27, start_charge_percent: 0 is out of range; use a percentage from 1 to 100",
     ),
     (
         "\"width\": 8",
@@ -456,13 +463,13 @@ fn size_limits_are_kept() {
         let all = vec![leg; count].join(", ");
         with(leg, &all)
     };
-    // The sample has seven others.
-    assert!(read(&objects(MAX_OBJECTS - 7)).is_ok());
+    // The sample has eight others.
+    assert!(read(&objects(MAX_OBJECTS - 8)).is_ok());
     assert_eq!(
-        read(&objects(MAX_OBJECTS - 6)).unwrap_err(),
+        read(&objects(MAX_OBJECTS - 7)).unwrap_err(),
         "\"a.json\", line 19, column 4, objects: there are 501 objects, but at most 500 are allowed; remove some"
     );
-    assert!(schema_complains(&objects(MAX_OBJECTS - 6)).is_some());
+    assert!(schema_complains(&objects(MAX_OBJECTS - 7)).is_some());
     // Corners on a circle, as an outline and as a path.
     let points = |count: usize| {
         let point = |i: usize| {
@@ -493,8 +500,11 @@ fn version_1_has_no_keys_of_version_2() {
         ("slip", "\"none\""),
         ("noise", "{}"),
         ("quantised", "false"),
+        ("start_charge_percent", "50"),
         ("odometry", "\"arc\""),
         ("smooth", "true"),
+        ("own_robot", "{}"),
+        ("path", "[[1, 1]]"),
     ] {
         let text = format!(
             "{{ \"format\": \"robovac-scenario\", \"version\": 1, \"resolution\": 0.2, \"width\": 1, \"height\": 1,\n\
@@ -522,12 +532,20 @@ fn the_schema_takes_what_is_written() {
     let schema = the_schema();
     let keys = schema["properties"].as_object().unwrap().keys();
     let missing: Vec<_> = keys.filter(|key| written.get(key.as_str()).is_none()).collect();
-    assert_eq!(missing, ["note", "origin", "params", "planner", "twin"]);
+    assert_eq!(missing, ["note", "origin", "own_robot", "params", "path", "planner", "twin"]);
     let kinds: Vec<_> = schema["$defs"]["object"]["properties"].as_object().unwrap().keys().collect();
     let objects = written["objects"].as_array().unwrap();
     let mut found: Vec<_> = objects.iter().flat_map(|object| object.as_object().unwrap().keys()).collect();
     found.sort();
     assert_eq!(found, kinds);
+    // An own robot with everything, and a path.
+    let own =
+        "corners:0.2_-0.15_0.2_0.15_-0.2_0,tool:0.25,speed:0.25,turn:90,at:0.02_0,wheels:omnidirectional,without:light";
+    session.restore(&format!("room=empty&planner=snake&robot=roomba600&own={own}&path=ginBginBg99HAAwmhB")).unwrap();
+    let written = session.scenario_json();
+    assert_eq!(schema_complains(&written), None, "{written}");
+    session.load(&[file(&written)]).unwrap();
+    assert_eq!(session.scenario_json(), written);
 }
 
 /// Places in the sample where something is written over something else.

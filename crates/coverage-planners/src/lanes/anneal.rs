@@ -80,9 +80,10 @@ pub(super) fn anneal(
     let width = 2.0 * floor.tool_radius;
     let metres = setup.coverage * floor.area() / width;
     let total = (setup.effort * metres.max(1.0)) as u64;
-    if points.len() < 2 || total == 0 {
+    if points.is_empty() || total == 0 {
         return best.points;
     }
+    let points = if let [only] = points[..] { vec![only; 2] } else { points };
     let mut walker = Walker {
         path: SweptPath::new(points, raster, search.space, search.times, search.heading),
         nearby: Nearby::default(),

@@ -33,8 +33,8 @@ pub use error::LanesError;
 pub use free_space::FreeSpace;
 pub(crate) use planner::BUILD;
 pub use planner::INFO;
-pub use scan::swept_share;
 pub(crate) use scan::across;
+pub use scan::swept_share;
 
 use anneal::anneal;
 use cost::MotionTimes;

@@ -5,7 +5,10 @@ use crate::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
 };
 use rand::RngExt;
-use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
+use robovac_core::{
+    registry::{Example, Explainer, ParamKind, ParamSpec},
+    robot::Tool,
+};
 use std::ops::ControlFlow;
 
 /// Moves for every metre of the bound at effort 1.
@@ -15,19 +18,17 @@ const MOVES: f64 = 10_000.0;
 pub const INFO: PlannerInfo = PlannerInfo {
     id: "lanes",
     title: "Lanes in metres",
-    summary: "Lays lanes as far apart as the tool allows, and searches for the path that takes the least time.",
-    source: "Kirkpatrick et al. 1983, Optimization by simulated annealing; Croes 1958 (2-opt); Or 1976 (Or-opt); the \
-             moves in metres are ours",
+    summary: "Lays lanes as far apart as the tool allows, and searches for the fastest path.",
+    source: "Kirkpatrick et al. 1983, Optimization by simulated annealing; the moves are ours",
     link: "https://doi.org/10.1126/science.220.4598.671",
     explainer: Explainer {
-        idea: "Plans straight pieces in metres, not steps from cell to cell. Every part of the room gets lanes along \
-               its longer direction, a tool's width apart. Then corners and lanes are shifted, left out and joined by \
-               simulated annealing, until the required share of the floor is swept in the least time found.",
-        complexity: "O(n) memory for n square metres; effort 1 tries 10,000 changes for every metre of the path.",
-        use_when: "When time counts and a path of free directions can be driven. Stop it at any time: it keeps the \
-                   best path so far.",
-        shines: Example { room: "hotel", why: "Long lanes and short links: close to the least length possible." },
-        fails: Example { room: "room12ft", why: "Legs of table and chairs leave slivers that cost detours." },
+        idea: "Plans straight pieces in metres, not steps between cells. Parts of the room get lanes along their \
+               longer direction, a tool's width apart. Simulated annealing then shifts, drops and joins lanes and \
+               corners until the required coverage takes the least time found.",
+        complexity: "O(n) memory for n m²; effort 1 tries 10,000 changes per metre.",
+        use_when: "When time counts. Stop it at any time: it keeps the best path so far.",
+        shines: Example { room: "hotel", why: "Long lanes and short links." },
+        fails: Example { room: "room12ft", why: "Slivers between legs of chairs cost detours." },
     },
     claims: PlannerClaims {
         complete: false,
@@ -41,13 +42,13 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "coverage",
             label: "Coverage",
-            help: "Share of the reachable floor that the path has to sweep; the last few percent take the longest.",
+            help: "Share of the reachable floor to sweep; the last percent take longest.",
             kind: ParamKind::Number { min: 50.0, max: 100.0, step: 0.1, default: 99.0, unit: "%" },
         },
         ParamSpec {
             id: "effort",
-            label: "Effort",
-            help: "How long it searches for a faster path; 0 keeps the first one.",
+            label: "Search time",
+            help: "Search effort for a faster path; 0 keeps the first one.",
             kind: ParamKind::Number { min: 0.0, max: 100.0, step: 0.1, default: 1.0, unit: "" },
         },
         ParamSpec {
@@ -75,6 +76,9 @@ struct Lanes(LanesSetup);
 impl Planner for Lanes {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         let place = job.place.as_ref().ok_or(PlanError::NoFloor)?;
+        if place.robot.tool != Tool::CENTRED {
+            return Err(PlanError::OtherTool);
+        }
         let setup = LanesSetup { seed: ctx.rng.random(), ..self.0 };
         let mut is_cancelled = false;
         let found = plan_lanes(&place.floor, &place.robot, &setup, &mut |LanesProgress { done, path, .. }| {

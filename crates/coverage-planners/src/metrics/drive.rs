@@ -2,9 +2,9 @@
 
 use robovac_core::{
     coverage::{CoverageTracker, ReachableFloor},
-    geometry::{Point, difference},
+    geometry::{Point, Pose, difference},
     math,
-    robot::RobotModel,
+    robot::{RobotModel, Tool, WheelLayout},
     trajectory::Trajectory,
 };
 use serde::{Deserialize, Serialize};
@@ -53,10 +53,7 @@ impl DriveMetrics {
 
     fn measured(floor: &ReachableFloor, robot: &RobotModel, line: &[Point], drive: &LineDrive) -> Self {
         let LineDrive { length, turning, straight_s, turning_s } = *drive;
-        let mut tracker = CoverageTracker::new(floor);
-        for &point in line {
-            tracker.sweep_to(floor, point);
-        }
+        let tracker = swept(floor, line);
         let power = robot.power;
         let joules = (power.standing + power.straight) * straight_s + (power.standing + power.turning) * turning_s;
         Self {
@@ -69,6 +66,23 @@ impl DriveMetrics {
             overlap_m2: tracker.overlap() * tracker.coverage(floor) * floor.area(),
         }
     }
+}
+
+/// The floor swept along a line.
+fn swept(floor: &ReachableFloor, line: &[Point]) -> CoverageTracker {
+    let mut tracker = CoverageTracker::new(floor);
+    let mut at = floor.start;
+    for &to in line {
+        // A tool that isn't in the middle is swung round by a turn on the spot.
+        if floor.turns && floor.tool != Tool::CENTRED && at.position() != to {
+            let way = to - at.position();
+            at.heading = math::atan2(way.y, way.x);
+            tracker.sweep_to(floor, at);
+        }
+        at = Pose { x: to.x, y: to.y, ..at };
+        tracker.sweep_to(floor, at);
+    }
+    tracker
 }
 
 /// A line driven from rest to rest.
@@ -90,7 +104,7 @@ impl LineDrive {
             let step = piece[1] - piece[0];
             let towards = math::atan2(step.y, step.x);
             let turn = difference(heading, towards).abs();
-            if turn > 1e-9 {
+            if turn > 1e-9 && robot.wheels == WheelLayout::Differential {
                 drive.turning += turn;
                 drive.turning_s += robot.turn_time(turn);
             }

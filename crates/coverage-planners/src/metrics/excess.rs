@@ -2,7 +2,12 @@
 
 use super::DriveMetrics;
 use crate::lanes::{MetricBound, swept_share};
-use robovac_core::{coverage::ReachableFloor, geometry::Point, robot::RobotModel, trajectory::Trajectory};
+use robovac_core::{
+    coverage::ReachableFloor,
+    geometry::Point,
+    robot::{RobotModel, Tool},
+    trajectory::Trajectory,
+};
 use serde::{Deserialize, Serialize};
 
 /// What any path needs that sweeps so much of a floor.
@@ -18,11 +23,17 @@ pub struct SweepBound {
 }
 
 impl SweepBound {
-    /// The bounds for the share `coverage` of `floor`; `None` for a robot that fills a cell, as for [`MetricExcess::of`].
+    /// The bounds for the share `coverage` of `floor`; `None` as for [`MetricExcess::of`].
     pub fn new(floor: &ReachableFloor, robot: &RobotModel, coverage: f64) -> Option<Self> {
         let MetricBound { length_m, duration_s, .. } = MetricBound::new(floor, robot, coverage);
-        (!robot.fills_cell).then_some(Self { coverage, length_m, duration_s })
+        sweeps_as_disc(robot).then_some(Self { coverage, length_m, duration_s })
     }
+}
+
+/// Whether what a robot sweeps is a disc around the place that its path is of. The bounds are for those: standing on a cell
+/// sweeps its corners, too, and turning moves a tool that isn't in the middle.
+pub fn sweeps_as_disc(robot: &RobotModel) -> bool {
+    !robot.fills_cell && robot.tool == Tool::CENTRED
 }
 
 /// A driven line above the bounds for the floor that it sweeps.
@@ -37,10 +48,9 @@ pub struct MetricExcess {
 }
 
 impl MetricExcess {
-    /// Excess of `line` (corners, m), whose numbers are `drive`. `None` for a robot that fills a cell: the bounds are those of a
-    /// disc, and standing on a cell sweeps its corners, too.
+    /// Excess of `line` (corners, m), whose numbers are `drive`. `None` unless the robot [sweeps as a disc](sweeps_as_disc).
     pub fn of(floor: &ReachableFloor, robot: &RobotModel, line: &[Point], drive: &DriveMetrics) -> Option<Self> {
-        if robot.fills_cell {
+        if !sweeps_as_disc(robot) {
             return None;
         }
         let swept = swept_share(floor, line);
@@ -75,9 +85,8 @@ mod tests {
         let plan = Sketch::open(6.0, 1.0, 0.05).start(0.5, 0.5, 0.0).finish("", "");
         let floor = ReachableFloor::new(&plan, robot, None).unwrap();
         let line = [0.5, 5.5, 0.5].map(|x| Point::new(x, 0.5));
-        let excess = |line: &[Point]| {
-            MetricExcess::of(&floor, robot, line, &DriveMetrics::of(&floor, robot, line)).unwrap()
-        };
+        let excess =
+            |line: &[Point]| MetricExcess::of(&floor, robot, line, &DriveMetrics::of(&floor, robot, line)).unwrap();
         let (once, twice) = (excess(&line[..2]), excess(&line));
         assert!((once.swept * floor.area() - (5.0 * 0.17 + 0.0227)).abs() < 1e-3);
         assert!((once.bound.length_m - 5.0).abs() < 0.01 && once.above[0].abs() < 0.002, "{once:?}");

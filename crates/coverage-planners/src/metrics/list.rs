@@ -147,7 +147,7 @@ pub const METRICS: &[MetricInfo] = &[
             "excess_length",
             "Excess length",
             ("%", 1),
-            "Length above the proven least length of any path that sweeps as much floor, in percent of that.",
+            "Length above the proven least of any path that sweeps as much floor.",
             |n| Some(100.0 * n.excess?.above[0].max(0.0)),
         )
     },
@@ -157,7 +157,7 @@ pub const METRICS: &[MetricInfo] = &[
             "excess_time",
             "Excess time",
             ("%", 1),
-            "Time above the proven least time of any path that sweeps as much floor, in percent of that.",
+            "Time above the proven least of any path that sweeps as much floor.",
             |n| Some(100.0 * n.excess?.above[1].max(0.0)),
         )
     },
@@ -186,10 +186,10 @@ pub const METRICS: &[MetricInfo] = &[
     ),
     lower(
         "turning",
-        "Turning",
-        ("°", 0),
-        "Sum of all turning angles along the path, including the turn at the start.",
-        |n| Some(n.drive.turning_deg),
+        "Turned in all",
+        ("turns", 1),
+        "Sum of all turning angles along the path, including the turn at the start, in full turns of 360°.",
+        |n| Some(n.drive.turning_deg / 360.0),
     ),
     lower("steps", "Steps", ("", 0), "Steps of the walk between planning cells.", |n| Some(n.walk?.steps as f64)),
     lower(

@@ -10,6 +10,6 @@ mod walk;
 
 pub use crate::{Bounds, TURN_STEPS};
 pub use drive::DriveMetrics;
-pub use excess::{MetricExcess, SweepBound};
+pub use excess::{MetricExcess, SweepBound, sweeps_as_disc};
 pub use list::{Better, METRICS, MetricInfo, PlanNumbers, Rounding};
 pub use walk::WalkMetrics;

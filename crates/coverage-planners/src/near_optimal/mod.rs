@@ -84,8 +84,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
     params: &[
         ParamSpec {
             id: "effort",
-            label: "Effort",
-            help: "Search effort for a better walk; 0 keeps the first one.",
+            label: "Search time",
+            help: "How long to search for a better walk, as a multiple of the usual time; 0 keeps the first one.",
             kind: ParamKind::Number { min: 0.0, max: 100.0, step: 0.1, default: 1.0, unit: "" },
         },
         ParamSpec {

@@ -68,10 +68,7 @@ fn ends(line: &[Point], unit: &Unit) -> [Point; 2] {
         at + whole * (way / whole.norm()).min(1.0)
     };
     let last = unit.first + unit.corners - 1;
-    [
-        along(line[unit.first], line[unit.first - 1], unit.reach[0]),
-        along(line[last], line[last + 1], unit.reach[1]),
-    ]
+    [along(line[unit.first], line[unit.first - 1], unit.reach[0]), along(line[last], line[last + 1], unit.reach[1])]
 }
 
 /// What is taken at a unit.

@@ -62,14 +62,16 @@ pub struct SmoothPath {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum SmoothError {
     /// A robot that moves in every direction doesn't turn at corners.
-    #[error("{0} can't round corners: it moves in every direction without turning. Choose a robot with two driven wheels")]
+    #[error(
+        "{0} can't round corners: it moves in every direction without turning. Choose a robot with two driven wheels"
+    )]
     NotDifferential(&'static str),
 }
 
 /// Rounds `line` (corners in metres, from the start of `floor`) for `robot`, which drives no faster than `limits`.
 ///
-/// The result never takes longer than stopping at every corner, its body touches nothing where the line's doesn't, and it sweeps
-/// at most `setup.loss` less.
+/// The result takes no longer than stopping at every corner within the same limits, its body touches nothing where the
+/// line's doesn't, and it sweeps at most `setup.loss` less.
 pub fn smooth(floor: &ReachableFloor, line: &[Point], limits: &DriveLimits, setup: &SmoothSetup) -> SmoothPath {
     let heading = floor.start.heading;
     let line = &distinct(line);

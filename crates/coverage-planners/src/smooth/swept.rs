@@ -35,7 +35,8 @@ impl<'a> SweptCounts<'a> {
         let [width, height] = [width, height].map(|cells| cells * floor.resolution);
         let (sin, cos) = math::sin_cos(ANGLE);
         // The box around the turned plan.
-        let (low, size) = (Vector::new(0.0, -sin * width), Vector::new(cos * width + sin * height, sin * width + cos * height));
+        let (low, size) =
+            (Vector::new(0.0, -sin * width), Vector::new(cos * width + sin * height, sin * width + cos * height));
         let spacing = SPACING.max((size.x * size.y / MOST).sqrt());
         let [columns, rows] = [size.x, size.y].map(|metres| (metres / spacing) as usize + 1);
         Self { floor, along: Vector::new(cos, sin), low, spacing, columns, rows, counts: vec![0; columns * rows] }

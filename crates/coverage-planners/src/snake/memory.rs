@@ -1,6 +1,7 @@
 //! What the robot knows of the room, and the counts of the smaller-block rule.
 
 use robovac_core::grid::{Cell, Direction, Grid};
+use std::ops::Range;
 
 /// Value of an unseen cell.
 pub(super) const UNSEEN: i32 = -1;
@@ -10,6 +11,7 @@ pub(super) const SEEN: i32 = 0;
 pub(super) const BLOCKED: i32 = i32::MAX;
 
 /// The robot's knowledge of the room, with the counts that the smaller-block rule compares.
+#[derive(Debug, Clone)]
 pub(super) struct SnakeMemory {
     pub values: Grid<i32>,
     /// Seen cells to be cleaned in every row.
@@ -18,6 +20,9 @@ pub(super) struct SnakeMemory {
     left_in_column: Vec<u32>,
     /// Cells to be cleaned.
     pub left: usize,
+    /// Columns and rows of the room.
+    columns: Range<i32>,
+    rows: Range<i32>,
 }
 
 impl SnakeMemory {
@@ -31,7 +36,46 @@ impl SnakeMemory {
             seen_in_row: vec![0; free.height()],
             left: free.count(),
             left_in_column,
+            columns: 0..free.width() as i32,
+            rows: 0..free.height() as i32,
         }
+    }
+
+    /// Of a room of which nothing is known: all counts as blocked until it is [opened](Self::open).
+    pub fn blank(width: usize, height: usize) -> Self {
+        let blank = Self::new(&Grid::filled(width, height, false));
+        Self { columns: 0..0, rows: 0..0, ..blank }
+    }
+
+    /// A blocked cell turns out to be free.
+    pub fn open(&mut self, cell: Cell) {
+        if self.values.get(cell) != Some(&BLOCKED) {
+            return;
+        }
+        self.values[cell] = UNSEEN;
+        self.left += 1;
+        self.left_in_column[cell.x as usize] += 1;
+        (self.columns, self.rows) = (with(&self.columns, cell.x), with(&self.rows, cell.y));
+        let is_beside = |next| (SEEN + 1..BLOCKED).contains(&self.value(next));
+        if cell.neighbours().into_iter().any(is_beside) {
+            self.see(cell);
+        }
+    }
+
+    /// A free cell turns out to be blocked.
+    pub fn block(&mut self, cell: Cell) {
+        let Some(&value) = self.values.get(cell) else { return };
+        if value <= SEEN {
+            self.left -= 1;
+            self.left_in_column[cell.x as usize] -= 1;
+            self.seen_in_row[cell.y as usize] -= u32::from(value == SEEN);
+        }
+        self.values[cell] = BLOCKED;
+    }
+
+    /// Whether a cell is in the rows and columns of the room.
+    pub fn is_inside(&self, cell: Cell) -> bool {
+        self.columns.contains(&cell.x) && self.rows.contains(&cell.y)
     }
 
     /// The robot comes to `cell` and sees its neighbours.
@@ -65,6 +109,11 @@ impl SnakeMemory {
         }
     }
 
+    /// Whether a cell is still to be cleaned.
+    pub fn is_left(&self, cell: Cell) -> bool {
+        self.value(cell) <= SEEN
+    }
+
     /// Value of a cell; outside all is blocked.
     pub fn value(&self, cell: Cell) -> i32 {
         self.values.get(cell).copied().unwrap_or(BLOCKED)
@@ -89,9 +138,9 @@ impl SnakeMemory {
     pub fn smaller_block(&self, at: Cell, facing: Direction) -> Direction {
         let [(first, a), (second, b)] = self.blocks(at, facing);
         let (line, lines) = if facing.is_horizontal() {
-            (self.seen_in_row.len() - 1 - at.y as usize, self.seen_in_row.len())
+            (self.rows.end - 1 - at.y, self.rows.len() as i32)
         } else {
-            (at.x as usize, self.left_in_column.len())
+            (at.x - self.columns.start, self.columns.len() as i32)
         };
         let is_first = match (a, b) {
             // Facing along x a side without any such cell loses.
@@ -133,6 +182,11 @@ pub(super) fn place(direction: Direction) -> &'static str {
 }
 
 /// The program's test for the top and the left edge: whether line `line` of `lines` is nearer to the first.
-fn is_nearer_to_first_edge(line: usize, lines: usize) -> bool {
+fn is_nearer_to_first_edge(line: i32, lines: i32) -> bool {
     line < lines - line
+}
+
+/// The range that holds `line`, too.
+fn with(range: &Range<i32>, line: i32) -> Range<i32> {
+    if range.is_empty() { line..line + 1 } else { range.start.min(line)..range.end.max(line + 1) }
 }

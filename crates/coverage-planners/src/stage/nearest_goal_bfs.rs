@@ -4,7 +4,7 @@ use robovac_core::grid::{Cell, Direction, Grid};
 
 /// Breadth-first search that stops at its first goal and reuses its memory, so that a search takes time in proportion
 /// to the cells it visits.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct NearestGoalBfs {
     /// `base` + steps from the last search's start; lower values are left from searches before.
     reached: Vec<u32>,

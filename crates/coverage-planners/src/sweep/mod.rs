@@ -23,4 +23,4 @@ pub use error::SweepError;
 pub use pipeline::{SCAN_WIDTHS, sweep};
 pub use program::{planned_for, program};
 pub use stages::{CLEARANCE, LinkOrder, OrderCost, SubgoalLink, Sweep, SweepSetup};
-pub use track::{FRAME, in_frame, start_text, to_csv, to_ros_path};
+pub use track::{FRAME, Waypoint, in_frame, start_text, to_csv, to_ros_path, waypoints};

@@ -35,7 +35,7 @@ pub(super) fn decimals(value: f64, least: usize, most: usize) -> String {
 
 /// A robot's position on its path, with the time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Waypoint {
+pub struct Waypoint {
     /// In the room.
     pub pose: Pose,
     /// Driven so far, m.
@@ -47,7 +47,7 @@ pub(super) struct Waypoint {
 /// The stops of a robot that stands at the start of `path` with `heading` rad: every corner, and those at which it
 /// turns twice, before and after. Times are by its motion model, from rest to rest. A robot that moves in every
 /// direction keeps its heading.
-pub(super) fn waypoints(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<Waypoint> {
+pub fn waypoints(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<Waypoint> {
     let Some(&first) = path.first() else { return Vec::new() };
     let mut at = Waypoint { pose: Pose::new(first.x, first.y, heading), distance: 0.0, time: 0.0 };
     let mut stops = vec![at];

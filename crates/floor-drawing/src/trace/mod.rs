@@ -3,17 +3,20 @@
 mod frame;
 mod gaps;
 mod openings;
+mod page;
 mod raster;
 mod region;
 mod solids;
 
-use super::{Drawing, DrawingError, DrawingFlaw, DrawingRegion, Role, Traced, Tracing, error::bad};
+use super::{Drawing, DrawingError, DrawingFlaw, DrawingRegion, Picture, Role, Traced, Tracing, error::bad};
+pub(crate) use page::without_page;
+
 use frame::{BoundingBox, RasterFrame, bounds_of};
 use raster::RasterCanvas;
 use robovac_core::{
     floor_plan::{FloorPlan, MAX_CORNERS, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, crossing, encloses},
-    geometry::{Point, Pose},
-    grid::{Cell, Grid, Occupancy},
+    geometry::{Point, Pose, Vector},
+    grid::{Cell, Grid, Occupancy, chessboard, largest_part, reachable},
     math::{ceil, floor},
 };
 
@@ -21,6 +24,10 @@ use robovac_core::{
 const MARGIN: i32 = 2;
 /// Floor around a drawing whose walls enclose nothing, m (ours): room for a robot to pass.
 const OPEN_MARGIN: f64 = 1.0;
+/// Width of outer doors, m (ours): they are closed indoors. Double doors and gates stay open.
+const OUTER_DOOR: f64 = 1.25;
+/// Least share of the floor that walls enclose indoors: the insides of letters and furniture are no building.
+const INDOORS: f64 = 0.05;
 /// Ends of walls closer than this are joined, m (ours); allows for rounding by drawing programs.
 const TOUCHING: f64 = 1e-3;
 /// Side of the first area searched around the point that chooses a room, cells; doubled until it contains the room.
@@ -55,8 +62,30 @@ pub fn trace(drawing: &Drawing, how: &Tracing) -> Result<Traced, DrawingError> {
     RoomTracer::new(drawing, how).and_then(|tracer| tracer.run()).map_err(|flaw| bad(&drawing.name, "", flaw))
 }
 
+/// Traces a room from a picture, whose unit is a pixel: cells with a pixel that isn't floor are walls. `how.roles` has no
+/// use, and only openings between walls are closed, whatever their ends are like.
+pub fn trace_picture(picture: &Picture, how: &Tracing) -> Result<Traced, DrawingError> {
+    let drawing = Drawing {
+        name: picture.name.clone(),
+        metre: None,
+        layers: Vec::new(),
+        strokes: Vec::new(),
+        points: Vec::new(),
+        left_out: Vec::new(),
+    };
+    let how = Tracing { roles: Vec::new(), ..how.clone() };
+    let tracer = RoomTracer::with(&drawing, &how, Some(picture));
+    let traced = tracer.and_then(|tracer| tracer.run()).map_err(|flaw| bad(&drawing.name, "", flaw))?;
+    Ok(traced.turned(picture.turn))
+}
+
+/// The floor that walls enclose: its cells, the walls and the openings that are closed for it.
+type EnclosedFloor = (RasterFrame, Grid<bool>, Grid<bool>, Vec<[Point; 2]>);
+
 struct RoomTracer<'a> {
     drawing: &'a Drawing,
+    /// What is traced instead of strokes.
+    picture: Option<&'a Picture>,
     how: &'a Tracing,
     /// Bounding box of all strokes that aren't ignored, drawing units.
     bounds: BoundingBox,
@@ -67,6 +96,10 @@ struct RoomTracer<'a> {
 
 impl<'a> RoomTracer<'a> {
     fn new(drawing: &'a Drawing, how: &'a Tracing) -> Result<Self, DrawingFlaw> {
+        Self::with(drawing, how, None)
+    }
+
+    fn with(drawing: &'a Drawing, how: &'a Tracing, picture: Option<&'a Picture>) -> Result<Self, DrawingFlaw> {
         let (layers, roles) = (drawing.layers.len(), how.roles.len());
         if layers != roles || drawing.strokes.iter().any(|stroke| stroke.layer as usize >= roles) {
             return Err(DrawingFlaw::Roles { layers, roles });
@@ -77,9 +110,15 @@ impl<'a> RoomTracer<'a> {
         if !(MIN_RESOLUTION..=MAX_RESOLUTION).contains(&how.resolution) {
             return Err(DrawingFlaw::Resolution { value: how.resolution });
         }
-        let bounds = bounds_of(drawing, |layer| how.roles[layer as usize] != Role::Ignored);
+        let bounds = match picture {
+            Some(Picture { blocked, turn, .. }) => {
+                let [low, high] = Picture::bounds(blocked.width(), blocked.height(), *turn);
+                Some(BoundingBox { low, high })
+            }
+            None => bounds_of(drawing, |layer| how.roles[layer as usize] != Role::Ignored),
+        };
         let bounds = bounds.ok_or(DrawingFlaw::AllIgnored)?;
-        let mut tracer = Self { drawing, how, bounds, side: how.resolution / how.metre, bridges: Vec::new() };
+        let mut tracer = Self { drawing, picture, how, bounds, side: how.resolution / how.metre, bridges: Vec::new() };
         if how.gap > 0.0 {
             tracer.bridges = tracer.bridges();
         }
@@ -101,6 +140,7 @@ impl<'a> RoomTracer<'a> {
 
     fn run(&self) -> Result<Traced, DrawingFlaw> {
         match &self.how.region {
+            DrawingRegion::Indoors => self.indoors(),
             DrawingRegion::Whole => self.whole(),
             DrawingRegion::Rectangle { low, high } => self.rectangle(*low, *high),
             DrawingRegion::Polygon(outline) => self.polygon(outline),
@@ -108,10 +148,50 @@ impl<'a> RoomTracer<'a> {
         }
     }
 
+    fn indoors(&self) -> Result<Traced, DrawingFlaw> {
+        match self.enclosed()? {
+            Some((frame, inside, walls, openings)) => self.cropped(&frame, inside, &walls, &openings),
+            None => self.whole(),
+        }
+    }
+
+    /// The floor that walls enclose, with openings up to the width of an outer door closed: cells, walls and openings.
+    /// `None` if they enclose hardly any.
+    fn enclosed(&self) -> Result<Option<EnclosedFloor>, DrawingFlaw> {
+        let gap = OUTER_DOOR.max(self.how.gap) / self.how.resolution;
+        let frame = RasterFrame::around(&self.bounds, self.side, ceil(gap.min(1e6)).saturating_add(MARGIN));
+        if frame.check(self.how.metre).is_err() {
+            return Ok(None);
+        }
+        let walls = self.walls(&frame, false)?;
+        let mut inside = region::enclosed(&walls, self.how.resolution);
+        let outside = openings::part(&walls, [Cell::new(0, 0)], gap);
+        let mut openings = Vec::new();
+        let mut shut = outside.cells;
+        for (cell, &is_wall) in shut.values_mut().iter_mut().zip(walls.values()) {
+            *cell |= is_wall;
+        }
+        let with_doors_closed = region::enclosed(&shut, self.how.resolution);
+        if with_doors_closed.count() > inside.count() {
+            (inside, openings) = (with_doors_closed, outside.openings);
+        }
+        let size = (self.bounds.high - self.bounds.low) / self.side;
+        let is_building = inside.count() as f64 >= INDOORS * size.x * size.y;
+        Ok(is_building.then_some((frame, inside, walls, openings)))
+    }
+
     fn whole(&self) -> Result<Traced, DrawingFlaw> {
+        if self.picture.is_some() {
+            let frame = RasterFrame::around(&self.bounds, self.side, 0);
+            frame.check(self.how.metre)?;
+            let floor = self.walls(&frame, true)?.map(|is_wall| !is_wall);
+            let mut traced = self.furnished(&frame, &floor)?;
+            traced.plan.start = self.start_indoors(&frame, floor.count())?;
+            return Ok(traced);
+        }
         let frame = RasterFrame::around(&self.bounds, self.side, MARGIN);
         frame.check(self.how.metre)?;
-        let walls = self.walls(&frame)?;
+        let walls = self.walls(&frame, false)?;
         let inside = region::enclosed(&walls, self.how.resolution);
         let closed = inside.count();
         // If walls enclose only a column or one room, rooms with open doors aren't found that way.
@@ -124,8 +204,21 @@ impl<'a> RoomTracer<'a> {
         let margin = ceil(OPEN_MARGIN / self.how.resolution).max(MARGIN);
         let frame = RasterFrame::around(&self.bounds, self.side, margin);
         frame.check(self.how.metre)?;
-        let walls = self.walls(&frame)?;
+        let walls = self.walls(&frame, false)?;
         self.furnished(&frame, &walls.map(|is_wall| !is_wall))
+    }
+
+    /// The middle of the widest place that walls enclose, in the room of the cells `whole`, if there is floor outside, too.
+    fn start_indoors(&self, whole: &RasterFrame, free: usize) -> Result<Option<Pose>, DrawingFlaw> {
+        let Some((frame, inside, ..)) = self.enclosed()? else { return Ok(None) };
+        let Some(room) = largest_part(&inside).filter(|_| inside.count() < free) else { return Ok(None) };
+        let room = reachable(&inside, room);
+        let width = chessboard(&room.map(|is_room| !is_room));
+        let widest = width.iter().max_by_key(|&(_, &moves)| moves);
+        Ok(widest.map(|(cell, _)| {
+            let at = whole.cells(frame.point(cell.centre(1.0))) * self.how.resolution;
+            Pose::new(at.x, at.y, 0.0)
+        }))
     }
 
     /// The floor enclosed when openings in walls are closed, if that is more than the `closed` cells enclosed anyway.
@@ -135,7 +228,7 @@ impl<'a> RoomTracer<'a> {
         if gap <= 0.0 || frame.check(self.how.metre).is_err() {
             return Ok(None);
         }
-        let walls = self.walls(&frame)?;
+        let walls = self.walls(&frame, false)?;
         let outside = openings::part(&walls, [Cell::new(0, 0)], gap);
         let mut shut = outside.cells;
         for (cell, &is_wall) in shut.values_mut().iter_mut().zip(walls.values()) {
@@ -150,7 +243,7 @@ impl<'a> RoomTracer<'a> {
 
     fn rectangle(&self, a: Point, b: Point) -> Result<Traced, DrawingFlaw> {
         let frame = self.frame_of(&BoundingBox { low: a.inf(&b), high: a.sup(&b) })?;
-        let walls = self.walls(&frame)?;
+        let walls = self.walls(&frame, true)?;
         self.furnished(&frame, &walls.map(|is_wall| !is_wall))
     }
 
@@ -159,7 +252,7 @@ impl<'a> RoomTracer<'a> {
         let is_simple = (3..=MAX_CORNERS).contains(&outline.len()) && crossing(outline).is_none();
         let Some(bounds) = BoundingBox::of(outline.iter().copied()).filter(|_| is_simple) else { return Err(refused) };
         let frame = self.frame_of(&bounds)?;
-        let mut free = self.walls(&frame)?.map(|is_wall| !is_wall);
+        let mut free = self.walls(&frame, true)?.map(|is_wall| !is_wall);
         let outline: Vec<Point> = outline.iter().map(|&corner| frame.cells(corner)).collect();
         for index in 0..free.len() {
             let centre = free.cell(index).centre(1.0);
@@ -194,7 +287,7 @@ impl<'a> RoomTracer<'a> {
             let from = [0, 1].map(|axis| (at[axis] - look / 2).max(0));
             let to = [0, 1].map(|axis| (at[axis].saturating_add(look / 2)).min(all.size[axis]));
             let frame = all.part(from, [to[0] - from[0], to[1] - from[1]]);
-            let walls = self.walls(&frame)?;
+            let walls = self.walls(&frame, false)?;
             let start = Cell::new(at[0] - from[0], at[1] - from[1]);
             if walls.is_set(start) {
                 return Err(not_floor("a wall"));
@@ -280,9 +373,15 @@ impl<'a> RoomTracer<'a> {
         Ok(traced)
     }
 
-    /// Cells that walls, closed gaps and open obstacles cross.
-    fn walls(&self, frame: &RasterFrame) -> Result<Grid<bool>, DrawingFlaw> {
+    /// Cells that walls, closed gaps and open obstacles cross. `outside` is what lies beyond a picture.
+    fn walls(&self, frame: &RasterFrame, outside: bool) -> Result<Grid<bool>, DrawingFlaw> {
         let mut canvas = RasterCanvas::new(frame.size);
+        if let Some(picture) = self.picture {
+            for index in 0..canvas.cells.len() {
+                let low = frame.point(canvas.cells.cell(index).centre(1.0) - Vector::new(0.5, 0.5));
+                canvas.cells.values_mut()[index] = picture.blocks(low, frame.side, outside);
+            }
+        }
         for stroke in &self.drawing.strokes {
             let stops = match self.how.roles[stroke.layer as usize] {
                 Role::Wall => true,
@@ -324,6 +423,6 @@ impl<'a> RoomTracer<'a> {
         let inside = |end: &Point| (0.0..=plan.width_m()).contains(&end.x) && (0.0..=plan.height_m()).contains(&end.y);
         let in_room = self.bridges.iter().map(|ends| ends.map(|end| frame.cells(end) * self.how.resolution));
         let gaps = in_room.filter(|ends| ends.iter().all(inside)).collect();
-        Ok(Traced { plan, corner: frame.low.coords, metre, gaps })
+        Ok(Traced { plan, corner: frame.low.coords, turn: 0.0, metre, gaps })
     }
 }

@@ -43,7 +43,9 @@ pub fn to_dxf(original: Option<&[u8]>, overlays: &[Overlay]) -> Result<Vec<u8>, 
     let template;
     let original = match original {
         Some(bytes) if is_dxf(bytes) => bytes,
-        Some(_) => return Err(bad(NAME, "", DrawingFlaw::NotADrawing { kind: "not a DXF file" })),
+        Some(_) => {
+            return Err(bad(NAME, "", DrawingFlaw::NotADrawing { kind: "not a DXF file", remedy: "choose a DXF" }));
+        }
         None => {
             template = template::empty();
             &template

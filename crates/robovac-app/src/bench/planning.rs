@@ -17,7 +17,9 @@ const SIMULATED_STEPS: u32 = 120_000;
 pub fn planning(bench: &mut Bench<'_>) {
     for side in [bench.size(100, 30), bench.size(1000, 300)] {
         let Some(job) = hall(side) else { continue };
-        for info in PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS && !info.claims.in_metres) {
+        for info in
+            PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS && !info.claims.in_metres)
+        {
             let planner = info.build(&Params::defaults(info.params));
             let name = format!("plan {} {side} x {side}", info.id);
             bench.take(&name, &mut || drop(planner.plan(&job, &mut PlanContext::new(1))), None);

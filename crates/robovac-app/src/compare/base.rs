@@ -2,7 +2,7 @@
 
 use super::{RaceSetup, RoomChoice};
 use crate::explore::{Session, SessionSnapshot};
-use robovac_core::{floor_plan::FloorPlan, geometry::Pose, robot::Twin};
+use robovac_core::{floor_plan::FloorPlan, geometry::Pose, robot::CustomRobot};
 use robovac_sim::experiment::planning::RoomSetup;
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ pub(super) struct ComparisonBase {
     pub prepared: Option<RoomSetup>,
     start: Option<Pose>,
     pub robot: &'static str,
-    pub twin: Option<Twin>,
+    pub custom: Option<CustomRobot>,
     pub cell_size: f64,
     pub seed: u64,
     pub setup: RaceSetup,
@@ -37,10 +37,10 @@ impl ComparisonBase {
             plan: Arc::clone(session.plan()),
             title: session.room_title(),
             room: session.room(),
-            prepared: session.prepared().cloned(),
+            prepared: session.planning_room(),
             start: session.start(),
             robot: settings.robot,
-            twin: settings.twin,
+            custom: settings.custom.clone(),
             cell_size: settings.cell_size,
             seed: settings.seed,
             setup: RaceSetup {
@@ -76,8 +76,8 @@ impl ComparisonBase {
             RoomChoice::Shipped(id) => id.to_owned(),
             RoomChoice::Own => format!("{OWN}{}", self.snapshot.room_version),
         };
-        let twin = self.twin.map(|twin| format!(" {twin}")).unwrap_or_default();
+        let custom = self.custom.as_ref().map(|custom| format!(" {}:{custom}", custom.key())).unwrap_or_default();
         let smooth = if self.setup.smooth { " smooth" } else { "" };
-        format!("{room} {start:?} {} {}{twin}{smooth}", self.robot, self.cell_size)
+        format!("{room} {start:?} {} {}{custom}{smooth}", self.robot, self.cell_size)
     }
 }

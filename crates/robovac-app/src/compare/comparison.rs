@@ -7,12 +7,12 @@ use super::{
     trials::{TrialKey, Trials},
 };
 use crate::explore::Session;
-use coverage_planners::{CoveragePath, PLANNERS, metrics::PlanNumbers};
+use coverage_planners::{CoveragePath, PLANNERS, PlannerInfo, metrics::PlanNumbers};
 use robovac_core::{
     floor_plan::{ROOMS, Scenario},
     trajectory::{Knot, Trajectory},
 };
-use robovac_sim::experiment::{Algorithm, Entrant, PlanOutcome, SettingsError, TrialRequest};
+use robovac_sim::experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, PlanOutcome, SettingsError, TrialRequest};
 use std::{
     collections::{BTreeMap, BTreeSet},
     sync::Arc,
@@ -20,6 +20,8 @@ use std::{
 
 /// Most seeds for planners that use random numbers.
 pub const MOST_SEEDS: u32 = 20;
+/// Most copies of entrants.
+const MOST_COPIES: usize = 16;
 /// Planners that are selected at first.
 const FIRST: [&str; 4] = ["boustrophedon", "snake", "spiral_stc", "wavefront_path"];
 /// Most cells of all paths kept for the race together, 8 bytes each.
@@ -28,9 +30,17 @@ const MOST_KEPT_CELLS: usize = 8_000_000;
 /// The entrants of a comparison and their results.
 pub struct Comparison {
     base: Option<ComparisonBase>,
-    /// One for each planner of the registry, in its order.
+    /// One for each planner of the registry and each behaviour that cleans by itself, in their order; then copies with
+    /// other parameters.
     entrants: Vec<Entrant>,
-    chosen: BTreeSet<usize>,
+    /// Number of those before the copies.
+    originals: usize,
+    /// Copies that were removed; their numbers are used again.
+    removed: BTreeSet<usize>,
+    /// In the order in which they were chosen.
+    chosen: Vec<usize>,
+    /// Those of them that were taken out of the race.
+    benched: BTreeSet<usize>,
     set: RoomSet,
     seeds: u32,
     trials: Trials,
@@ -46,12 +56,18 @@ pub struct Comparison {
 impl Comparison {
     /// A comparison of some planners in the session's room.
     pub fn new() -> Self {
-        let entrants: Vec<Entrant> = PLANNERS.iter().map(|planner| Entrant::new(Algorithm::Planner(planner))).collect();
-        let chosen = (0..entrants.len()).filter(|&i| FIRST.contains(&entrants[i].id())).collect();
+        let planners = PLANNERS.iter().map(|planner| Algorithm::Planner(planner));
+        let cleans =
+            |algorithm: &Algorithm| algorithm.behaviour().is_some_and(|info| info.claims.cleans && !info.claims.manual);
+        let entrants: Vec<Entrant> = planners.chain(Algorithm::all().filter(cleans)).map(Entrant::new).collect();
+        let chosen = (0..PLANNERS.len()).filter(|&i| FIRST.contains(&entrants[i].id())).collect();
         let mut comparison = Self {
             base: None,
+            originals: entrants.len(),
             entrants,
+            removed: BTreeSet::new(),
             chosen,
+            benched: BTreeSet::new(),
             set: RoomSet::This,
             seeds: 1,
             trials: Trials::default(),
@@ -83,22 +99,114 @@ impl Comparison {
 
     /// Includes a planner, or excludes it.
     pub fn choose(&mut self, id: &str, takes_part: bool) -> Result<(), SettingsError> {
-        let index = self.index(id)?;
-        if takes_part {
-            self.chosen.insert(index)
-        } else {
-            self.chosen.remove(&index)
-        };
-        self.changed();
+        self.choose_entrant(Self::index(id)?, takes_part);
         Ok(())
+    }
+
+    /// Includes an entrant by its number, or excludes it.
+    pub fn choose_entrant(&mut self, entrant: usize, takes_part: bool) {
+        self.chosen.retain(|&other| other != entrant);
+        self.benched.remove(&entrant);
+        if takes_part && entrant < self.entrants.len() && !self.removed.contains(&entrant) {
+            self.chosen.push(entrant);
+        }
+        self.changed();
     }
 
     /// Sets a parameter of a planner from the text of a form.
     pub fn set_param(&mut self, planner: &str, id: &str, text: &str) -> Result<(), SettingsError> {
-        let index = self.index(planner)?;
-        self.entrants[index].set(id, text)?;
-        self.changed();
+        self.set_entrant_param(Self::index(planner)?, id, text)
+    }
+
+    /// Sets a parameter of an entrant by its number.
+    pub fn set_entrant_param(&mut self, entrant: usize, id: &str, text: &str) -> Result<(), SettingsError> {
+        if let Some(entrant) = self.entrants.get_mut(entrant) {
+            entrant.set(id, text)?;
+            self.changed();
+        }
         Ok(())
+    }
+
+    /// Includes an entrant once more, to be given other parameters. Does nothing beyond [`MOST_COPIES`].
+    pub fn copy(&mut self, entrant: usize) {
+        let Some(original) = self.entrants.get(entrant).cloned() else { return };
+        if let Some(index) = self.add_copy(original) {
+            self.chosen.push(index);
+            self.changed();
+        }
+    }
+
+    fn add_copy(&mut self, original: Entrant) -> Option<usize> {
+        if let Some(index) = self.removed.pop_first() {
+            self.entrants[index] = original;
+            return Some(index);
+        }
+        (self.entrants.len() < self.originals + MOST_COPIES).then(|| {
+            self.entrants.push(original);
+            self.entrants.len() - 1
+        })
+    }
+
+    /// Removes a copy.
+    pub fn remove_copy(&mut self, entrant: usize) {
+        if self.copy_number(entrant) > 1 {
+            self.removed.insert(entrant);
+            self.choose_entrant(entrant, false);
+        }
+    }
+
+    /// 1 for an original, 2 and up for its copies; 0 for one that was removed.
+    pub fn copy_number(&self, entrant: usize) -> usize {
+        if self.removed.contains(&entrant) || entrant >= self.entrants.len() {
+            return 0;
+        }
+        if entrant < self.originals {
+            return 1;
+        }
+        let is_same = |&index: &usize| {
+            let (one, other) = (self.entrants[index].algorithm, self.entrants[entrant].algorithm);
+            (one.kind(), one.id()) == (other.kind(), other.id()) && !self.removed.contains(&index)
+        };
+        2 + (self.originals..entrant).filter(is_same).count()
+    }
+
+    /// Lets a chosen entrant race, or takes it out of the race. With [`MOST_LANES`] in it, the last of them leaves.
+    pub fn set_racing(&mut self, entrant: usize, races: bool) {
+        if !self.chosen.contains(&entrant) {
+            return;
+        }
+        if races {
+            self.benched.remove(&entrant);
+            self.chosen.retain(|&other| other != entrant);
+            let racing = self.chosen.iter().enumerate().filter(|(_, other)| !self.benched.contains(other));
+            let last = racing.map(|(place, _)| place).nth(MOST_LANES - 1).unwrap_or(self.chosen.len());
+            self.chosen.insert(last, entrant);
+        } else {
+            self.benched.insert(entrant);
+        }
+        self.changed();
+    }
+
+    /// The chosen entrants that race, in their lanes' order.
+    fn racing(&self) -> impl Iterator<Item = usize> {
+        self.chosen.iter().copied().filter(|entrant| !self.benched.contains(entrant))
+    }
+
+    /// The chosen entrants that don't race: taken out of the race, or without a lane.
+    pub fn waiting(&self) -> Vec<usize> {
+        let Some(race) = &self.race else { return Vec::new() };
+        let races = |entrant: usize| race.lanes().iter().any(|lane| lane.racer.entrant == entrant);
+        let here = self.place(self.here());
+        let seed = self.base.as_ref().map_or(0, |base| base.seed);
+        let could = |&entrant: &usize| {
+            let name = self.entrants[entrant].to_string();
+            self.is_behaviour(entrant) || matches!(self.trials.result(&key(&here, &name, seed)), Some(Ok(_)))
+        };
+        self.chosen.iter().copied().filter(|&entrant| !races(entrant)).filter(could).collect()
+    }
+
+    fn is_behaviour(&self, entrant: usize) -> bool {
+        self.entrants[entrant].algorithm.behaviour().is_some()
     }
 
     /// Chooses the rooms.
@@ -114,8 +222,9 @@ impl Comparison {
         self.changed();
     }
 
-    fn index(&self, id: &str) -> Result<usize, SettingsError> {
-        Entrant::parse_planner(id).map(|(_, info)| self.entrants.iter().position(|o| o.id() == info.id).unwrap_or(0))
+    fn index(id: &str) -> Result<usize, SettingsError> {
+        let of_planner = |info: &PlannerInfo| PLANNERS.iter().position(|other| other.id == info.id);
+        Entrant::parse_planner(id).map(|(_, info)| of_planner(info).unwrap_or(0))
     }
 
     /// The choices have changed.
@@ -127,35 +236,53 @@ impl Comparison {
 
     /// The choices as `key=value` pairs for a link.
     pub fn to_link(&self) -> String {
-        let chosen: Vec<String> = self.chosen.iter().map(|&i| self.entrants[i].to_string()).collect();
-        format!("vs={}&rooms={}&seeds={}", chosen.join(","), self.set.id(), self.seeds)
+        let names = |behaves: bool| {
+            let chosen = self.chosen.iter().filter(|&&i| self.is_behaviour(i) == behaves);
+            chosen.map(|&i| self.entrants[i].to_string()).collect::<Vec<_>>().join(",")
+        };
+        let behaviours = names(true);
+        let behaviours = if behaviours.is_empty() { behaviours } else { format!("&behaviours={behaviours}") };
+        format!("vs={}{behaviours}&rooms={}&seeds={}", names(false), self.set.id(), self.seeds)
     }
 
     /// Reads the pairs that [`Comparison::to_link`] wrote, among others, joined by `&`. Changes nothing on an error.
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
-        let mut next = Self { entrants: self.entrants.clone(), ..Self::new() };
+        let mut next = Self { entrants: self.entrants.clone(), removed: self.removed.clone(), ..Self::new() };
         (next.chosen, next.set, next.seeds) = (self.chosen.clone(), self.set, self.seeds);
-        for (key, value) in link.trim_start_matches('#').split('&').filter_map(|pair| pair.split_once('=')) {
+        next.benched.clone_from(&self.benched);
+        let pairs = || link.trim_start_matches('#').split('&').filter_map(|pair| pair.split_once('='));
+        if pairs().any(|(key, _)| key == "vs" || key == "behaviours") {
+            next.chosen.clear();
+            next.benched.clear();
+            next.removed = (next.originals..next.entrants.len()).collect();
+        }
+        for (key, value) in pairs() {
             match key {
-                "vs" => next.choose_only(value)?,
+                "vs" => next.choose_also(PLANNER, value)?,
+                "behaviours" => next.choose_also(BEHAVIOUR, value)?,
                 "rooms" => next.set = RoomSet::parse(value)?,
                 "seeds" => next.seeds = seeds(value)?,
                 _ => {}
             }
         }
         (self.entrants, self.chosen, self.set, self.seeds) = (next.entrants, next.chosen, next.set, next.seeds);
+        (self.removed, self.benched) = (next.removed, next.benched);
         self.changed();
         Ok(())
     }
 
-    /// Includes only the planners of a link.
-    fn choose_only(&mut self, link: &str) -> Result<(), SettingsError> {
-        self.chosen.clear();
+    /// Includes the algorithms of a link; one that is there already, as a copy.
+    fn choose_also(&mut self, kind: &'static str, link: &str) -> Result<(), SettingsError> {
         for entrant in link.split(',').filter(|name| !name.is_empty()) {
-            let (entrant, planner) = Entrant::parse_planner(entrant)?;
-            if let Some(index) = self.entrants.iter().position(|e| e.id() == planner.id) {
+            let entrant = Entrant::parse(kind, entrant)?;
+            let is_it = |e: &Entrant| e.algorithm.kind() == kind && e.id() == entrant.id();
+            let Some(index) = self.entrants[..self.originals].iter().position(is_it) else { continue };
+            if self.chosen.contains(&index) {
+                let copy = self.add_copy(entrant);
+                self.chosen.extend(copy);
+            } else {
                 self.entrants[index] = entrant;
-                self.chosen.insert(index);
+                self.chosen.push(index);
             }
         }
         Ok(())
@@ -166,7 +293,9 @@ impl Comparison {
     /// All required trials, room by room.
     fn wanted(&self) -> Vec<(Trial, TrialKey)> {
         let first = self.base.as_ref().map_or(0, |base| base.seed);
-        let names: Vec<(usize, String)> = self.chosen.iter().map(|&i| (i, self.entrants[i].to_string())).collect();
+        let mut planners: Vec<usize> = self.chosen.iter().copied().filter(|&i| !self.is_behaviour(i)).collect();
+        planners.sort_unstable();
+        let names: Vec<(usize, String)> = planners.into_iter().map(|i| (i, self.entrants[i].to_string())).collect();
         let mut trials = Vec::new();
         for room in self.rooms() {
             let place = self.place(room);
@@ -207,7 +336,7 @@ impl Comparison {
             scenario: (trial.room == RoomChoice::Own).then(|| Scenario::of(&base.plan).to_json()),
             start: base.start_in(trial.room),
             robot: base.robot.to_owned(),
-            twin: base.twin,
+            custom: base.custom.clone(),
             cell_size: base.cell_size,
             entrant: self.entrants[trial.entrant].to_string(),
             seed: trial.seed,
@@ -242,9 +371,8 @@ impl Comparison {
 
     /// Keeps a path for the race.
     fn keep(&mut self, key: &TrialKey, path: CoveragePath, smooth: Option<Arc<Trajectory>>) {
-        let kept = |it: &Self| {
-            it.paths.values().map(size).sum::<usize>() + it.smooth.values().map(smooth_size).sum::<usize>()
-        };
+        let kept =
+            |it: &Self| it.paths.values().map(size).sum::<usize>() + it.smooth.values().map(smooth_size).sum::<usize>();
         let own = size(&path) + smooth.as_ref().map_or(0, smooth_size);
         if kept(self) + own > MOST_KEPT_CELLS {
             // For other rooms the walk is planned again if needed.
@@ -294,12 +422,13 @@ impl Comparison {
         self.version
     }
 
-    /// All planners, in the order of the registry.
+    /// All planners in the order of the registry, all behaviours that clean, and copies; those with the
+    /// [`copy_number`](Self::copy_number) 0 were removed.
     pub fn entrants(&self) -> &[Entrant] {
         &self.entrants
     }
 
-    /// Whether a planner is included.
+    /// Whether an entrant is included.
     pub fn is_chosen(&self, entrant: usize) -> bool {
         self.chosen.contains(&entrant)
     }
@@ -317,7 +446,9 @@ impl Comparison {
     /// The table of one room, or of all rooms together.
     pub fn table(&self, room: Option<RoomChoice>) -> ComparisonTable {
         let rooms = room.map_or_else(|| self.rooms(), |room| vec![room]);
-        let rows = self.chosen.iter().map(|&entrant| {
+        let mut planners: Vec<usize> = self.chosen.iter().copied().filter(|&i| !self.is_behaviour(i)).collect();
+        planners.sort_unstable();
+        let rows = planners.into_iter().map(|entrant| {
             let results = |&room: &RoomChoice| {
                 let trials = self.trials.results().filter(|(t, _)| t.entrant == entrant && t.room == room);
                 trials.map(|(_, result)| result.clone()).collect()
@@ -385,18 +516,21 @@ impl Comparison {
         let Some(base) = &self.base else { return };
         let here = self.place(self.here());
         let racers: Vec<Racer> = self
-            .chosen
-            .iter()
-            .copied()
-            .map(|entrant| (entrant, key(&here, &self.entrants[entrant].to_string(), base.seed)))
+            .racing()
+            .map(|entrant| {
+                let kind = if self.is_behaviour(entrant) { BEHAVIOUR } else { "" };
+                (entrant, key(&format!("{here}{kind}"), &self.entrants[entrant].to_string(), base.seed))
+            })
             .filter(|(_, key)| !matches!(self.trials.result(key), Some(Err(_))))
             // Before filtering by finished plans, so that the racers don't depend on the order of planning.
             .take(MOST_LANES)
             .filter_map(|(entrant, key)| {
-                let planned_s = self.trials.result(&key)?.as_ref().ok()?.drive.duration_s;
-                Some(Racer { entrant, planned_s, key })
+                if self.is_behaviour(entrant) {
+                    return Some(Racer { entrant, planned_s: None, key });
+                }
+                let planned_s = Some(self.trials.result(&key)?.as_ref().ok()?.drive.duration_s);
+                self.paths.contains_key(&key).then_some(Racer { entrant, planned_s, key })
             })
-            .filter(|racer| self.paths.contains_key(&racer.key))
             .collect();
         let setup = RaceSetup { speed: self.race.as_ref().map_or(base.setup.speed, Race::speed), ..base.setup };
         if self.race.as_ref().is_some_and(|race| race.is_of(setup, &racers)) {
@@ -406,9 +540,12 @@ impl Comparison {
         self.races += 1;
         let mut race = Race::new(self.races, Arc::clone(&base.plan), prepared.clone(), setup);
         for racer in racers {
-            if let Some(path) = self.paths.get(&racer.key) {
-                let smooth = self.smooth.get(&racer.key).cloned();
-                race.enter(racer, path, smooth);
+            match (self.paths.get(&racer.key), &self.entrants[racer.entrant]) {
+                (Some(path), _) => {
+                    let smooth = self.smooth.get(&racer.key).cloned();
+                    race.enter(racer, path, smooth);
+                }
+                (None, entrant) => race.enter_behaviour(racer, entrant),
             }
         }
         if let Some(earlier) = self.race.take() {

@@ -3,7 +3,13 @@
 use crate::{RobotView, Scene, explore::SessionState, frame_pacer::FramePacer};
 use coverage_planners::CoveragePath;
 use robovac_core::{floor_plan::FloorPlan, geometry::Point, robot::OdometryModel, trajectory::Trajectory};
-use robovac_sim::{Conditions, Run, RunRecording, STEP_S, SlipLevel, experiment::planning::{Driven, RoomSetup}};
+use robovac_sim::{
+    Conditions, Run, RunRecording, STEP_S, SlipLevel,
+    experiment::{
+        Entrant,
+        planning::{Driven, RoomSetup},
+    },
+};
 use std::sync::Arc;
 
 /// Most robots in a race.
@@ -12,6 +18,10 @@ pub const MOST_LANES: usize = 9;
 const CLEAN: f64 = 0.95;
 /// Robot time of a single step, s; less would hardly be visible in small pictures.
 const STEP_LENGTH_S: f64 = 5.0;
+/// Behaviours that don't end by themselves drive for so much longer than the slowest plan takes, or for so long if
+/// nobody has a plan, s.
+const LONGER: f64 = 1.5;
+const UNPLANNED_S: f64 = 3600.0;
 /// Memory for the key frames of all lanes, bytes.
 const KEY_FRAME_BUDGET: usize = 96 << 20;
 /// Steps that every lane takes between two checks of the clock: the lanes stay together to within a second of robot
@@ -36,11 +46,11 @@ pub struct RaceSetup {
 /// A participant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Racer {
-    /// Number of its planner in the registry.
+    /// Its number among the entrants.
     pub entrant: usize,
-    /// Duration of its plan, s.
-    pub planned_s: f64,
-    /// Key of its plan.
+    /// Duration of its plan, s; `None` for a behaviour.
+    pub planned_s: Option<f64>,
+    /// Key of what it drives.
     pub key: String,
 }
 
@@ -99,16 +109,29 @@ impl Race {
         self.lanes.push(RaceLane { racer, recording: RunRecording::within(run, KEY_FRAME_BUDGET / MOST_LANES), line });
     }
 
-    /// Ranks of the robots, from 1, in the order of [`Race::lanes`]: first those that have arrived with at least 95 %
-    /// of the floor swept, by time; then the others by swept floor.
+    /// Adds a robot that is driven by a behaviour; nothing happens for any other algorithm. To be called before the
+    /// start.
+    pub fn enter_behaviour(&mut self, racer: Racer, entrant: &Entrant) {
+        let RaceSetup { conditions, seed, .. } = self.setup;
+        let behaviour = entrant.algorithm.behaviour();
+        let run = behaviour.and_then(|info| self.prepared.run_behaviour(info, &entrant.params, conditions, seed));
+        let Some(run) = run.filter(|_| self.lanes.len() < MOST_LANES) else { return };
+        let recording = RunRecording::within(run, KEY_FRAME_BUDGET / MOST_LANES);
+        self.lanes.push(RaceLane { racer, recording, line: Arc::new([]) });
+    }
+
+    /// Ranks of the robots, from 1, in the order of [`Race::lanes`]: first those that have swept at least 95 % of the
+    /// floor and arrived, if they end at all, by time; then the others by swept floor.
     pub fn places(&self) -> Vec<usize> {
-        let has_won = |lane: &RaceLane| lane.run().is_finished() && lane.run().coverage() >= CLEAN;
-        let is_ahead = |a: &RaceLane, b: &RaceLane| match (has_won(a), has_won(b)) {
-            (true, true) => a.run().steps() < b.run().steps(),
-            (false, false) => a.run().coverage() > b.run().coverage(),
-            (won, _) => won,
-        };
-        self.lanes.iter().map(|lane| 1 + self.lanes.iter().filter(|other| is_ahead(other, lane)).count()).collect()
+        let won: Vec<Option<f64>> = self.lanes.iter().map(RaceLane::won_s).collect();
+        let lanes = || self.lanes.iter().zip(&won);
+        let is_ahead =
+            |(a, a_won): (&RaceLane, &Option<f64>), (b, b_won): (&RaceLane, &Option<f64>)| match (a_won, b_won) {
+                (Some(a), Some(b)) => a < b,
+                (None, None) => a.run().coverage() > b.run().coverage(),
+                (won, _) => won.is_some(),
+            };
+        lanes().map(|lane| 1 + lanes().filter(|&other| is_ahead(other, lane)).count()).collect()
     }
 
     /// Whether it has exactly these racers and this setup.
@@ -116,7 +139,7 @@ impl Race {
         self.setup == setup && self.lanes.iter().map(|lane| &lane.racer).eq(racers)
     }
 
-    /// The robots, in the order of the registry.
+    /// The robots, in the order in which they entered.
     pub fn lanes(&self) -> &[RaceLane] {
         &self.lanes
     }
@@ -139,7 +162,18 @@ impl Race {
     }
 
     fn is_over(&self) -> bool {
-        self.lanes.iter().all(|lane| lane.recording.run().is_finished())
+        let limit = self.limit();
+        self.lanes.iter().all(|lane| lane.is_done(limit))
+    }
+
+    /// Steps after which robots without a plan stop.
+    fn limit(&self) -> u64 {
+        (self.limit_s() / STEP_S).round() as u64
+    }
+
+    fn limit_s(&self) -> f64 {
+        let slowest = self.lanes.iter().filter_map(|lane| lane.racer.planned_s).reduce(f64::max);
+        slowest.map_or(UNPLANNED_S, |planned| LONGER * planned)
     }
 
     /// Time on the clock, s.
@@ -152,9 +186,10 @@ impl Race {
         self.end as f64 * STEP_S
     }
 
-    /// Duration of the slowest plan, s.
+    /// Duration of the slowest plan, s, or of the race if a robot has none.
     pub fn planned_s(&self) -> f64 {
-        self.lanes.iter().map(|lane| lane.racer.planned_s).fold(0.0, f64::max)
+        let limit = self.limit_s();
+        self.lanes.iter().map(|lane| lane.racer.planned_s.unwrap_or(limit)).fold(0.0, f64::max)
     }
 
     /// Speed, times real time; 0 for as fast as possible.
@@ -202,15 +237,16 @@ impl Race {
 
     fn seek_on(&mut self, has_time: &mut dyn FnMut() -> bool) {
         let Some(goal) = self.goal else { return };
+        let limit = self.limit();
         for lane in &mut self.lanes {
             lane.recording.seek_on(has_time);
             // Steps that aren't simulated yet, as for a lane added late.
-            let left = goal.saturating_sub(lane.run().steps());
+            let left = if lane.is_done(limit) { 0 } else { goal.saturating_sub(lane.run().steps()) };
             if !lane.recording.is_seeking() {
                 lane.recording.advance(left, has_time);
             }
         }
-        if self.lanes.iter().all(|lane| lane.run().steps() >= goal || lane.run().is_finished()) {
+        if self.lanes.iter().all(|lane| lane.run().steps() >= goal || lane.is_done(limit)) {
             self.now = self.lanes.iter().map(|lane| lane.run().steps()).max().unwrap_or(0);
             self.end = self.end.max(self.now);
             self.goal = None;
@@ -258,7 +294,8 @@ impl Race {
         let before = self.now;
         while self.now - before < steps && !self.is_over() && has_time() {
             let chunk = CHUNK.min(steps - (self.now - before));
-            for lane in &mut self.lanes {
+            let limit = self.limit();
+            for lane in self.lanes.iter_mut().filter(|lane| !lane.is_done(limit)) {
                 lane.recording.advance(chunk, &mut || true);
             }
             // The clock stops with the last robot.
@@ -304,6 +341,20 @@ impl RaceLane {
     /// The run at the displayed time.
     pub fn run(&self) -> &Run {
         self.recording.run()
+    }
+
+    /// Whether it stands for good; robots without a plan after `limit` steps.
+    fn is_done(&self, limit: u64) -> bool {
+        self.run().is_finished() || (self.racer.planned_s.is_none() && self.run().steps() >= limit)
+    }
+
+    /// When it had swept enough and, if it follows a plan, arrived, s; `None` if it hasn't by now.
+    pub fn won_s(&self) -> Option<f64> {
+        let run = self.run();
+        if self.racer.planned_s.is_some() {
+            return (run.is_finished() && run.coverage() >= CLEAN).then(|| run.time_s());
+        }
+        self.curve().iter().find(|&&(time, coverage)| coverage >= CLEAN && time <= run.time_s()).map(|&(time, _)| time)
     }
 
     /// Time (s) and coverage (0 to 1) of the whole run so far.

@@ -16,7 +16,9 @@ pub const SEEDS: [u32; 3] = [10, 30, 100];
 /// Most seeds of a study.
 pub const MOST_SEEDS: u32 = 1000;
 /// Simulated times in the menu, min.
-pub const MINUTES: [u32; 3] = [10, 30, 60];
+pub const MINUTES: [u32; 4] = [10, 30, 60, 120];
+/// Usual time of a run, as a multiple of the least that sweeping the room once takes: by then behaviours differ (ours).
+const USUAL: f64 = 5.0;
 /// Longest simulated time of a run, min.
 pub const MOST_MINUTES: u32 = 600;
 /// Simulated time per request, min, unless a single run is longer: more would take longer to transfer than the tenth of
@@ -33,6 +35,8 @@ pub struct Study {
     chosen: BTreeSet<usize>,
     seeds: u32,
     minutes: u32,
+    /// Whether the time was chosen, and doesn't follow from the room.
+    are_minutes_chosen: bool,
     tallies: BTreeMap<OutcomeKey, RunTally>,
     failures: BTreeMap<OutcomeKey, String>,
     under_way: BTreeMap<u32, RunBatch>,
@@ -110,6 +114,7 @@ impl Study {
             chosen,
             seeds: SEEDS[1],
             minutes: MINUTES[1],
+            are_minutes_chosen: false,
             tallies: BTreeMap::new(),
             failures: BTreeMap::new(),
             under_way: BTreeMap::new(),
@@ -135,6 +140,12 @@ impl Study {
             self.is_running = false;
         }
         self.base = Some(base);
+        if let Some(prepared) = session.prepared().filter(|_| !self.are_minutes_chosen) {
+            let robot = session.settings().robot_model();
+            let once_s = prepared.floor.area() / (robot.tool_width * robot.cruise_speed);
+            let enough = |&minutes: &u32| 60.0 * f64::from(minutes) >= USUAL * once_s;
+            self.minutes = MINUTES.into_iter().find(enough).unwrap_or(MINUTES[MINUTES.len() - 1]);
+        }
         self.changed();
     }
 
@@ -182,6 +193,7 @@ impl Study {
     /// Simulated time of each run, 1 to [`MOST_MINUTES`] min.
     pub fn set_minutes(&mut self, minutes: u32) {
         self.minutes = minutes.clamp(1, MOST_MINUTES);
+        self.are_minutes_chosen = true;
         self.changed();
     }
 
@@ -207,6 +219,7 @@ impl Study {
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
         let mut next = Self { entrants: self.entrants.clone(), chosen: self.chosen.clone(), ..Self::new() };
         (next.seeds, next.minutes) = (self.seeds, self.minutes);
+        next.are_minutes_chosen = self.are_minutes_chosen;
         for (key, value) in link.trim_start_matches('#').split('&').filter_map(|pair| pair.split_once('=')) {
             match key {
                 "runs" => next.choose_only(BEHAVIOUR, value)?,
@@ -215,12 +228,14 @@ impl Study {
                     next.seeds = whole(value, MOST_SEEDS, "the number of runs", "a whole number from 1 to 1000")?;
                 }
                 "minutes" => {
+                    next.are_minutes_chosen = true;
                     next.minutes = whole(value, MOST_MINUTES, "the duration of a run", "whole minutes from 1 to 600")?;
                 }
                 _ => {}
             }
         }
         (self.entrants, self.chosen, self.seeds, self.minutes) = (next.entrants, next.chosen, next.seeds, next.minutes);
+        self.are_minutes_chosen = next.are_minutes_chosen;
         self.changed();
         Ok(())
     }

@@ -6,7 +6,7 @@ use crate::{
     param::{Param, params},
 };
 use robovac_core::registry::Params;
-use robovac_sim::montecarlo::StudyHeader;
+use robovac_sim::{Conditions, montecarlo::StudyHeader};
 use serde::Serialize;
 
 /// The choices available for a study.
@@ -65,6 +65,7 @@ pub struct StudyPlace<'a> {
     slip: &'static str,
     noise: String,
     quantised: bool,
+    start_charge_percent: u8,
 }
 
 impl StudyOffer {
@@ -115,6 +116,7 @@ impl<'a> StudyPlace<'a> {
     pub fn new(study: &'a Study) -> Option<Self> {
         let (StudyHeader { room, robot, conditions, .. }, _) = study.export()?;
         let (slip, noise) = (conditions.slip.id(), conditions.noise.to_string());
-        Some(Self { room, robot, slip, noise, quantised: conditions.quantised })
+        let Conditions { quantised, start_charge_percent, .. } = conditions;
+        Some(Self { room, robot, slip, noise, quantised, start_charge_percent })
     }
 }

@@ -1,7 +1,7 @@
 //! The comparison as plain objects.
 
 use super::{Comparison, ComparisonTable, MedianAndRange, Race, RoomSet, TrialProgress};
-use crate::explore::SessionState;
+use crate::{Mark, explore::SessionState};
 use coverage_planners::{
     Bounds,
     metrics::{METRICS, MetricInfo, PlanNumbers, SweepBound},
@@ -23,6 +23,8 @@ pub struct ComparisonView<'a> {
     total: usize,
     cancelled: bool,
     entrants: Vec<EntrantView<'a>>,
+    /// Chosen entrants that could race, but don't: nine race at most.
+    waiting: Vec<usize>,
     race: Option<RaceView>,
 }
 
@@ -30,6 +32,13 @@ pub struct ComparisonView<'a> {
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct EntrantView<'a> {
     id: &'static str,
+    #[cfg_attr(feature = "types", ts(type = "\"planner\" | \"behaviour\""))]
+    kind: &'static str,
+    /// With a number for copies.
+    title: String,
+    mark: Mark,
+    /// 1, or 2 and up for copies; 0 for one that was removed.
+    copy: usize,
     chosen: bool,
     params: &'a Params,
     /// `out`, `trying`, `done` or `failed`.
@@ -54,8 +63,10 @@ struct RaceView {
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct LaneView {
-    /// Number of the planner in `entrants`.
+    /// Its number in `entrants`.
     entrant: usize,
+    /// When it had swept 95 % and arrived, s.
+    won_s: Option<f64>,
     coverage: f64,
     time_s: f64,
     distance_m: f64,
@@ -76,8 +87,20 @@ impl<'a> ComparisonView<'a> {
                 TrialProgress::Done => ("done", 1.0, ""),
                 TrialProgress::Failed(message) => ("failed", 1.0, message),
             };
-            let (id, params) = (entrant.id(), &entrant.params);
-            EntrantView { id, chosen: comparison.is_chosen(index), params, state, progress, message }
+            let (algorithm, copy) = (entrant.algorithm, comparison.copy_number(index));
+            let title = algorithm.title();
+            EntrantView {
+                id: algorithm.id(),
+                kind: algorithm.kind(),
+                title: if copy > 1 { format!("{title} ({copy})") } else { title.to_owned() },
+                mark: Mark::of(algorithm).copied(copy),
+                copy,
+                chosen: comparison.is_chosen(index),
+                params: &entrant.params,
+                state,
+                progress,
+                message,
+            }
         });
         Self {
             version: comparison.version(),
@@ -89,6 +112,7 @@ impl<'a> ComparisonView<'a> {
             total,
             cancelled: comparison.is_cancelled(),
             entrants: entrants.collect(),
+            waiting: comparison.waiting(),
             race: comparison.race().filter(|race| !race.lanes().is_empty()).map(RaceView::new),
         }
     }
@@ -99,6 +123,7 @@ impl RaceView {
         let lanes = race.lanes().iter().zip(race.places()).map(|(lane, place)| LaneView {
             place,
             entrant: lane.racer.entrant,
+            won_s: lane.won_s(),
             coverage: lane.run().coverage(),
             time_s: lane.run().time_s(),
             distance_m: lane.run().distance_m(),

@@ -40,15 +40,19 @@ struct RoomEntry {
     note: &'static str,
 }
 
+/// A robot, for its portrait and its dashboard.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[expect(clippy::struct_excessive_bools)]
-struct RobotEntry {
+pub struct RobotEntry {
     id: &'static str,
     title: &'static str,
     summary: &'static str,
     default_cell_m: f64,
     tool_width_m: f64,
+    /// Speed along paths, and turn rate on the spot.
+    speed_m_s: f64,
+    turn_deg_s: f64,
     /// Radius of the smallest circle around the body; all other lengths are in units of it, x ahead and y to the left.
     radius_m: f64,
     /// Corners of a body that isn't round.
@@ -86,7 +90,8 @@ impl Catalogue {
 }
 
 impl RobotEntry {
-    fn new(model: &RobotModel) -> Self {
+    /// The entry of a robot.
+    pub fn new(model: &RobotModel) -> Self {
         let unit = 1.0 / model.radius;
         let scaled = |[x, y]: [f64; 2]| [unit * x, unit * y];
         let sensors = &model.sensors;
@@ -96,6 +101,8 @@ impl RobotEntry {
             summary: model.summary,
             default_cell_m: model.default_cell,
             tool_width_m: model.tool_width,
+            speed_m_s: model.cruise_speed,
+            turn_deg_s: model.turn_rate().to_degrees(),
             radius_m: model.radius,
             body: match model.body {
                 Body::Round => Vec::new(),

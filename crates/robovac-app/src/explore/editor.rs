@@ -29,6 +29,7 @@ struct EditorState {
     plan: Arc<FloorPlan>,
     room: Option<&'static str>,
     start: Option<Pose>,
+    lineage: u32,
 }
 
 /// A floor plan being edited.
@@ -39,13 +40,15 @@ pub struct Editor {
     redo: Vec<EditorState>,
     stroke: Option<(Brush, Point)>,
     version: u64,
+    /// Number of rooms so far.
+    lineages: u32,
 }
 
 impl Editor {
     /// Starts with a room; `id` if it is built in.
     pub fn new(plan: FloorPlan, id: Option<&'static str>) -> Self {
-        let now = EditorState { plan: Arc::new(plan), room: id, start: None };
-        Self { now, undo: Vec::new(), redo: Vec::new(), stroke: None, version: 0 }
+        let now = EditorState { plan: Arc::new(plan), room: id, start: None, lineage: 0 };
+        Self { now, undo: Vec::new(), redo: Vec::new(), stroke: None, version: 0, lineages: 0 }
     }
 
     /// The floor plan.
@@ -81,7 +84,20 @@ impl Editor {
     /// Replaces the room, with a start chosen by the user if there is one; can be undone.
     pub fn replace(&mut self, plan: FloorPlan, id: Option<&'static str>, start: Option<Pose>) {
         self.remember();
-        self.now = EditorState { plan: Arc::new(plan), room: id, start };
+        self.lineages += 1;
+        self.now = EditorState { plan: Arc::new(plan), room: id, start, lineage: self.lineages };
+    }
+
+    /// A number that changes with the room, but not with changes of it.
+    pub fn lineage(&self) -> u32 {
+        self.now.lineage
+    }
+
+    /// Renames the room, which is then an own one.
+    pub fn rename(&mut self, name: &str) {
+        name.clone_into(&mut Arc::make_mut(&mut self.now.plan).name);
+        self.now.room = None;
+        self.version += 1;
     }
 
     /// Clears the undo and redo history.

@@ -13,7 +13,7 @@ mod session_snapshot;
 mod state;
 mod view;
 
-pub use catalogue::Catalogue;
+pub use catalogue::{Catalogue, RobotEntry};
 pub use diary::{DiaryEntry, diary, diary_version};
 pub use editor::{Brush, Editor};
 pub use film::{FilmInk, Picture, Showing};

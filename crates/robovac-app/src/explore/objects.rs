@@ -10,18 +10,27 @@ use robovac_core::{
 const CLICK: f64 = 0.08;
 /// Shortest side of a drawn object, m.
 const LEAST_SIDE: f64 = 0.05;
+/// Height of a low obstacle, m: that of a cable cover, and less than the DVR-1's bumper is above the floor.
+const LOW: f64 = 0.015;
 /// Radius of a table's leg, m.
 const TABLE_LEG: f64 = 0.025;
 /// Largest distance from a click to the wall at which a dock or lighthouse is placed, m.
 const TO_WALL: f64 = 1.0;
 /// Distance that a person placed by a click walks to either side, m, if there is room.
 const STROLL: f64 = 1.0;
+/// Distance that it keeps from walls, m.
+const OFF_WALL: f64 = 0.05;
+/// Step of looking for room, m, and the farthest that a mover is moved away from a wall, m.
+const STRIDE: f64 = 0.02;
+const ASIDE: f64 = 0.5;
 
 /// Kinds of objects that can be placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlaceableKind {
     /// A box that stands on the floor.
     Furniture,
+    /// A low obstacle, which passes under some bumpers.
+    LowObstacle,
     /// Four legs.
     Table,
     /// A drop-off.
@@ -42,8 +51,9 @@ pub enum PlaceableKind {
 
 impl PlaceableKind {
     /// All kinds with their names on the page's buttons.
-    pub const ALL: [(Self, &'static str); 9] = [
+    pub const ALL: [(Self, &'static str); 10] = [
         (Self::Furniture, "furniture"),
+        (Self::LowObstacle, "low_obstacle"),
         (Self::Table, "table"),
         (Self::Stairs, "stairs"),
         (Self::Carpet, "carpet"),
@@ -71,6 +81,7 @@ impl PlaceableKind {
             |width: f64, depth: f64| if is_click { rect_around(plan, from, width, depth) } else { rect(from, to) };
         let objects = match self {
             Self::Furniture => vec![Object::Furniture { outline: usual(0.8, 0.4) }],
+            Self::LowObstacle => vec![Object::LowObstacle { outline: usual(0.9, 0.06), height: LOW }],
             Self::Stairs => vec![Object::DropOff { outline: usual(0.9, 1.0) }],
             Self::Carpet => vec![Object::Carpet { outline: usual(1.6, 1.1) }],
             Self::Table => {
@@ -98,7 +109,7 @@ impl PlaceableKind {
             }
             Self::Person | Self::Pet => {
                 let who = if self == Self::Person { Who::Person } else { Who::Pet };
-                let path = if is_click { stroll(plan, from) } else { vec![from, to] };
+                let path = if is_click { stroll(plan, who, from) } else { vec![from, to] };
                 vec![Object::Mover { who, path }]
             }
         };
@@ -159,22 +170,23 @@ pub fn reshaped(plan: &FloorPlan, object: &Object, handle: usize, to: Point) -> 
             *length = limited((to - pose.position()).norm(), BEAMS);
             *pose = looking(pose.position(), to);
         }
-        Object::Furniture { outline } | Object::DropOff { outline } | Object::Carpet { outline } => {
-            match (is_rectangle(outline), outline.as_slice()) {
-                (true, &[a, b, c, d]) => {
-                    let corners = [a, b, c, d];
-                    let at = |offset: usize| corners[(handle + offset) % 4];
-                    let fixed = at(2);
-                    let (one, other) = ((at(3) - fixed).normalize(), (at(1) - fixed).normalize());
-                    let along = |side: Vector| side * (to - fixed).dot(&side).max(LEAST_SIDE);
-                    let mut set = |offset: usize, point| outline[(handle + offset) % 4] = point;
-                    set(0, fixed + along(one) + along(other));
-                    set(1, fixed + along(other));
-                    set(3, fixed + along(one));
-                }
-                _ => move_point(outline, handle, to),
+        Object::Furniture { outline }
+        | Object::LowObstacle { outline, .. }
+        | Object::DropOff { outline }
+        | Object::Carpet { outline } => match (is_rectangle(outline), outline.as_slice()) {
+            (true, &[a, b, c, d]) => {
+                let corners = [a, b, c, d];
+                let at = |offset: usize| corners[(handle + offset) % 4];
+                let fixed = at(2);
+                let (one, other) = ((at(3) - fixed).normalize(), (at(1) - fixed).normalize());
+                let along = |side: Vector| side * (to - fixed).dot(&side).max(LEAST_SIDE);
+                let mut set = |offset: usize, point| outline[(handle + offset) % 4] = point;
+                set(0, fixed + along(one) + along(other));
+                set(1, fixed + along(other));
+                set(3, fixed + along(one));
             }
-        }
+            _ => move_point(outline, handle, to),
+        },
         Object::Mover { path, .. } => move_point(path, handle, to),
     }
     tidy(plan, &object)
@@ -189,7 +201,7 @@ pub fn object_at(objects: &[Object], at: Point, reach: f64) -> Option<usize> {
             Object::Dock { pose } => near(pose.to_world(Point::new(0.08, 0.0)), 0.16).then_some(0),
             Object::VirtualWall { pose, .. } => near(pose.position(), 0.1).then_some(0),
             Object::Mover { path, .. } => path.first().is_some_and(|&start| near(start, 0.15)).then_some(0),
-            Object::Furniture { outline } => encloses(outline, at).then_some(1),
+            Object::Furniture { outline } | Object::LowObstacle { outline, .. } => encloses(outline, at).then_some(1),
             Object::Dirt { at, radius } => near(*at, *radius).then_some(2),
             Object::DropOff { outline } => encloses(outline, at).then_some(3),
             Object::Carpet { outline } => encloses(outline, at).then_some(4),
@@ -219,7 +231,10 @@ pub fn in_words(objects: &[Object]) -> String {
 /// Its corners, or its position.
 fn points(object: &Object) -> Vec<Point> {
     match object {
-        Object::Furniture { outline } | Object::DropOff { outline } | Object::Carpet { outline } => outline.clone(),
+        Object::Furniture { outline }
+        | Object::LowObstacle { outline, .. }
+        | Object::DropOff { outline }
+        | Object::Carpet { outline } => outline.clone(),
         Object::Mover { path, .. } => path.clone(),
         Object::Leg { at, .. } | Object::Dirt { at, .. } => vec![*at],
         Object::Dock { pose } | Object::VirtualWall { pose, .. } => vec![pose.position()],
@@ -230,6 +245,7 @@ fn mapped(object: &Object, map: &dyn Fn(Point) -> Point) -> Object {
     let mut object = object.clone();
     match &mut object {
         Object::Furniture { outline: points }
+        | Object::LowObstacle { outline: points, .. }
         | Object::DropOff { outline: points }
         | Object::Carpet { outline: points }
         | Object::Mover { path: points, .. } => points.iter_mut().for_each(|p| *p = map(*p)),
@@ -332,13 +348,61 @@ fn against_wall(plan: &FloorPlan, at: Point) -> Pose {
     }
 }
 
-/// A way back and forth through a point, horizontal or vertical, wherever there is more room.
-fn stroll(plan: &FloorPlan, at: Point) -> Vec<Point> {
-    let ways = [Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)].map(|side| {
-        // A little less, to keep off the wall.
-        let far = |direction| (way(plan, at, direction, STROLL + 0.3) - 0.3).max(0.0);
-        (at - side * far(-side), at + side * far(side))
-    });
-    let longest = ways.into_iter().max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()));
-    longest.filter(|(a, b)| (b - a).norm() > 0.1).map_or_else(|| vec![at], |(a, b)| vec![a, b])
+/// A way back and forth near a point, horizontal or vertical, wherever there is more room; the mover keeps off walls.
+fn stroll(plan: &FloorPlan, who: Who, at: Point) -> Vec<Point> {
+    let radius = who.radius() + OFF_WALL;
+    let fits = |centre: Point| {
+        let edge = (0..16).map(|i| math::TAU * f64::from(i) / 16.0);
+        let mut all = edge.map(|angle| centre + Vector::new(math::cos(angle), math::sin(angle)) * radius);
+        is_floor(plan, centre) && all.all(|point| is_floor(plan, point))
+    };
+    let at = nearest(at, fits).unwrap_or(at);
+    let far = |direction: Vector| {
+        let steps = (STROLL / STRIDE) as u32;
+        let free = (1..=steps).take_while(|&i| fits(at + direction * (f64::from(i) * STRIDE)));
+        at + direction * (free.count() as f64 * STRIDE)
+    };
+    let ways = [Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)].map(|side| [far(-side), far(side)]);
+    let longest = ways.into_iter().max_by(|a, b| (a[1] - a[0]).norm().total_cmp(&(b[1] - b[0]).norm()));
+    longest.filter(|[a, b]| (b - a).norm() > 0.1).map_or_else(|| vec![at], Vec::from)
+}
+
+/// The point nearest to `at` that `fits`, at most [`ASIDE`] away.
+fn nearest(at: Point, fits: impl Fn(Point) -> bool) -> Option<Point> {
+    (0..=(ASIDE / STRIDE) as u32).find_map(|ring| {
+        let distance = f64::from(ring) * STRIDE;
+        let looks = (0..32).map(|i| math::TAU * f64::from(i) / 32.0);
+        looks.map(|angle| at + Vector::new(math::cos(angle), math::sin(angle)) * distance).find(|&point| fits(point))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::grid::{Cell, Grid, Occupancy};
+
+    #[test]
+    fn person_beside_a_wall_gets_a_way_that_fits() {
+        // 4 m by 3 m with a wall of one cell around it.
+        let mut occupancy = Grid::filled(80, 60, Occupancy::Free);
+        for y in 0..60 {
+            for x in 0..80 {
+                if x == 0 || y == 0 || x == 79 || y == 59 {
+                    occupancy[Cell::new(x, y)] = Occupancy::Occupied;
+                }
+            }
+        }
+        let origin = Pose::new(0.0, 0.0, 0.0);
+        let (name, note) = (String::new(), String::new());
+        let plan = FloorPlan { name, note, resolution: 0.05, occupancy, objects: Vec::new(), start: None, origin };
+        for at in [Point::new(0.06, 1.5), Point::new(2.0, 2.94), Point::new(3.94, 0.06), Point::new(2.0, 1.5)] {
+            for (kind, who) in [(PlaceableKind::Person, Who::Person), (PlaceableKind::Pet, Who::Pet)] {
+                let objects = kind.drawn(&plan, at, at);
+                let [Object::Mover { path, .. }] = objects.as_slice() else { panic!("{objects:?}") };
+                assert!(path.len() == 2 && (path[1] - path[0]).norm() > 0.9, "{at}: {path:?}");
+                let off = |p: &Point| (p.x - 0.05).min(3.95 - p.x).min(p.y - 0.05).min(2.95 - p.y);
+                assert!(path.iter().all(|p| off(p) >= who.radius()), "{at}: {path:?}");
+            }
+        }
+    }
 }

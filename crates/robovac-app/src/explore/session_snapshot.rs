@@ -4,14 +4,18 @@ use super::{Session, session::known_room};
 use crate::{ScenarioChoices, ScenarioError};
 use robovac_core::{
     coverage::FloorError,
+    cspace::Outline,
     floor_plan::{FloorPlan, MapError, Scenario},
     geometry::Pose,
+    robot::model,
 };
 use robovac_sim::experiment::{Algorithm, Settings, SettingsError, planning::RoomSetup};
 use serde::{Deserialize, Serialize};
 
 /// The model of robots that can be connected.
 const CONNECTED: &str = "roomba600";
+/// Stands for the path of a session in place of an algorithm.
+const PATH: &str = "path";
 
 /// Everything that determines a session's plan and runs. Equal snapshots mean equal sessions.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -52,11 +56,11 @@ pub enum FollowError {
 }
 
 impl SessionSnapshot {
-    /// The room laid out for the robot, as the session has it.
-    pub fn lay_out(&self) -> Result<RoomSetup, FollowError> {
+    /// The room laid out for the robot, as the session has it, and the settings.
+    pub fn lay_out(&self) -> Result<(RoomSetup, Settings), FollowError> {
         let settings = self.choices.settings(&Settings::default())?;
         let (plan, _) = self.room()?.ok_or(FollowError::NoRoom)?;
-        Ok(RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, self.start())?)
+        Ok((RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, self.start())?, settings))
     }
 
     /// The room, with its id if it is built in; `None` if the snapshot leaves it out.
@@ -78,13 +82,15 @@ impl SessionSnapshot {
     /// The same for a connected robot driven by `algorithm`; with default parameters if it is another algorithm.
     pub fn for_connection(mut self, algorithm: &str) -> Result<Self, SettingsError> {
         let choices = &mut self.choices;
+        let rides_path = algorithm == PATH;
+        choices.path = choices.path.take().filter(|_| rides_path);
         // A connected robot is itself, with its own calibration.
-        choices.twin = None;
+        (choices.twin, choices.own_robot) = (None, None);
         if choices.robot.as_deref() != Some(CONNECTED) {
             // Cell sizes of another robot don't fit this one.
             (choices.robot, choices.cell_size) = (Some(CONNECTED.to_owned()), None);
         }
-        if choices.algorithm() != Some(algorithm) {
+        if choices.algorithm() != Some(algorithm) && !rides_path {
             choices.params.clear();
             let id = Some(algorithm.to_owned());
             (choices.planner, choices.behaviour) = match Algorithm::find("algorithm", algorithm, Algorithm::all())? {
@@ -92,8 +98,27 @@ impl SessionSnapshot {
                 Algorithm::Behaviour(_) => (None, id),
             };
         }
-        choices.quantised = None;
+        (choices.quantised, choices.start_charge_percent) = (None, None);
         Ok(self)
+    }
+
+    /// Why a connected robot can't ride the path of this snapshot, as a sentence for users; empty if it can, or if there is
+    /// none: its body must fit into the one that the path was planned for.
+    pub fn path_refusal(&self) -> String {
+        let planned = self.choices.settings(&Settings::default()).map(|settings| settings.robot_model());
+        let (Ok(planned), Some(connected), Some(_)) = (planned, model(CONNECTED), &self.choices.path) else {
+            return String::new();
+        };
+        let (has, needs) = (planned.body.inner_radius(planned.radius), connected.radius);
+        if has >= needs - 1e-9 {
+            return String::new();
+        }
+        format!(
+            "This path was planned for {}, which a Roomba doesn't fit into: it is {:.3} m wide, and would touch. Plan the \
+             path for the Roomba, or for an outline that holds a circle of {needs:.3} m radius.",
+            Outline::of(&planned),
+            2.0 * needs
+        )
     }
 }
 

@@ -24,8 +24,12 @@ pub struct SessionView {
     pub room: RoomView,
     /// Id of the robot.
     pub robot: &'static str,
-    /// Figures of a twin, as in links; empty for the model.
+    /// Figures of a twin, as in links; empty for the model and for an own robot.
     pub twin: String,
+    /// Choices of an own robot, as in links; empty for a model; `model` for one that is built on a model without changes.
+    pub own_robot: String,
+    /// Corners of a path from elsewhere that is driven in place of the planner's; 0 for none.
+    pub path_corners: usize,
     /// Id of the planner or behaviour.
     pub algorithm: &'static str,
     /// `planner` or `behaviour`.
@@ -53,6 +57,8 @@ pub struct SessionView {
     pub noise: [&'static str; SensorKind::ALL.len()],
     /// Whether wheels turn only at the speeds that the motor controller can keep.
     pub quantised: bool,
+    /// Charge of the battery at the start, percent.
+    pub start_charge_percent: u8,
     /// Layers drawn on the floor.
     pub shows: Shows,
     /// How the follower computes its pose.
@@ -67,6 +73,9 @@ pub struct SessionView {
     pub speed_factor: f64,
     /// Displayed time, s.
     pub time_s: f64,
+    /// Share of the reachable floor that was swept before the room was changed, which began the run again; 0 if it
+    /// wasn't.
+    pub swept_before: f64,
     /// Furthest simulated time, s.
     pub run_end_s: f64,
     /// Swept share of the reachable floor.

@@ -1,9 +1,13 @@
 //! Rooms and paths as files for other programs.
 
 mod path_format;
+mod recording_bag;
+mod run_bag;
 mod svg;
 
 pub use path_format::PathFormat;
+pub use recording_bag::{LineTopics, recording_bag};
+pub use run_bag::{BAG_TYPE, RunBag, path_bag};
 pub use svg::to_svg;
 
 use self::path_format::ROOMBA;
@@ -14,6 +18,7 @@ use robovac_core::{
     geometry::Point,
     robot::RobotModel,
 };
+use robovac_ros::BagError;
 use robovac_sim::experiment::planning::choose_robot;
 
 /// A file to be saved.
@@ -92,6 +97,12 @@ pub const FORMATS: &[Format] = &[
         needs_path: true,
     },
     Format {
+        id: "path_mcap",
+        title: "Path, ROS 2 bag",
+        note: "An MCAP file for Foxglove and ros2 bag: the map, the path and the drive along it without errors.",
+        needs_path: true,
+    },
+    Format {
         id: "program",
         title: "Path, robot program",
         note: "Human-readable: one forward or turn command per line.",
@@ -104,6 +115,14 @@ pub const FORMATS: &[Format] = &[
         needs_path: true,
     },
 ];
+
+/// The simulated run, which takes longer: see [`RunBag`].
+pub const RUN: Format = Format {
+    id: "run_mcap",
+    title: "Run, ROS 2 bag",
+    note: "An MCAP file for Foxglove and ros2 bag: the run so far with map, odometry, frames, sensors and commands.",
+    needs_path: false,
+};
 
 /// Content of files: a room with its choices, and perhaps a path.
 #[derive(Debug, Clone)]
@@ -137,6 +156,9 @@ pub enum ExportError {
     /// The scenario's robot isn't known.
     #[error("the robot in this room is unknown; choose another one")]
     NoRobot,
+    /// The bag can't be written.
+    #[error(transparent)]
+    Bag(#[from] BagError),
     /// The ROS map can't be written.
     #[error(transparent)]
     RosMap(#[from] RosMapError),
@@ -170,6 +192,10 @@ impl Exported<'_> {
     fn path_file(&self, format: &str) -> Result<Vec<ExportFile>, ExportError> {
         let robot = self.robot()?;
         let start = self.plan.start.map_or(0.0, |start| start.heading);
+        if format == "path_mcap" {
+            let bytes = path_bag(self.plan, &robot, self.path, start)?;
+            return Ok(vec![ExportFile { name: format!("{}.path.mcap", self.stem), kind: BAG_TYPE, bytes }]);
+        }
         let (path, heading) = in_frame(self.path, start, self.plan.origin);
         let (name, format) = match format {
             "path_csv" => ("", PathFormat::Csv),
@@ -187,7 +213,9 @@ impl Exported<'_> {
     fn robot(&self) -> Result<RobotModel, ExportError> {
         let id = self.scenario.robot.as_deref().unwrap_or(ROOMBA);
         let (robot, _) = choose_robot(id, self.plan, self.scenario.cell_size).ok_or(ExportError::NoRobot)?;
-        Ok(self.scenario.twin.map_or_else(|| robot.clone(), |twin| twin.of(&robot)))
+        let twin = self.scenario.twin.map(|twin| twin.of(&robot));
+        let own = self.scenario.own_robot.as_ref().map(|own| own.of(&robot));
+        Ok(own.or(twin).unwrap_or(robot))
     }
 
     fn one(&self, ending: &str, kind: &'static str, text: String) -> Vec<ExportFile> {

@@ -1,5 +1,6 @@
 //! Files of a path.
 
+use super::run_bag::BAG_TYPE;
 use coverage_planners::sweep::{program, to_csv, to_ros_path};
 use robovac_core::{
     geometry::Point,
@@ -24,13 +25,15 @@ pub enum PathFormat {
     Csv,
     /// A ROS path.
     Poses,
+    /// Room, path and the drive along it as ROS 2 messages.
+    Bag,
     /// The path on layers of its own, beside the drawing.
     Dxf,
 }
 
 impl PathFormat {
     /// All formats; one whose ending is part of another's comes after it.
-    pub const ALL: [Self; 5] = [Self::Commands, Self::Program, Self::Csv, Self::Poses, Self::Dxf];
+    pub const ALL: [Self; 6] = [Self::Commands, Self::Program, Self::Csv, Self::Poses, Self::Bag, Self::Dxf];
 
     /// The ending of its files, and their media type.
     pub fn file_type(self) -> (&'static str, &'static str) {
@@ -39,19 +42,20 @@ impl PathFormat {
             Self::Program => ("txt", "text/plain"),
             Self::Csv => ("csv", "text/csv"),
             Self::Poses => ("yaml", "application/yaml"),
+            Self::Bag => ("mcap", BAG_TYPE),
             Self::Dxf => ("dxf", "image/vnd.dxf"),
         }
     }
 
-    /// The file of a path (corners, m, and the heading at its start) for `robot`, described by `planned`; `None` for a
-    /// drawing, which requires more than a path.
+    /// The text of a path (corners, m, and the heading at its start) for `robot`, described by `planned`; `None` for a
+    /// drawing and a bag, which are no texts and require more than a path.
     pub fn text(self, (path, heading): (&[Point], f64), robot: &RobotModel, planned: &str) -> Option<String> {
         Some(match self {
             Self::Commands => commands_text(path, heading, model(ROOMBA)?, planned),
             Self::Program => program(path, heading, robot, planned),
             Self::Csv => to_csv(path, heading, robot),
             Self::Poses => to_ros_path(path, heading, robot),
-            Self::Dxf => return None,
+            Self::Bag | Self::Dxf => return None,
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Rooms that extend through open doors, and their size with these doors closed.
 
-use floor_drawing::{self, Drawing, DrawingRegion, Traced, Tracing};
+use floor_drawing::{DrawingError, DrawingRegion, Traced, Tracing};
 use robovac_core::geometry::Point;
 use serde::Serialize;
 
@@ -27,9 +27,10 @@ pub struct Doors {
 
 impl Doors {
     /// Searches for doors through which the room `now`, with `floor` m² free, extends; `None` for `now` if tracing
-    /// failed but would succeed with closed doors. `how` are the tracing parameters, `free` computes the free floor.
+    /// failed but would succeed with closed doors. `how` are the tracing parameters, `trace` traces with
+    /// others, `free` computes the free floor.
     pub(super) fn of(
-        drawing: &Drawing,
+        trace: impl Fn(&Tracing) -> Result<Traced, DrawingError>,
         how: &Tracing,
         now: Option<(&Traced, f64)>,
         free: impl Fn(&Traced) -> f64,
@@ -38,7 +39,7 @@ impl Doors {
             return None;
         }
         let with = |gap: f64| {
-            let traced = floor_drawing::trace(drawing, &Tracing { gap, ..how.clone() }).ok()?;
+            let traced = trace(&Tracing { gap, ..how.clone() }).ok()?;
             let floor = free(&traced);
             let is_less = now.is_none_or(|(_, before)| floor < (1.0 - BEHIND) * before);
             is_less.then_some((traced, floor))

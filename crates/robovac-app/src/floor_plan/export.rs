@@ -2,7 +2,7 @@
 
 use super::{DrawingPart, DrawingSession, DrawingSource};
 use crate::{
-    export::{ExportFile, PathFormat},
+    export::{ExportFile, PathFormat, path_bag},
     floor_plan::sweep_dxf,
 };
 use coverage_planners::sweep::{Sweep, in_frame, planned_for};
@@ -32,12 +32,15 @@ impl DrawingSession {
         let (path, heading) = in_frame(&sweep.path, start, room.plan.origin);
         let bytes = match format.text((&path, heading), model, &planned) {
             Some(text) => text.into_bytes(),
+            None if format == PathFormat::Bag => {
+                path_bag(&room.plan, model, &sweep.path, start).map_err(|error| error.to_string())?
+            }
             None => self.dxf(room, sweep)?,
         };
         let (ending, kind) = format.file_type();
         // Files of the whole and of a part must not have the same name.
         let part = match self.settings().part {
-            DrawingPart::Whole => "",
+            DrawingPart::Indoors | DrawingPart::Whole => "",
             DrawingPart::Room { .. } => "-room",
             DrawingPart::Rectangle { .. } | DrawingPart::Polygon { .. } => "-part",
         };

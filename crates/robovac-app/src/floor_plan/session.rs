@@ -2,18 +2,27 @@
 
 use super::{Doors, DrawingHand, DrawingPart, DrawingSource, FloorPlanSettings, Sheet};
 use crate::{Import, ImportError, ScenarioChoices};
-use coverage_planners::sweep::{Sweep, SweepError, SweepSetup, sweep};
-use floor_drawing::{self, Traced};
+use coverage_planners::{
+    metrics::DriveMetrics,
+    sweep::{Sweep, SweepError, SweepSetup, sweep},
+};
+use floor_drawing::{
+    self, DrawingError, DrawingFlaw, ShadeMethod, Traced, Tracing, dominant_direction, picture_direction, trace_picture,
+};
 use robovac_core::{
+    coverage::ReachableFloor,
     cspace::{ConfigurationSpace, Outline},
     floor_plan::{FloorPlan, Object, Sketch, SourceFile},
-    geometry::{Point, Pose, Vector, contains},
+    geometry::{MetricPath, Point, Pose, Vector, contains},
     grid::Cell,
+    robot::{self, OwnRobot, RobotModel},
 };
 use std::ops::ControlFlow;
 
 /// Id of the planner that drives the sweep.
 pub const PLANNER: &str = "subgoal_sweep";
+/// Id of the model that robots with an outline of their own are built on: that of 001.
+const OWN_MODEL: &str = "octagon";
 
 /// A loaded file, its settings and the traced room.
 #[derive(Debug)]
@@ -26,18 +35,37 @@ pub struct DrawingSession {
     floor: f64,
     doors: Option<Doors>,
     fault: String,
+    /// The place that the fault is about, in the turned file.
+    mark: Option<FaultMark>,
+    /// Angle by which the walls of the unturned file are askew, degrees; found when it is asked for.
+    askew: Option<f64>,
     version: u32,
     space: Option<ConfigurationSpace>,
     sweep: Option<Sweep>,
+    /// Numbers of driving the sweep in Explore, without slip.
+    driven: Option<DriveMetrics>,
     /// State of pointing.
     pub hand: DrawingHand,
 }
 
+/// A place that a fault is about.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FaultMark {
+    /// In the turned file.
+    pub at: Point,
+    /// Width of an opening there, m; 0 for a point.
+    pub width: f64,
+}
+
+/// Walls less askew than this are straight, degrees.
+const STRAIGHT: f64 = 0.2;
+
 impl DrawingSession {
     /// Reads files that belong together.
     pub fn open(files: &[SourceFile]) -> Result<Self, ImportError> {
-        let source = DrawingSource::read(files)?;
+        let mut source = DrawingSource::read(files)?;
         let settings = FloorPlanSettings::of(&source);
+        source.shade(&settings.shades());
         let sheet = Sheet::of(&source);
         let mut board = Self {
             source,
@@ -47,11 +75,15 @@ impl DrawingSession {
             floor: 0.0,
             doors: None,
             fault: String::new(),
+            mark: None,
+            askew: None,
             version: 0,
             space: None,
             sweep: None,
+            driven: None,
             hand: DrawingHand::default(),
         };
+        board.askew = board.direction();
         board.trace();
         Ok(board)
     }
@@ -91,6 +123,35 @@ impl DrawingSession {
         &self.fault
     }
 
+    /// The place that the error is about.
+    pub fn mark(&self) -> Option<FaultMark> {
+        self.mark
+    }
+
+    /// Angle by which the walls are askew as the file is turned now, degrees, above -45 to 45; `None` if they are straight
+    /// or have no common direction.
+    pub fn askew(&self) -> Option<f64> {
+        let askew = (self.askew? + self.settings.turn).rem_euclid(90.0);
+        let askew = if askew > 45.0 { askew - 90.0 } else { askew };
+        (askew.abs() >= STRAIGHT).then_some(askew)
+    }
+
+    fn direction(&self) -> Option<f64> {
+        let angle = match &self.source {
+            DrawingSource::Drawing { drawing, .. } => dominant_direction(drawing, &self.settings.roles),
+            DrawingSource::Image { cells, .. } if self.settings.method != ShadeMethod::Map => {
+                picture_direction(&cells.map(|cell| !cell.is_free()))
+            }
+            DrawingSource::Image { .. } | DrawingSource::Map { .. } => None,
+        };
+        Some(angle?.to_degrees() - self.settings.turn)
+    }
+
+    /// Turns the file to `degrees` from how it was, and the part with it.
+    pub fn turn_to(&mut self, degrees: f64) -> Result<(), String> {
+        self.set(self.settings.turned(degrees))
+    }
+
     /// Changes whenever the room does.
     pub fn version(&self) -> u32 {
         self.version
@@ -99,6 +160,11 @@ impl DrawingSession {
     /// The sweep, once planned for this room and robot.
     pub fn planned(&self) -> Option<&Sweep> {
         self.sweep.as_ref()
+    }
+
+    /// Numbers of driving the planned sweep in Explore, without slip.
+    pub fn driven(&self) -> Option<&DriveMetrics> {
+        self.driven.as_ref().filter(|_| self.sweep.is_some())
     }
 
     /// The obstacle map, once made for this room and robot.
@@ -111,18 +177,25 @@ impl DrawingSession {
         let settings = settings.checked(&self.source, &self.settings)?;
         let before = std::mem::replace(&mut self.settings, settings);
         let now = &self.settings;
-        if (before.shade, before.negate) != (now.shade, now.negate) {
-            let shading = now.shading();
-            if let Err(error) = self.source.shade(&shading) {
-                self.fault = error.to_string();
-                (self.room, self.doors, self.space, self.sweep) = (None, None, None, None);
-                self.version += 1;
-            } else {
-                self.trace();
-            }
-            return Ok(());
+        let shades = now.shades();
+        if before.shades() != shades {
+            self.source.shade(&shades);
         }
-        let room = |s: &FloorPlanSettings| (s.metre, s.roles.clone(), s.gap, s.resolution, s.part.clone());
+        if before.turn != now.turn {
+            self.source.turn(now.turn.to_radians());
+            self.sheet = Sheet::of(&self.source);
+            // What was pointed at lies somewhere else now.
+            self.hand = DrawingHand::default();
+        }
+        if before.roles != now.roles {
+            self.askew = match &self.source {
+                DrawingSource::Drawing { .. } => self.direction(),
+                _ => self.askew,
+            };
+        }
+        let now = &self.settings;
+        let room =
+            |s: &FloorPlanSettings| (s.metre, s.roles.clone(), s.gap, s.resolution, s.part.clone(), s.turn, s.shades());
         if room(&before) != room(now) {
             self.trace();
             return Ok(());
@@ -146,25 +219,67 @@ impl DrawingSession {
         (self.room, self.doors, self.space, self.sweep) = (None, None, None, None);
         self.version += 1;
         self.fault.clear();
+        self.mark = None;
         let settings = &self.settings;
         let Some(metre) = settings.metre else { return };
-        let traced = match &self.source {
-            DrawingSource::Drawing { drawing, .. } => floor_drawing::trace(drawing, &settings.tracing(metre)),
-            DrawingSource::Image { plan, .. } | DrawingSource::Map { plan, .. } => {
-                let plan = scaled(plan, metre);
-                Ok(Traced { plan, corner: Vector::zeros(), metre, gaps: Vec::new() })
-            }
-        };
+        let traced = self.traced(metre);
         match traced {
             Ok(traced) => {
                 self.floor = free_floor(&traced.plan);
                 self.room = Some(traced);
             }
-            Err(error) => self.fault = error.to_string(),
+            Err(error) => {
+                let is_image = matches!(self.source, DrawingSource::Image { .. });
+                (self.fault, self.mark) = told(&error, is_image);
+            }
         }
-        if let Some(drawing) = self.source.drawing() {
-            let now = self.room.as_ref().map(|room| (room, self.floor));
-            self.doors = Doors::of(drawing, &self.settings.tracing(metre), now, |traced| free_floor(&traced.plan));
+        let now = self.room.as_ref().map(|room| (room, self.floor));
+        let how = self.settings.tracing(metre);
+        self.doors = match &self.source {
+            DrawingSource::Drawing { drawing, .. } => {
+                let trace = |how: &Tracing| floor_drawing::trace(drawing, how);
+                Doors::of(trace, &how, now, |traced| free_floor(&traced.plan))
+            }
+            DrawingSource::Image { .. } => self.source.picture().and_then(|picture| {
+                let how = Tracing { resolution: self.settings.image_resolution(metre), ..how };
+                Doors::of(|how: &Tracing| trace_picture(&picture, how), &how, now, |traced| free_floor(&traced.plan))
+            }),
+            DrawingSource::Map { .. } => None,
+        };
+    }
+
+    fn traced(&self, metre: f64) -> Result<Traced, DrawingError> {
+        let (settings, turn) = (&self.settings, self.settings.turn.to_radians());
+        match &self.source {
+            DrawingSource::Drawing { drawing, .. } => {
+                Ok(floor_drawing::trace(drawing, &settings.tracing(metre))?.turned(turn))
+            }
+            DrawingSource::Image { name, cells, .. }
+                if settings.method == ShadeMethod::Map && settings.part == DrawingPart::Whole && turn == 0.0 =>
+            {
+                let plan = FloorPlan {
+                    name: name.clone(),
+                    note: String::new(),
+                    resolution: metre,
+                    occupancy: cells.clone(),
+                    objects: Vec::new(),
+                    start: None,
+                    origin: Pose::new(0.0, 0.0, 0.0),
+                };
+                if plan.occupancy.values().iter().any(|cell| cell.is_free()) {
+                    return Ok(Traced { plan, corner: Vector::zeros(), turn, metre, gaps: Vec::new() });
+                }
+                Err(nothing())
+            }
+            DrawingSource::Image { .. } => {
+                let resolution = settings.image_resolution(metre);
+                let how = Tracing { resolution, ..settings.tracing(metre) };
+                self.source.picture().map_or_else(|| Err(nothing()), |picture| trace_picture(&picture, &how))
+            }
+            DrawingSource::Map { plan, .. } => {
+                let plan = scaled(plan, metre);
+                Ok(Traced { plan, corner: Vector::zeros(), turn, metre, gaps: Vec::new() })
+            }
         }
     }
 
@@ -181,8 +296,23 @@ impl DrawingSession {
         let (start, turns) = (room.plan.start, self.settings.body.turns());
         let setup = SweepSetup { scan_width, start, order, turns, clearance, ..SweepSetup::new(outline, cell) };
         let planned = sweep(&room.plan, &setup, observe).map_err(|error: SweepError| error.to_string())?;
+        let path = MetricPath::new(&planned.path).map_err(|error| error.to_string())?;
+        let robot = self.robot()?;
+        let heading = room.plan.start.filter(|_| turns).map_or(0.0, |start| start.heading);
+        let start = Pose::new(path.start().x, path.start().y, heading);
+        let floor = ReachableFloor::of_path(&room.plan, &robot, start).map_err(|error| error.to_string())?;
+        self.driven = Some(DriveMetrics::of(&floor, &robot, path.corners()));
         self.sweep = Some(planned);
         Ok(())
+    }
+
+    /// The robot of Explore that drives the sweep: a model, or one with the outline that cleans all floor under it.
+    fn robot(&self) -> Result<RobotModel, String> {
+        let missing = || format!("the robot model {OWN_MODEL} is missing from this build");
+        match self.settings.body.model() {
+            Some(id) => robot::model(id).cloned().ok_or_else(missing),
+            None => Ok(own_robot(self.outline()?).of(robot::model(OWN_MODEL).ok_or_else(missing)?)),
+        }
     }
 
     /// Makes the obstacle map of all headings, if needed.
@@ -197,8 +327,8 @@ impl DrawingSession {
         self.space.as_ref().ok_or_else(String::new)
     }
 
-    /// The import for Explore: the room, with the other choices of a scenario. If `sweeps` is set, with the planner of
-    /// the sweep and, if it is built in, the robot.
+    /// The import for Explore: the room, with the other choices of a scenario. If `sweeps` is set, with the planned sweep
+    /// and the robot that it was planned for.
     pub fn import(&self, sweeps: bool) -> Result<Import, String> {
         let Some(room) = &self.room else { return Err(self.no_room()) };
         let choices = match &self.source {
@@ -208,13 +338,20 @@ impl DrawingSession {
         if !sweeps {
             return Ok(Import { plan: room.plan.clone(), choices });
         }
-        let choices = choices.unwrap_or_default();
+        let sweep = self.planned().ok_or("plan the sweep first")?;
+        let path = MetricPath::new(&sweep.path).map_err(|error| error.to_string())?;
+        let body = &self.settings.body;
+        let own = if body.model().is_some() { None } else { Some(own_robot(self.outline()?)) };
         let choices = ScenarioChoices {
             planner: Some(PLANNER.to_owned()),
             behaviour: None,
             params: Vec::new(),
-            robot: self.settings.body.model().map(str::to_owned).or(choices.robot),
-            ..choices
+            path: Some(path.to_string()),
+            robot: Some(body.model().unwrap_or(OWN_MODEL).to_owned()),
+            own_robot: own.map(|own| own.to_string()),
+            twin: None,
+            cell_size: None,
+            ..choices.unwrap_or_default()
         };
         Ok(Import { plan: room.plan.clone(), choices: Some(choices) })
     }
@@ -243,6 +380,41 @@ impl DrawingSession {
             _ => "there is no room yet".to_owned(),
         }
     }
+}
+
+/// The robot with that outline, which cleans all floor under it as in 001.
+fn own_robot(outline: Outline) -> OwnRobot {
+    let (radius, corners) = match outline {
+        Outline::Circle { radius } => (Some(radius), Vec::new()),
+        Outline::Polygon(corners) => (None, corners.into_iter().map(|corner| corner.coords.into()).collect()),
+    };
+    OwnRobot { radius, corners, cleans_all: true, ..OwnRobot::default() }
+}
+
+/// The error for someone who sees the file, and the place that it is about.
+fn told(error: &DrawingError, is_image: bool) -> (String, Option<FaultMark>) {
+    let DrawingError::Bad { flaw, .. } = error else { return (error.to_string(), None) };
+    match **flaw {
+        DrawingFlaw::Leak { x, y, width } => {
+            let words = format!(
+                "This room isn't closed: it has an opening about {width:.2} m wide, where the ring is. Close gaps that \
+                 wide, or choose a rectangle."
+            );
+            (words, Some(FaultMark { at: Point::new(x, y), width }))
+        }
+        DrawingFlaw::NotFloor { what, x, y } => {
+            let words = format!("There is {what} where you clicked. Click on free floor, or use smaller cells.");
+            (words, Some(FaultMark { at: Point::new(x, y), width: 0.0 }))
+        }
+        DrawingFlaw::NoFloor if is_image => {
+            ("No floor is left. Read the walls in another way, or choose another part.".to_owned(), None)
+        }
+        _ => (error.to_string(), None),
+    }
+}
+
+fn nothing() -> DrawingError {
+    DrawingError::Bad { name: String::new(), place: String::new(), flaw: Box::new(DrawingFlaw::NoFloor) }
 }
 
 /// Runs all stages of a sweep, collisions and strokes along edges included, in a tiny room.

@@ -2,10 +2,11 @@
 
 use super::{BodyChoice, DrawingSource};
 use coverage_planners::sweep::LinkOrder;
-use floor_drawing::{DrawingRegion, Role, Tracing};
+use floor_drawing::{DrawingRegion, Role, ShadeMethod, Tracing, WallShades};
 use robovac_core::{
-    floor_plan::{DEFAULT_IMAGE_RESOLUTION, MAX_RESOLUTION, MIN_RESOLUTION, Shading},
+    floor_plan::{DEFAULT_IMAGE_RESOLUTION, MAX_RESOLUTION, MIN_RESOLUTION},
     geometry::Point,
+    math::{cos, sin},
 };
 use serde::{Deserialize, Serialize};
 
@@ -15,6 +16,12 @@ pub const CELLS: [f64; 7] = [0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5];
 const MOST_UNASKED: f64 = 2000.0;
 /// Widest gap between walls that can be closed, m: that of a double door.
 const MOST_GAP: f64 = 1.5;
+/// Widest pixels, m, that are smaller than the cells of a room: those of photographs and scans (ours).
+const FINE_PIXEL: f64 = 0.02;
+/// Marks in images up to this size are left out by default, m: dots and small letters.
+const SPECKS: f64 = 0.15;
+/// Largest marks that can be left out, m.
+const MOST_SPECKS: f64 = 1.0;
 /// Most headings of an obstacle map: one per degree.
 const MOST_HEADINGS: usize = 360;
 
@@ -32,8 +39,20 @@ pub struct FloorPlanSettings {
     pub resolution: f64,
     /// The part to be traced.
     pub part: DrawingPart,
-    /// Shades of an image that are walls: those darker than this, 0 (black) to 1 (white).
+    /// Angle by which the file is turned, degrees counter-clockwise, above -180 to 180.
+    #[serde(default)]
+    pub turn: f64,
+    /// How the shades of an image are told apart.
+    #[serde(default)]
+    pub method: ShadeMethod,
+    /// Shades of an image that are walls: those darker than this, 0 (black) to 1 (white). For the method *level*.
     pub shade: f64,
+    /// How much darker than their surroundings walls are, 0 to 1. For the method *local*.
+    #[serde(default)]
+    pub contrast: f64,
+    /// Marks of an image that are smaller than this are left out, m; not by the method *map*.
+    #[serde(default)]
+    pub specks: f64,
     /// Whether light shades are walls instead.
     pub negate: bool,
     /// The robot's outline.
@@ -50,6 +69,9 @@ pub struct FloorPlanSettings {
     pub cell: f64,
     /// Headings of the obstacle map.
     pub headings: usize,
+    /// The unit, m, whose unusual size the user has confirmed.
+    #[serde(default)]
+    pub confirmed: Option<f64>,
 }
 
 /// The part of a drawing to be traced, in its unit.
@@ -57,6 +79,8 @@ pub struct FloorPlanSettings {
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum DrawingPart {
+    /// The floor that walls enclose; all of it, if they enclose hardly any.
+    Indoors,
     /// All of it.
     Whole,
     /// An axis-aligned rectangle, by two corners.
@@ -82,7 +106,12 @@ impl FloorPlanSettings {
         let metre = source.metre();
         let side = source.extent().1.max() * metre.unwrap_or_default();
         let fits = CELLS.into_iter().find(|cell| *cell >= DEFAULT_IMAGE_RESOLUTION && side / cell <= MOST_UNASKED);
-        let shading = Shading::default();
+        let suggestion = match source {
+            DrawingSource::Image { suggestion, .. } => Some(suggestion),
+            _ => None,
+        };
+        // The pixels of a map are cells, with nothing around them.
+        let is_plan = suggestion.map_or(source.drawing().is_some(), |how| how.method != ShadeMethod::Map);
         Self {
             metre,
             roles: source
@@ -90,15 +119,20 @@ impl FloorPlanSettings {
                 .map_or(Vec::new(), |drawing| drawing.layers.iter().map(|layer| layer.role).collect()),
             gap: 0.1,
             resolution: fits.unwrap_or(CELLS[CELLS.len() - 1]),
-            part: DrawingPart::Whole,
-            shade: 1.0 - shading.occupied_thresh,
-            negate: false,
+            part: if is_plan { DrawingPart::Indoors } else { DrawingPart::Whole },
+            turn: 0.0,
+            method: suggestion.map_or_else(ShadeMethod::default, |how| how.method),
+            shade: suggestion.map_or(0.35, |how| how.level),
+            contrast: suggestion.map_or(0.15, |how| how.contrast),
+            specks: SPECKS,
+            negate: suggestion.is_some_and(|how| how.negate),
             body: BodyChoice::Octagon { width: 0.4 },
             scan_width: None,
             order: LinkOrder::default(),
             clearance: 0.0,
             cell: 0.05,
             headings: 36,
+            confirmed: None,
         }
     }
 
@@ -117,7 +151,12 @@ impl FloorPlanSettings {
         self.metre = self.metre.and_then(positive).filter(|metre| metre.is_finite()).or(before.metre);
         self.roles.resize(source.drawing().map_or(0, |drawing| drawing.layers.len()), Role::Ignored);
         self.gap = self.gap.clamp(0.0, MOST_GAP);
-        self.shade = self.shade.clamp(0.0, 1.0);
+        [self.shade, self.contrast] = [self.shade, self.contrast].map(|share| share.clamp(0.0, 1.0));
+        self.specks = self.specks.clamp(0.0, MOST_SPECKS);
+        self.turn = if self.turn.is_finite() { 180.0 - (180.0 - self.turn).rem_euclid(360.0) } else { before.turn };
+        if matches!(source, DrawingSource::Map { .. }) {
+            self.turn = 0.0;
+        }
         self.resolution = self.resolution.clamp(0.005, 1.0);
         self.cell = self.cell.clamp(0.01, 1.0);
         self.clearance = self.clearance.clamp(0.0, 1.0);
@@ -132,14 +171,27 @@ impl FloorPlanSettings {
         Tracing { roles: roles.clone(), metre, gap: *gap, resolution: *resolution, region: part.region() }
     }
 
-    /// Parameters for reading an image. Shades between wall and floor are unknown, unless the user has set the shade.
-    pub fn shading(&self) -> Shading {
-        let default = Shading::default();
-        let occupied = if self.negate { self.shade } else { 1.0 - self.shade };
-        if occupied == default.occupied_thresh && !self.negate {
-            return default;
-        }
-        Shading { negate: self.negate, occupied_thresh: occupied, free_thresh: occupied, ..default }
+    /// Parameters for reading an image.
+    pub fn shades(&self) -> WallShades {
+        let Self { method, shade, contrast, negate, specks, metre, .. } = *self;
+        let specks = metre.map_or(0.0, |metre| specks / metre);
+        WallShades { method, level: shade, contrast, negate, specks }
+    }
+
+    /// Side of the room's cells: the pixels of a map, and those of other images unless they are finer than is needed.
+    pub fn image_resolution(&self, metre: f64) -> f64 {
+        if self.has_fine_pixels(metre) { self.resolution } else { metre }
+    }
+
+    /// Whether an image's pixels are finer than the cells of a room need to be.
+    pub fn has_fine_pixels(&self, metre: f64) -> bool {
+        self.method != ShadeMethod::Map && metre < FINE_PIXEL
+    }
+
+    /// The settings with the file turned by `degrees` more, and the part with it.
+    pub fn turned(&self, degrees: f64) -> Self {
+        let part = self.part.turned((degrees - self.turn).to_radians());
+        Self { turn: degrees, part, ..self.clone() }
     }
 }
 
@@ -148,6 +200,7 @@ impl DrawingPart {
     pub fn region(&self) -> DrawingRegion {
         let point = |&[x, y]: &[f64; 2]| Point::new(x, y);
         match self {
+            Self::Indoors => DrawingRegion::Indoors,
             Self::Whole => DrawingRegion::Whole,
             Self::Rectangle { corners: [a, b] } => DrawingRegion::Rectangle {
                 low: Point::new(a[0].min(b[0]), a[1].min(b[1])),
@@ -155,6 +208,27 @@ impl DrawingPart {
             },
             Self::Polygon { corners } => DrawingRegion::Polygon(corners.iter().map(point).collect()),
             Self::Room { at } => DrawingRegion::Room(point(at)),
+        }
+    }
+
+    /// The part turned around the origin. A rectangle becomes a polygon unless its sides stay along the axes.
+    fn turned(&self, by: f64) -> Self {
+        if by == 0.0 {
+            return self.clone();
+        }
+        let (sin, cos) = (sin(by), cos(by));
+        let turned = |&[x, y]: &[f64; 2]| [x * cos - y * sin, x * sin + y * cos];
+        match self {
+            Self::Indoors | Self::Whole => self.clone(),
+            Self::Rectangle { corners: [a, b] } if sin.abs() < 1e-9 || cos.abs() < 1e-9 => {
+                Self::Rectangle { corners: [turned(a), turned(b)] }
+            }
+            Self::Rectangle { corners: [a, b] } => {
+                let corners = [*a, [b[0], a[1]], *b, [a[0], b[1]]];
+                Self::Polygon { corners: corners.iter().map(turned).collect() }
+            }
+            Self::Polygon { corners } => Self::Polygon { corners: corners.iter().map(turned).collect() },
+            Self::Room { at } => Self::Room { at: turned(at) },
         }
     }
 }

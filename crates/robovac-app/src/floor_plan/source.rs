@@ -1,28 +1,46 @@
 //! The loaded source: a map, or a drawing that needs layers, unit and region to become a room.
 
 use crate::{Import, ImportError, ScenarioChoices};
-use floor_drawing::{self, Drawing};
+use floor_drawing::{self, Drawing, Picture, WallShades, suggest};
 use robovac_core::{
-    floor_plan::{self, FloorPlan, MapError, Shading, SourceFile},
+    floor_plan::{self, DEFAULT_IMAGE_RESOLUTION, FloorPlan, MapError, SourceFile, base_name, stem},
     geometry::{Point, Vector},
+    grid::{Grid, Occupancy},
+    math::{cos, sin},
 };
 
+/// Shorter by longer side of sheets of paper (ISO 216), and how much an image can differ from it.
+const SHEET: f64 = std::f64::consts::FRAC_1_SQRT_2;
+const SHEET_NEAR: f64 = 0.02;
+/// Longer side of the largest sheet, A0 with some margin, m.
+const LARGEST_SHEET: f64 = 1.3;
+
 /// The loaded source.
+// There is one at a time.
+#[allow(clippy::large_enum_variant)]
 #[derive(Debug, Clone)]
 pub enum DrawingSource {
     /// A line drawing.
     Drawing {
-        /// The lines.
+        /// The lines, turned.
         drawing: Drawing,
+        /// Their corners as in the file, if they are turned.
+        unturned: Option<Vec<Point>>,
         /// The file's bytes if it is a DXF, for exports that add to it.
         original: Option<Vec<u8>>,
     },
     /// An image without metadata on its scale and shades.
     Image {
-        /// The image, to be read again with other shades.
-        file: SourceFile,
-        /// The map read from it.
-        plan: FloorPlan,
+        /// Its name.
+        name: String,
+        /// Its shades, 0 (black) to 255 (white), row 0 at the bottom.
+        shades: Grid<u8>,
+        /// How its shades are best read.
+        suggestion: WallShades,
+        /// What each pixel is, with the present settings.
+        cells: Grid<Occupancy>,
+        /// Angle by which it is turned around its lower left corner, rad.
+        turn: f64,
     },
     /// Any other map, or a scenario.
     Map {
@@ -41,29 +59,58 @@ impl DrawingSource {
                 return Err(MapError::TwoMaps { first: file.name.clone(), second: other.name.clone() }.into());
             }
             let original = floor_drawing::is_dxf(file).then(|| file.bytes.clone());
-            return Ok(Self::Drawing { drawing: floor_drawing::read(file)?, original });
+            return Ok(Self::Drawing { drawing: floor_drawing::read(file)?, unturned: None, original });
         }
         if let [file] = files
             && floor_plan::is_image(file)
         {
-            return Ok(Self::Image { file: file.clone(), plan: floor_plan::load(files)? });
+            let shades = floor_plan::load_shades(file)?;
+            let suggestion = suggest(&shades, 0.0);
+            let cells = suggestion.cells(&shades);
+            return Ok(Self::Image { name: stem(base_name(&file.name)), shades, suggestion, cells, turn: 0.0 });
         }
         let Import { plan, choices } = Import::read(files)?;
         Ok(Self::Map { plan, choices })
     }
 
-    /// Reads an image again with other shades; returns whether the source is an image.
-    pub fn shade(&mut self, shading: &Shading) -> Result<bool, MapError> {
-        let Self::Image { file, plan } = self else { return Ok(false) };
-        *plan = floor_plan::load_image(file, shading)?;
-        Ok(true)
+    /// Reads the shades of an image in another way.
+    pub fn shade(&mut self, how: &WallShades) {
+        if let Self::Image { shades, cells, .. } = self {
+            *cells = how.cells(shades);
+        }
+    }
+
+    /// Turns a drawing or an image around its origin, to `turn` rad from how it is in the file.
+    pub fn turn(&mut self, to: f64) {
+        match self {
+            Self::Drawing { drawing, unturned, .. } => {
+                let from = unturned.take().unwrap_or_else(|| drawing.points.clone());
+                if to == 0.0 {
+                    drawing.points = from;
+                    return;
+                }
+                let (sin, cos) = (sin(to), cos(to));
+                let turned = |p: &Point| Point::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos);
+                drawing.points = from.iter().map(turned).collect();
+                *unturned = Some(from);
+            }
+            Self::Image { turn, .. } => *turn = to,
+            Self::Map { .. } => {}
+        }
+    }
+
+    /// The image, for tracing.
+    pub fn picture(&self) -> Option<Picture> {
+        let Self::Image { name, cells, turn, .. } = self else { return None };
+        Some(Picture { name: name.clone(), blocked: cells.map(|cell| !cell.is_free()), turn: *turn })
     }
 
     /// Its name.
     pub fn name(&self) -> &str {
         match self {
             Self::Drawing { drawing, .. } => &drawing.name,
-            Self::Image { plan, .. } | Self::Map { plan, .. } => &plan.name,
+            Self::Image { name, .. } => name,
+            Self::Map { plan, .. } => &plan.name,
         }
     }
 
@@ -72,19 +119,29 @@ impl DrawingSource {
         if let Self::Drawing { drawing, .. } = self { Some(drawing) } else { None }
     }
 
-    /// The room, if no tracing is needed.
-    pub fn plan(&self) -> Option<&FloorPlan> {
-        match self {
-            Self::Drawing { .. } => None,
-            Self::Image { plan, .. } | Self::Map { plan, .. } => Some(plan),
-        }
-    }
-
     /// Metres per unit, if the files state it. The unit of a map is its cell.
     pub fn metre(&self) -> Option<f64> {
         match self {
             Self::Drawing { drawing, .. } => drawing.metre,
-            Self::Image { plan, .. } | Self::Map { plan, .. } => Some(plan.resolution),
+            Self::Image { .. } => Some(DEFAULT_IMAGE_RESOLUTION),
+            Self::Map { plan, .. } => Some(plan.resolution),
+        }
+    }
+
+    /// Metres per unit on paper, if it can be a sheet of paper: of the file's unit, or of an image's pixel on a sheet with
+    /// this longer side, m. Drawings without unit are in pixels of 1/96 inch.
+    pub fn paper(&self, longer: f64) -> Option<f64> {
+        let size = self.extent().1;
+        match self {
+            Self::Drawing { drawing, original, .. } => {
+                let unknown = if original.is_some() { 0.001 } else { 0.0254 / 96.0 };
+                Some(drawing.metre.unwrap_or(unknown)).filter(|metre| size.max() * metre <= LARGEST_SHEET)
+            }
+            Self::Image { .. } => {
+                let is_sheet = (size.min() / size.max() / SHEET - 1.0).abs() <= SHEET_NEAR;
+                is_sheet.then(|| longer / size.max())
+            }
+            Self::Map { .. } => None,
         }
     }
 
@@ -103,7 +160,11 @@ impl DrawingSource {
                 });
                 (low, high - low)
             }
-            Self::Image { plan, .. } | Self::Map { plan, .. } => {
+            Self::Image { cells, turn, .. } => {
+                let [low, high] = Picture::bounds(cells.width(), cells.height(), *turn);
+                (low, high - low)
+            }
+            Self::Map { plan, .. } => {
                 let (width, height) = (plan.occupancy.width() as f64, plan.occupancy.height() as f64);
                 (Point::origin(), Vector::new(width, height))
             }

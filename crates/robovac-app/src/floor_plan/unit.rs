@@ -1,5 +1,6 @@
 //! Drawing units and the display of lengths.
 
+use super::DrawingSource;
 use serde::Serialize;
 
 /// A unit for drawings.
@@ -19,6 +20,23 @@ pub const UNITS: [Unit; 5] = [
     Unit { name: "inches", metre: 0.0254 },
     Unit { name: "feet", metre: 0.3048 },
 ];
+
+/// Scales of plans on paper, with their names in menus.
+const SCALES: [(f64, &str); 3] = [(50.0, "1:50"), (100.0, "1:100"), (200.0, "1:200")];
+/// Longer sides of sheets that are scanned, m, with their names.
+const SHEETS: [(f64, &str); 2] = [(0.297, "A4"), (0.42, "A3")];
+
+/// The units of a plan that was drawn for paper: name and metres per unit.
+pub fn paper_units(source: &DrawingSource) -> Vec<(String, f64)> {
+    let is_image = matches!(source, DrawingSource::Image { .. });
+    let sheets = SHEETS.iter().take(if is_image { SHEETS.len() } else { 1 });
+    let units = sheets.flat_map(|&(side, sheet)| {
+        let paper = source.paper(side);
+        let of = if is_image { format!("{sheet} sheet") } else { "on paper".to_owned() };
+        SCALES.iter().filter_map(move |&(scale, name)| Some((format!("{of}, {name}"), scale * paper?)))
+    });
+    units.collect()
+}
 
 /// A size in metres, in words: `12.4 x 8.1 m`, with a third digit for small values.
 ///

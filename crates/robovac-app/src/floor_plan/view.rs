@@ -1,13 +1,22 @@
 //! View model of the Floor plan tab, as one plain object.
 
-use super::{Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, size_in_words};
+use super::{Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, paper_units, size_in_words};
 use crate::amount::amount;
-use coverage_planners::{stage::LineEndContact, sweep::Sweep};
+use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
 use floor_drawing::Role;
 use robovac_core::{cspace::Outline, geometry::Point};
 use serde::Serialize;
 
+/// Lengths of a floor plan's longer side, m, that nobody is asked about (ours): from a closet to a house.
+const USUAL: [f64; 2] = [2.0, 60.0];
+
+fn is_usual(longer_side: f64) -> bool {
+    (USUAL[0]..=USUAL[1]).contains(&longer_side)
+}
+
 /// Snapshot of a drawing session.
+// Independent facts, not states of one.
+#[allow(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DrawingView {
@@ -24,6 +33,12 @@ pub struct DrawingView {
     pub size: Option<String>,
     /// The units in the menu, with the size that the source would have in each.
     pub units: Vec<UnitView>,
+    /// Whether a room's cells can be chosen: an image's pixels are finer than they.
+    pub has_cells: bool,
+    /// A size that is unusual for a room, in words, until it is confirmed; empty otherwise.
+    pub asks: String,
+    /// Angle by which the walls are askew, degrees; `None` if they are straight or have no common direction.
+    pub askew: Option<f64>,
     /// Layers of a drawing.
     pub layers: Vec<LayerView>,
     /// Number of strokes of a drawing.
@@ -78,7 +93,7 @@ pub struct FloorPlanView {
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct UnitView {
     /// Its name.
-    pub name: &'static str,
+    pub name: String,
     /// Metres per unit.
     pub metre: f64,
     /// The size that the drawing would have.
@@ -143,6 +158,8 @@ pub struct SweepView {
     pub linked_share: f64,
     /// Share of the reachable floor that is swept, 0 to 1.
     pub coverage: f64,
+    /// The same by the finer cells of Explore, and the time, s: what a run without slip gives there.
+    pub driven: (f64, f64),
     /// What is kept free, if it isn't the outline.
     pub kept_free: Option<String>,
     /// Distance between scan lines, m.
@@ -169,12 +186,15 @@ impl DrawingSession {
             units: UNITS
                 .iter()
                 .filter(|_| drawing.is_some())
-                .map(|unit| UnitView {
-                    name: unit.name,
-                    metre: unit.metre,
-                    size: size_in_words(size.x * unit.metre, size.y * unit.metre),
-                })
+                .map(|unit| (unit.name.to_owned(), unit.metre))
+                .chain(paper_units(source).into_iter().filter(|(_, metre)| is_usual(size.max() * metre)))
+                .map(|(name, metre)| UnitView { name, metre, size: size_in_words(size.x * metre, size.y * metre) })
                 .collect(),
+            has_cells: drawing.is_some()
+                || matches!(source, DrawingSource::Image { .. })
+                    && settings.metre.is_some_and(|metre| settings.has_fine_pixels(metre)),
+            asks: self.asks().unwrap_or_default(),
+            askew: self.askew(),
             layers: drawing.map_or(Vec::new(), |drawing| {
                 let with_role = drawing.layers.iter().zip(&settings.roles);
                 with_role.map(|(layer, &role)| layer_view(layer, role)).collect()
@@ -195,11 +215,26 @@ impl DrawingSession {
                 _ => Vec::new(),
             },
             body_fault: outline.err().unwrap_or_default(),
-            sweep: self.planned().map(|sweep| sweep_view(sweep, self.outline().ok().as_ref())),
+            sweep: self.planned().map(|sweep| sweep_view(sweep, self.outline().ok().as_ref(), self.driven())),
             words: String::new(),
         };
         view.words = description(&view);
         view
+    }
+
+    /// The size of the room, or of all of it where there is none, if nobody has confirmed that it is so large or small.
+    fn asks(&self) -> Option<String> {
+        let (settings, whole) = (self.settings(), self.source().extent().1);
+        let metre = settings.metre?;
+        if matches!(self.source(), DrawingSource::Map { .. }) || settings.confirmed == Some(metre) {
+            return None;
+        }
+        let (width, height) = (whole.x * metre, whole.y * metre);
+        // There can be floor around what walls don't enclose.
+        let is_tiny = width.max(height) < USUAL[0];
+        let room = self.room().filter(|_| !is_tiny).map(|room| (room.plan.width_m(), room.plan.height_m()));
+        let (width, height) = room.unwrap_or((width, height));
+        (!is_usual(width.max(height))).then(|| size_in_words(width, height))
     }
 
     fn room_view(&self) -> Option<TracedRoomView> {
@@ -276,7 +311,7 @@ fn layer_view(layer: &floor_drawing::DrawingLayer, role: Role) -> LayerView {
     }
 }
 
-fn sweep_view(sweep: &Sweep, outline: Option<&Outline>) -> SweepView {
+fn sweep_view(sweep: &Sweep, outline: Option<&Outline>, driven: Option<&DriveMetrics>) -> SweepView {
     let count = |contact| sweep.subgoals.iter().filter(|subgoal| subgoal.contact == contact).count();
     SweepView {
         subgoals: [
@@ -295,6 +330,7 @@ fn sweep_view(sweep: &Sweep, outline: Option<&Outline>) -> SweepView {
         finish: (sweep.finish.len(), sweep.finish_length),
         linked_share: sweep.linked_share,
         coverage: sweep.coverage,
+        driven: driven.map_or((0.0, 0.0), |drive| (drive.coverage, drive.duration_s)),
         kept_free: (outline != Some(&sweep.outline)).then(|| sweep.outline.to_string()),
         scan_width: sweep.scan_width,
     }

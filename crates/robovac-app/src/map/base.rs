@@ -7,7 +7,7 @@ use robovac_sim::{
     Conditions, Run,
     controller::Setup,
     experiment::planning::RoomSetup,
-    mapping::{MapObserver, Mapper, MapperSetup, Tracking},
+    mapping::{MapObserver, Mapper, MapperSetup, ThesisMap, Tracking},
 };
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ impl MapBase {
         Self {
             plan: Arc::clone(session.plan()),
             title: session.room_title(),
-            prepared: session.prepared().cloned().ok_or_else(|| session.view().message),
+            prepared: session.planning_room().ok_or_else(|| session.view().message),
             conditions: settings.conditions,
             seed: settings.seed,
             place: place_of(session),
@@ -63,14 +63,17 @@ impl MapBase {
             })
         };
         let observer = MapObserver::default().with_baseline(mapper(Tracking::Odometry)).with_reckoning(robot, start);
-        let observer = match known {
-            Some(known) => {
-                let mapper = mapper(setup.tracking).knowing(known.map().clone(), known.marks().clone());
-                observer.with_mapper(mapper).with_locator(known.locator(robot, setup.odometry, self.seed)?)
-            }
+        let observer = if let Some(known) = known {
+            let mapper = mapper(setup.tracking).knowing(known.map().clone(), known.marks().clone());
+            let mapper = match known.dock() {
+                Some(dock) => mapper.knowing_dock(dock),
+                None => mapper,
+            };
+            observer.with_mapper(mapper).with_locator(known.locator(robot, setup.odometry, self.seed)?)
+        } else {
+            let observer = observer.with_thesis(ThesisMap::new(robot, start));
             // A controller with a map of its own acts by that.
-            None if controller.mapper().is_none() => observer.with_mapper(mapper(setup.tracking)),
-            None => observer,
+            if controller.mapper().is_none() { observer.with_mapper(mapper(setup.tracking)) } else { observer }
         };
         let run = Run::new(&prepared.setup(conditions, self.seed), controller).observed(Box::new(observer));
         let resolution = run.mapper()?.map().resolution();
@@ -82,7 +85,7 @@ impl MapBase {
 /// Key of a session's room, start, robot, conditions and seed; stable between sessions.
 fn place_of(session: &Session) -> String {
     let kept = session.link_pairs().filter(|(key, _)| {
-        ["room", "robot", "twin", "cell", "seed", "slip", "quantised", "start"].contains(&key.as_str())
+        ["room", "robot", "twin", "own", "cell", "seed", "slip", "quantised", "charge", "start"].contains(&key.as_str())
             || key.starts_with("noise.")
     });
     let kept: Vec<String> = kept.map(|(key, value)| format!("{key}={value}")).collect();

@@ -16,6 +16,8 @@ pub struct CurveSample {
     pub position_m: Option<f64>,
     /// The same by odometry alone, m.
     pub odometry_m: Option<f64>,
+    /// The same share and distance of the thesis' grid, if it is made.
+    pub thesis: Option<(f64, Option<f64>)>,
 }
 
 /// Samples of a run up to where it was simulated.

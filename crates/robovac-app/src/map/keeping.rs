@@ -1,7 +1,7 @@
 //! Storing and restoring of the Map tab.
 
 use super::{Known, MapSession, StoreError, Stored, stage::Return};
-use robovac_sim::STEP_S;
+use robovac_sim::{RunRecording, STEP_S};
 
 impl MapSession {
     /// The session as text for [`MapSession::resume`]; `None` if there is nothing worth storing.
@@ -21,6 +21,7 @@ impl MapSession {
             map: estimate.map.clone(),
             marks: estimate.marks.clone(),
             known: stage.known.as_ref().map(|known| (known.name().to_owned(), known.map().clone())),
+            docks: stage.known.as_ref().map_or(Vec::new(), |known| known.docks().to_vec()),
         };
         Some(stored.to_text())
     }
@@ -33,7 +34,7 @@ impl MapSession {
         let known = match (&stored.known, robot) {
             (Some((name, map)), Some(robot)) => {
                 let of_no_use = |_| StoreError::Damaged { what: "the robot can't localise on the given map" };
-                Some(Known::of(map.clone(), name.clone(), robot).map_err(of_no_use)?)
+                Some(Known::of(map.clone(), stored.docks.clone(), name.clone(), robot).map_err(of_no_use)?)
             }
             _ => None,
         };
@@ -54,6 +55,13 @@ impl MapSession {
     /// differently. The stored map remains valid.
     pub fn take_strayed(&mut self) -> bool {
         std::mem::take(&mut self.has_strayed)
+    }
+
+    /// The run from its start again, and the time up to which it was simulated, s; `None` if the robot doesn't fit.
+    pub fn again(&self) -> Option<(RunRecording, f64)> {
+        let stage = self.stage.as_ref()?;
+        let end_s = stage.returning.as_ref().map_or(stage.recording.end_s(), |way| way.end as f64 * STEP_S);
+        Some((stage.recording.again(), end_s))
     }
 
     /// Progress of restoring a run, 0 to 1; `None` if none is being restored.

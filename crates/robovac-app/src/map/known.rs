@@ -10,7 +10,7 @@ use robovac_core::{
     robot::{OdometryModel, RobotModel},
 };
 use robovac_sim::{
-    Input,
+    Input, World, dock_at,
     mapping::{
         Marks, OccupancyMap,
         locate::{Locator, LocatorSetup},
@@ -53,6 +53,7 @@ pub enum OpenError {
 pub struct Known {
     map: Arc<OccupancyMap>,
     marks: Arc<Marks>,
+    docks: Vec<Pose>,
     name: String,
     digest: u64,
 }
@@ -79,6 +80,7 @@ impl Known {
         if width.max(height) > MOST_M {
             return Err(OpenError::TooLarge { width, height });
         }
+        let docks = World::new(plan).docks;
         let plan = with_objects(plan);
         let shift = |far: f64| if far.is_finite() && far.abs() < MOST_M { far } else { 0.0 };
         let (right, up) = (shift(plan.origin.x - origin.x), shift(plan.origin.y - origin.y));
@@ -109,29 +111,43 @@ impl Known {
         }
         let (columns, rows) = (cells(right, right + width, resolution), cells(up, up + height, resolution));
         wall_in(&mut map, [*columns.start(), *columns.end(), *rows.start(), *rows.end()]);
-        Self::of(map, plan.name.clone(), robot)
+        let docks = docks.iter().map(|dock| Pose::new(dock.x + right, dock.y + up, dock.heading)).collect();
+        Self::of(map, docks, plan.name.clone(), robot)
     }
 
-    /// A given map, in the frame of the room.
-    pub(super) fn of(map: OccupancyMap, name: String, robot: &RobotModel) -> Result<Self, OpenError> {
+    /// A given map with docks, in the frame of the room.
+    pub(super) fn of(map: OccupancyMap, docks: Vec<Pose>, name: String, robot: &RobotModel) -> Result<Self, OpenError> {
         let mut text = String::new();
         for (cell, _) in map.iter() {
             // Writing to a text doesn't fail.
             let _ = write!(text, "{},{},{:?};", cell.x, cell.y, map.occupancy(cell));
         }
+        for dock in &docks {
+            let _ = write!(text, "dock {:?};", [dock.x, dock.y, dock.heading]);
+        }
         let marks = Marks::new(map.resolution());
-        let known = Self { map: Arc::new(map), marks: Arc::new(marks), name, digest: digest(&text) };
+        let known = Self { map: Arc::new(map), marks: Arc::new(marks), docks, name, digest: digest(&text) };
         let try_out = known.locator(robot, OdometryModel::Arc, 0);
         if try_out.is_some() { Ok(known) } else { Err(OpenError::NothingOnIt) }
     }
 
     /// The locator for it; `None` if there are no obstacles to use.
     pub(super) fn locator(&self, robot: &RobotModel, odometry: OdometryModel, seed: u64) -> Option<Locator> {
-        Locator::new(&self.map, LocatorSetup { robot: robot.clone(), odometry, seed })
+        let locator = Locator::new(&self.map, LocatorSetup { robot: robot.clone(), odometry, seed })?;
+        Some(locator.knowing_docks(&self.docks))
     }
 
     pub(super) fn map(&self) -> &OccupancyMap {
         &self.map
+    }
+
+    /// The dock on it, if there is just one: by two the robot wouldn't know which one it has come to.
+    pub(super) fn dock(&self) -> Option<Pose> {
+        if let [dock] = self.docks[..] { Some(dock) } else { None }
+    }
+
+    pub(super) fn docks(&self) -> &[Pose] {
+        &self.docks
     }
 
     pub(super) fn marks(&self) -> &Marks {
@@ -164,7 +180,9 @@ impl MapSession {
         let (Some(estimate), Some(prepared)) = (self.estimate(), self.prepared()) else {
             return Err(OpenError::NoRoom);
         };
-        let known = Known::of(estimate.map.clone(), "its own map".to_owned(), &prepared.robot)?;
+        let berth = self.stage.as_ref().and_then(|stage| stage.run().mapper()?.berth());
+        let docks = berth.iter().map(|&berth| dock_at(berth, &prepared.robot)).collect();
+        let known = Known::of(estimate.map.clone(), docks, "its own map".to_owned(), &prepared.robot)?;
         self.give(known);
         Ok(())
     }

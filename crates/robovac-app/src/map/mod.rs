@@ -6,7 +6,9 @@
 
 mod base;
 mod curve;
+mod expected;
 mod figures;
+mod grid;
 mod keeping;
 mod known;
 mod layers;
@@ -22,7 +24,9 @@ mod view;
 mod words;
 
 pub use curve::CurveSample;
+pub use expected::{BY_BUMPER, ByBumper};
 pub use figures::MapErrorFigures;
+pub use grid::MapGrid;
 pub use known::{Known, OpenError};
 pub use layers::Layers;
 pub use map_estimate::MapEstimate;

@@ -1,7 +1,7 @@
 //! Session of the Map tab: a room, a robot that maps it, and time.
 
 use super::{
-    CurveSample, Known, MapAction, MapErrorFigures, MapEstimate, MapPhase, MapSetup, RoomTruth, base::MapBase,
+    CurveSample, Known, MapAction, MapErrorFigures, MapEstimate, MapGrid, MapPhase, MapSetup, RoomTruth, base::MapBase,
     stage::MapStage,
 };
 use crate::explore::Session;
@@ -323,14 +323,27 @@ impl MapSession {
         stage.run().intent()
     }
 
-    /// Errors of the map, and of a map by odometry alone.
+    /// Errors of the map on the chosen grid, and of a map by odometry alone.
     pub fn figures(&self) -> Option<[MapErrorFigures; 2]> {
-        self.stage.as_ref().filter(|stage| stage.returning.is_none()).map(|stage| stage.figures)
+        let stage = self.stage.as_ref().filter(|stage| stage.returning.is_none())?;
+        let [own, odometry] = stage.figures;
+        let thesis = stage.thesis.filter(|_| self.setup.grid == MapGrid::Thesis);
+        Some([thesis.unwrap_or(own), odometry])
     }
 
     /// The errors over time.
     pub fn samples(&self) -> &[CurveSample] {
         self.stage.as_ref().map_or(&[], |stage| stage.curve.samples())
+    }
+
+    /// The errors over time of the map on the chosen grid.
+    pub fn curve(&self) -> impl Iterator<Item = CurveSample> {
+        self.samples().iter().map(|&sample| match sample.thesis {
+            Some((boundary, position_m)) if self.setup.grid == MapGrid::Thesis => {
+                CurveSample { boundary, position_m, ..sample }
+            }
+            _ => sample,
+        })
     }
 
     /// Recomputes the errors if they are outdated.

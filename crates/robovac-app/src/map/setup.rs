@@ -1,6 +1,6 @@
 //! Settings of the Map tab and their form in a link.
 
-use super::Layers;
+use super::{Layers, MapGrid};
 use coverage_planners::{self, PLANNERS, PlannerInfo};
 use robovac_core::{registry::Params, robot::OdometryModel};
 use robovac_sim::{
@@ -12,7 +12,7 @@ use robovac_sim::{
 use std::collections::BTreeMap;
 
 /// Behaviours that aren't made for exploring but cover enough ground for it.
-const ROVERS: [&str; 3] = ["wall_follow", "bounce", "random_walk"];
+const ROVERS: [&str; 4] = ["online_snake", "wall_follow", "bounce", "random_walk"];
 /// The default behaviour, if it is in the registry.
 const FIRST: &str = "explore_frontier";
 /// The default planner.
@@ -21,7 +21,7 @@ const FIRST_CLEANER: &str = "boustrophedon_cells";
 const SPEED: f64 = 64.0;
 
 /// Names of choices in links; the behaviour's parameters begin with `x.`.
-const KEYS: [&str; 8] = ["explorer", "track", "counts", "wheels", "senses", "layers", "pace", "clean"];
+const KEYS: [&str; 9] = ["explorer", "track", "counts", "wheels", "senses", "grid", "layers", "pace", "clean"];
 
 /// Behaviours for mapping, those made for exploring first.
 pub fn explorers() -> impl Iterator<Item = &'static BehaviourInfo> {
@@ -53,6 +53,8 @@ pub struct MapSetup {
     pub noise: Option<NoiseLevel>,
     /// Planner for cleaning the remaining floor.
     pub planner: &'static PlannerInfo,
+    /// The grid that is shown, measured and exported.
+    pub grid: MapGrid,
     /// Layers that are drawn.
     pub layers: Layers,
     /// Speed, times real time; 0 for as fast as possible.
@@ -72,6 +74,7 @@ impl MapSetup {
             slip: None,
             noise: None,
             planner: coverage_planners::find(FIRST_CLEANER).or_else(|| cleaners().next()).unwrap_or(PLANNERS[0]),
+            grid: MapGrid::default(),
             layers: Layers::default(),
             speed: SPEED,
         }
@@ -116,6 +119,10 @@ impl MapSetup {
                 self.planner = cleaners().find(|info| info.id == value).ok_or_else(|| {
                     unknown("fast and complete planner", &cleaners().map(|info| info.id).collect::<Vec<_>>())
                 })?;
+            }
+            "grid" => {
+                let known = MapGrid::ALL.map(|(_, name)| name);
+                self.grid = MapGrid::parse(value).ok_or_else(|| unknown("grid", &known))?;
             }
             "layers" => self.layers = Layers::from_link(value)?,
             "pace" => {
@@ -164,7 +171,7 @@ impl MapSetup {
     pub fn recipe(&self) -> String {
         self.pairs()
             .into_iter()
-            .filter(|(key, _)| !["layers", "pace", "clean"].contains(&key.as_str()))
+            .filter(|(key, _)| !["grid", "layers", "pace", "clean"].contains(&key.as_str()))
             .fold(String::new(), |text, (key, value)| format!("{text}{key}={value} "))
     }
 
@@ -195,6 +202,9 @@ impl MapSetup {
         }
         if self.planner.id != first.planner.id {
             push("clean", self.planner.id.to_owned());
+        }
+        if self.grid != first.grid {
+            push("grid", self.grid.id().to_owned());
         }
         if self.layers != first.layers {
             push("layers", self.layers.to_link());

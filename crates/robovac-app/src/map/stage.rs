@@ -12,6 +12,8 @@ pub(super) struct MapStage {
     pub curve: Curve,
     /// Errors of the map, and of a map by odometry alone, with the number of steps at which they were computed.
     pub figures: [MapErrorFigures; 2],
+    /// Errors of the thesis' grid, if it is made.
+    pub thesis: Option<MapErrorFigures>,
     counted: Option<u64>,
     /// The stored state, while the run is restored.
     pub returning: Option<Return>,
@@ -42,6 +44,7 @@ impl MapStage {
             known,
             curve: Curve::new(),
             figures: [MapErrorFigures::default(); 2],
+            thesis: None,
             counted: None,
             returning: None,
         };
@@ -103,7 +106,8 @@ impl MapStage {
         let (steps, time_s) = (self.run().steps(), self.run().time_s());
         let [MapErrorFigures { boundary, position_m, .. }, MapErrorFigures { position_m: odometry_m, .. }] =
             self.figures;
-        self.curve.add(steps, CurveSample { time_s, boundary, position_m, odometry_m });
+        let thesis = self.thesis.map(|figures| (figures.boundary, figures.position_m));
+        self.curve.add(steps, CurveSample { time_s, boundary, position_m, odometry_m, thesis });
     }
 
     /// Computes the errors, unless they are current.
@@ -117,6 +121,7 @@ impl MapStage {
         let of = |map, believed| MapErrorFigures::of(map, believed, run.pose(), &self.truth);
         let here = self.estimate().map(|estimate| of(estimate.map, estimate.pose()));
         let odometry = run.baseline().map(|mapper| of(mapper.map(), Some(mapper.pose())));
+        self.thesis = run.thesis().map(|thesis| of(thesis.map(), Some(thesis.pose())));
         self.figures = [here, odometry].map(Option::unwrap_or_default);
     }
 

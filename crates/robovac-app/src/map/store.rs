@@ -87,6 +87,8 @@ pub struct Stored {
     pub marks: Marks,
     /// The map given to it, with its name.
     pub known: Option<(String, OccupancyMap)>,
+    /// The docks on that map.
+    pub docks: Vec<Pose>,
 }
 
 /// Map, marks and pose of a stored run.
@@ -127,6 +129,8 @@ struct StoredBody {
     marks: String,
     #[serde(default)]
     known: Option<[String; 2]>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    docks: Vec<[f64; 3]>,
 }
 
 /// A stored input of a person.
@@ -166,6 +170,7 @@ impl Stored {
             pose: [self.pose.x, self.pose.y, self.pose.heading],
             resolution: self.map.resolution(),
             map: packed(&self.map),
+            docks: self.docks.iter().map(|dock| [dock.x, dock.y, dock.heading]).collect(),
             known: self.known.as_ref().map(|(name, map)| [name.clone(), packed(map)]),
             marks: to_text(&cells(noted)),
         };
@@ -191,7 +196,10 @@ impl Stored {
         }
         let body: StoredBody =
             serde_json::from_str(&envelope.body).map_err(|_| damaged("its content can't be read"))?;
-        if !(body.resolution.is_finite() && body.resolution > 0.0 && body.pose.iter().all(|n| n.is_finite())) {
+        if !(body.resolution.is_finite()
+            && body.resolution > 0.0
+            && body.pose.iter().chain(body.docks.iter().flatten()).all(|n| n.is_finite()))
+        {
             return Err(damaged("its scale or pose isn't a number"));
         }
         let list = |text: &str| from_text(text).and_then(|bytes| cells_of(&bytes));
@@ -233,6 +241,7 @@ impl Stored {
             map,
             marks,
             known,
+            docks: body.docks.into_iter().map(pose).collect(),
         })
     }
 }

@@ -24,12 +24,16 @@ pub struct MapView {
     pub params: robovac_core::registry::Params,
     /// How the robot estimates its pose.
     pub tracking: &'static str,
+    /// What to expect of the robot's maps, if it has nothing but a bumper; else empty.
+    pub expectation: String,
     /// How wheel counts are converted to motion.
     pub counts: &'static str,
     /// Level of wheel slip.
     pub wheels: &'static str,
     /// Level of sensor noise; empty if the kinds differ.
     pub senses: String,
+    /// The grid that is shown, measured and exported.
+    pub grid: &'static str,
     /// Layers that are shown.
     pub layers: Vec<&'static str>,
     /// Set speed, times real time; 0 for as fast as possible.
@@ -139,7 +143,7 @@ impl MapSession {
                 lift: can(MapAction::Lift),
                 put_down: can(MapAction::PutDown),
                 forget: can(MapAction::Forget),
-                use_map: can(MapAction::UseMap) && estimate.is_some_and(|estimate| estimate.map.bounds().is_some()),
+                use_map: can(MapAction::UseMap) && self.shown().is_some_and(|map| map.bounds().is_some()),
                 clean: self.can_clean(),
                 open: can(MapAction::Open),
             },
@@ -149,9 +153,11 @@ impl MapSession {
             activity: run.map_or("", |run| run.activity()),
             params: setup.params.clone(),
             tracking: setup.tracking.id(),
+            expectation: self.expectation().unwrap_or_default(),
             counts: setup.odometry.id(),
             wheels: conditions.slip.id(),
             senses: conditions.noise.to_string(),
+            grid: setup.grid.id(),
             layers: setup.layers.names(),
             speed: setup.speed,
             speed_factor: self.pacer.speed_factor(),

@@ -42,8 +42,9 @@ impl MapSession {
                 format!(" It is driving to its goal; {count} frontiers are left.")
             }
         });
+        let grid = if self.thesis().is_some() { " on the thesis' grid" } else { "" };
         format!(
-            "{}: {:.0} % of the boundary mapped, {:.0} % of the floor known. The pose estimate is {} off; by odometry \
+            "{}: {:.0} % of the boundary mapped{grid}, {:.0} % of the floor known. The pose estimate is {} off; by odometry \
              alone it would be {}.{goals}{held}",
             minutes(run.time_s()),
             (100.0 * here.boundary).floor(),

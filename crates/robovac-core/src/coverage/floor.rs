@@ -1,13 +1,17 @@
 //! Where a robot can stand, and which floor it can reach from there.
 
-use super::{FloorError, shapes, stamp::DiscStamp, walls::Walls};
+use super::{
+    FloorError, fits, shapes,
+    stamp::{DiscStamp, PolygonStamp, spread},
+    walls::Walls,
+};
 use crate::{
     floor_plan::FloorPlan,
     geometry::{Point, Pose, Vector},
     grid::{Cell, Direction, Grid, largest_part, reachable},
     math,
     rng::Rng,
-    robot::RobotModel,
+    robot::{Body, RobotModel, Tool, WheelLayout},
 };
 use rand::RngExt;
 
@@ -46,34 +50,23 @@ pub struct ReachableFloor {
     pub closed_off_cells: usize,
     /// Where the robot starts.
     pub start: Pose,
-    /// Radius of the tool's disc, m.
+    /// Radius of the tool's disc, m; if the whole body is the tool, of the largest disc around the origin in it.
     pub tool_radius: f64,
+    /// Where the tool is.
+    pub tool: Tool,
+    /// The outline of the body, which matters if it is the tool.
+    pub body: Body,
+    /// Whether the robot turns to where it drives; otherwise it keeps its heading.
+    pub turns: bool,
+    /// Whether it is that of a path planned elsewhere: see [`ReachableFloor::of_path`].
+    pub is_for_path: bool,
 }
 
 impl ReachableFloor {
     /// Computes the floor for `robot` in `plan` from `start`, or from the plan's own start, or from the first place
     /// (from the lower left) in the largest connected part of the room.
     pub fn new(plan: &FloorPlan, robot: &RobotModel, start: Option<Pose>) -> Result<Self, FloorError> {
-        let occupancy = &plan.occupancy;
-        if !occupancy.values().iter().any(|o| o.is_free()) {
-            return Err(FloorError::NoFreeCell);
-        }
-        let (blocked, resolution) = if robot.fills_cell {
-            (resample(plan, robot.tool_width), robot.tool_width)
-        } else {
-            let resolution = fine_resolution(plan);
-            (resample(plan, resolution), resolution)
-        };
-        let obstacles = shapes::obstacles(plan);
-        let walls = Walls::new(blocked.clone(), obstacles.clone(), resolution, robot.radius);
-        let mut barred = shapes::drop_offs(plan);
-        if robot.sensors.infrared {
-            barred.extend(shapes::beams(plan, &walls));
-        }
-        let edges = (!barred.is_empty()).then(|| {
-            let shapes = obstacles.into_iter().chain(barred).collect();
-            Box::new(Walls::new(blocked, shapes, resolution, robot.radius))
-        });
+        let Laid { resolution, walls, edges } = Laid::of(plan, robot, robot.fills_cell)?;
         let limits = edges.as_deref().unwrap_or(&walls);
         let passing = robot.radius + steering_margin(robot.radius) - 1e-5;
         let free = limits.clearance.map(|&c| f64::from(c) >= passing);
@@ -86,23 +79,56 @@ impl ReachableFloor {
         let passable = reachable(&free, Cell::at(start.position(), resolution));
         let closed_off_cells = free.count() - passable.count();
         let standing = up_to_walls(limits, passable);
-        let tool_radius = 0.5 * robot.tool_width;
         let covered = covered(limits, robot.fills_cell);
-        let floor = sweepable(&standing, &covered, tool_radius / resolution);
+        let floor = sweepable(&standing, &covered, robot, start.heading, resolution);
+        Ok(Self::found(robot, Laid { resolution, walls, edges }, start, [standing, floor, covered], closed_off_cells))
+    }
+
+    /// The floor for a path that was planned elsewhere and begins at `start`, where the robot stands exactly. It can
+    /// stand wherever its body fits at that heading if it moves in every direction, else wherever the circle fits in
+    /// which it turns. Such a path can touch, so no room to steer is asked for.
+    pub fn of_path(plan: &FloorPlan, robot: &RobotModel, start: Pose) -> Result<Self, FloorError> {
+        let laid = Laid::of(plan, robot, false)?;
+        let Laid { resolution, ref walls, ref edges } = laid;
+        let limits = edges.as_deref().unwrap_or(walls);
+        let covered = covered(limits, false);
+        let fits = match robot.body {
+            Body::Polygon(corners) if !turns(robot) => fits::for_polygon(limits, &covered, &corners, start.heading),
+            _ => fits::for_disc(limits, robot.radius),
+        };
+        let too_narrow = FloorError::TooNarrow { diameter: 2.0 * robot.radius };
+        let from = nearest(&fits, resolution, start.position(), |_| true).ok_or(too_narrow)?;
+        let standing = reachable(&fits, Cell::at(from, resolution));
+        let closed_off_cells = fits.count() - standing.count();
+        let floor = sweepable(&standing, &covered, robot, start.heading, resolution);
+        let found = Self::found(robot, laid, start, [standing, floor, covered], closed_off_cells);
+        Ok(Self { is_for_path: true, ..found })
+    }
+
+    fn found(
+        robot: &RobotModel,
+        Laid { resolution, walls, edges }: Laid,
+        start: Pose,
+        [standing, floor, covered]: [Grid<bool>; 3],
+        closed_off_cells: usize,
+    ) -> Self {
         let floor_cells = floor.count();
-        let left_out_cells = (covered.len() - covered.count()).saturating_sub(floor_cells);
-        Ok(Self {
+        Self {
+            left_out_cells: (covered.len() - covered.count()).saturating_sub(floor_cells),
             resolution,
             walls,
             edges,
             standing,
             floor,
             floor_cells,
-            left_out_cells,
             closed_off_cells,
             start,
-            tool_radius,
-        })
+            tool_radius: 0.5 * robot.tool_width,
+            tool: robot.tool,
+            body: robot.body,
+            turns: turns(robot),
+            is_for_path: false,
+        }
     }
 
     /// The place for a robot that is put down at `pose`: there if it fits, or else the nearest place that it can reach
@@ -174,6 +200,43 @@ impl ReachableFloor {
     pub fn standing_place(&self, cell: Cell) -> Point {
         off_walls(self.limits(), &self.standing, cell)
     }
+}
+
+/// A room's obstacles.
+struct Laid {
+    resolution: f64,
+    walls: Walls,
+    edges: Option<Box<Walls>>,
+}
+
+impl Laid {
+    fn of(plan: &FloorPlan, robot: &RobotModel, fills_cell: bool) -> Result<Self, FloorError> {
+        if !plan.occupancy.values().iter().any(|o| o.is_free()) {
+            return Err(FloorError::NoFreeCell);
+        }
+        let (blocked, resolution) = if fills_cell {
+            (resample(plan, robot.tool_width), robot.tool_width)
+        } else {
+            let resolution = fine_resolution(plan);
+            (resample(plan, resolution), resolution)
+        };
+        let obstacles = shapes::obstacles_for(plan, robot);
+        let walls = Walls::new(blocked.clone(), obstacles.clone(), resolution, robot.radius);
+        let mut barred = shapes::drop_offs(plan);
+        if robot.sensors.infrared {
+            barred.extend(shapes::beams(plan, &walls));
+        }
+        let edges = (!barred.is_empty()).then(|| {
+            let shapes = obstacles.into_iter().chain(barred).collect();
+            Box::new(Walls::new(blocked, shapes, resolution, robot.radius))
+        });
+        Ok(Self { resolution, walls, edges })
+    }
+}
+
+/// Whether a robot turns to where it drives.
+fn turns(robot: &RobotModel) -> bool {
+    robot.wheels == WheelLayout::Differential
 }
 
 /// Metres per fine cell of `plan`: its own resolution or a whole fraction of it. Planning cells can't be smaller.
@@ -306,21 +369,50 @@ fn covered(walls: &Walls, is_strict: bool) -> Grid<bool> {
     covered
 }
 
-/// Cells that a disc of `radius` cells sweeps when its centre is anywhere in `standing`, walls left out.
+/// Cells that the tool sweeps when the robot is anywhere in `standing`, walls left out; at `heading`, if the robot keeps
+/// it.
+fn sweepable(
+    standing: &Grid<bool>,
+    blocked: &Grid<bool>,
+    robot: &RobotModel,
+    heading: f64,
+    resolution: f64,
+) -> Grid<bool> {
+    let mut floor = match (robot.tool, robot.body) {
+        (Tool::Body, Body::Polygon(corners)) if !turns(robot) => {
+            spread(standing, &PolygonStamp::new(&corners, resolution).around(heading))
+        }
+        // Turning on the spot, it reaches everything up to its farthest point.
+        (Tool::Body, _) => discs(standing, robot.radius / resolution, Vector::zeros()),
+        (Tool::Disc([x, y]), _) if turns(robot) => {
+            discs(standing, (0.5 * robot.tool_width + math::hypot(x, y)) / resolution, Vector::zeros())
+        }
+        (Tool::Disc([x, y]), _) => {
+            let (sin, cos) = math::sin_cos(heading);
+            let shift = Vector::new(cos * x - sin * y, sin * x + cos * y) / resolution;
+            discs(standing, 0.5 * robot.tool_width / resolution, shift)
+        }
+    };
+    for (value, &is_blocked) in floor.values_mut().iter_mut().zip(blocked.values()) {
+        *value &= !is_blocked;
+    }
+    floor
+}
+
+/// Cells in a disc of `radius` cells, `shift` cells from any cell of `standing`.
 ///
-/// Discs around cells at the edge of `standing` are enough: of all its cells, the nearest to a cell outside is one of them.
-fn sweepable(standing: &Grid<bool>, blocked: &Grid<bool>, radius: f64) -> Grid<bool> {
+/// Without a shift, discs around cells at the edge of `standing` are enough: of all its cells, the nearest to a cell
+/// outside is one of them.
+fn discs(standing: &Grid<bool>, radius: f64, shift: Vector) -> Grid<bool> {
     let stamp = DiscStamp { radius, width: standing.width(), height: standing.height() };
-    let mut floor = standing.clone();
+    let is_centred = shift == Vector::zeros();
+    let mut floor = if is_centred { standing.clone() } else { standing.map(|_| false) };
     for (cell, &stands) in standing.iter() {
-        if stands && !cell.block().all(|c| standing.is_set(c)) {
-            stamp.rows(f64::from(cell.x) + 0.5, f64::from(cell.y) + 0.5, |range| {
+        if stands && !(is_centred && cell.block().all(|c| standing.is_set(c))) {
+            stamp.rows(f64::from(cell.x) + 0.5 + shift.x, f64::from(cell.y) + 0.5 + shift.y, |range| {
                 floor.values_mut()[range].fill(true);
             });
         }
-    }
-    for (value, &is_blocked) in floor.values_mut().iter_mut().zip(blocked.values()) {
-        *value &= !is_blocked;
     }
     floor
 }

@@ -10,6 +10,7 @@
 
 mod boundary;
 mod burn;
+mod fits;
 mod floor;
 mod floor_error;
 mod planning_grid;

@@ -129,6 +129,14 @@ impl PlanningGrid {
     }
 }
 
+impl ReachableFloor {
+    /// Points to drive through from `from` to `to`, both places where the robot can stand, the last one included; `None`
+    /// if there is no way.
+    pub fn way(&self, from: Point, to: Point) -> Option<Vec<Point>> {
+        way(self, from, to, f64::MAX)
+    }
+}
+
 /// Straight if possible, else a shortest way over standing cells that keeps within `margin` metres of the box
 /// around both ends, pulled tight.
 fn way(floor: &ReachableFloor, from: Point, to: Point, margin: f64) -> Option<Vec<Point>> {

@@ -5,6 +5,7 @@ use crate::{
     floor_plan::{FloorPlan, Object},
     geometry::{Point, Pose, Shape, convex_pieces},
     math,
+    robot::RobotModel,
 };
 
 /// Width and depth of the solid back of a dock, m. iRobot's Home Base is about 15 cm wide; robots drive onto the flat plate
@@ -27,6 +28,13 @@ const MOST_BUCKETS: f64 = 256.0;
 /// The shapes of the objects of `plan` that are obstacles.
 pub fn obstacles(plan: &FloorPlan) -> Vec<Shape> {
     plan.objects.iter().flat_map(solid).collect()
+}
+
+/// The same without low obstacles that pass under the bumper of `robot`.
+pub fn obstacles_for(plan: &FloorPlan, robot: &RobotModel) -> Vec<Shape> {
+    let clears = robot.sensors.bumper.map_or(0.0, |bumper| bumper.height);
+    let is_felt = |object: &&Object| !matches!(object, Object::LowObstacle { height, .. } if *height < clears);
+    plan.objects.iter().filter(is_felt).flat_map(solid).collect()
 }
 
 /// The shapes of drop-offs in `plan`.
@@ -71,7 +79,7 @@ pub fn beams(plan: &FloorPlan, walls: &Walls) -> Vec<Shape> {
 /// The solid parts of an object.
 fn solid(object: &Object) -> Vec<Shape> {
     match object {
-        Object::Furniture { outline } => pieces(outline),
+        Object::Furniture { outline } | Object::LowObstacle { outline, .. } => pieces(outline),
         Object::Leg { at, radius } => vec![Shape::Disc { centre: *at, radius: *radius }],
         Object::Dock { pose } => vec![dock_back(*pose)],
         Object::VirtualWall { pose, .. } => {

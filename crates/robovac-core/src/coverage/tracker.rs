@@ -1,7 +1,16 @@
 //! Counts how often each part of the floor has been swept.
 
-use super::{ReachableFloor, stamp::DiscStamp};
-use crate::{geometry::Point, grid::Grid};
+use super::{
+    ReachableFloor,
+    stamp::{DiscStamp, PolygonStamp},
+};
+use crate::{
+    geometry::{Point, Pose, difference},
+    grid::Grid,
+    math,
+    robot::{Body, Tool},
+};
+use std::ops::Range;
 
 /// Counts passes of the tool over every fine cell.
 ///
@@ -10,6 +19,11 @@ use crate::{geometry::Point, grid::Grid};
 #[derive(Debug, Clone)]
 pub struct CoverageTracker {
     stamp: DiscStamp,
+    /// The body, if it is the tool, and the distance of its farthest point, m.
+    body: Option<PolygonStamp>,
+    reach: f64,
+    /// Place of a tool that isn't in the middle.
+    aside: Option<Point>,
     resolution: f64,
     /// Passes per fine cell, at most 255.
     visits: Grid<u8>,
@@ -19,7 +33,7 @@ pub struct CoverageTracker {
     stamps: u32,
     /// Stamps after which a touched cell counts as left.
     memory: u32,
-    last: Option<Point>,
+    last: Option<Pose>,
     covered: usize,
     passes: u64,
     /// Cells in the lowest and highest row that changed since they were last taken.
@@ -30,11 +44,26 @@ impl CoverageTracker {
     /// A tracker for a floor on which nothing has been swept.
     pub fn new(floor: &ReachableFloor) -> Self {
         let grid = &floor.floor;
-        let radius = floor.tool_radius / floor.resolution;
+        let (mut body, mut reach, mut aside) = (None, 0.0, None);
+        match (floor.tool, floor.body) {
+            (Tool::Body, Body::Polygon(corners)) => {
+                body = Some(PolygonStamp::new(&corners, floor.resolution));
+                reach = floor.walls.body_radius;
+            }
+            (Tool::Disc(at), _) if at != [0.0, 0.0] => {
+                aside = Some(Point::from(at));
+                reach = math::hypot(at[0], at[1]);
+            }
+            _ => {}
+        }
+        let radius = floor.tool_radius.max(if body.is_some() { reach } else { 0.0 }) / floor.resolution;
         // Stamps are half a cell apart: 4 radii of them are a diameter.
         let memory = (4.0 * radius).ceil() as u32 + 1;
         Self {
             stamp: DiscStamp { radius, width: grid.width(), height: grid.height() },
+            body,
+            reach,
+            aside,
             resolution: floor.resolution,
             visits: Grid::filled(grid.width(), grid.height(), 0),
             touched: vec![0; grid.len()],
@@ -47,25 +76,60 @@ impl CoverageTracker {
         }
     }
 
-    /// Sweeps with the tool from its last place to `point` in a straight line, or sets it down there.
+    /// Sweeps with the tool while the robot moves straight from its last pose to `pose`, or sets it down there. The
+    /// heading matters only if the tool isn't a disc in the middle.
     #[inline]
-    pub fn sweep_to(&mut self, floor: &ReachableFloor, point: Point) {
+    pub fn sweep_to(&mut self, floor: &ReachableFloor, pose: Pose) {
         let Some(last) = self.last else {
-            self.put_down(floor, point);
+            self.put_down(floor, pose);
             return;
         };
         let spacing = 0.5 * self.resolution;
-        let distance_squared = (point - last).norm_squared();
+        let way = pose.position() - last.position();
+        if self.reach > 0.0 {
+            return self.turn_to(floor, last, pose);
+        }
+        let distance_squared = way.norm_squared();
         if distance_squared < spacing * spacing {
             return;
         }
         let steps = (distance_squared.sqrt() / spacing).floor();
-        let stride = (point - last) * (spacing / distance_squared.sqrt());
+        let stride = way * (spacing / distance_squared.sqrt());
         let mut at = last;
         for _ in 0..steps as u32 {
-            at += stride;
+            (at.x, at.y) = (at.x + stride.x, at.y + stride.y);
             self.put_down(floor, at);
         }
+    }
+
+    /// The same for a tool that turning moves, too.
+    fn turn_to(&mut self, floor: &ReachableFloor, last: Pose, pose: Pose) {
+        let (way, turn) = (pose.position() - last.position(), difference(last.heading, pose.heading));
+        let steps = ((way.norm() + turn.abs() * self.reach) / (0.5 * self.resolution)).floor();
+        for step in 1..=steps as u32 {
+            let share = f64::from(step) / steps;
+            let at = last.position() + way * share;
+            self.put_down(floor, Pose { x: at.x, y: at.y, heading: last.heading + turn * share });
+        }
+    }
+
+    /// Takes over what was swept before, where it is reachable here: passes of an earlier tracker over the same grid.
+    /// Does nothing if the grids differ.
+    pub fn take_over(&mut self, floor: &ReachableFloor, earlier: &Self) {
+        let Self { visits, covered, passes, dirty, .. } = self;
+        let is_same = (visits.width(), visits.height()) == (earlier.visits.width(), earlier.visits.height());
+        if !is_same || self.resolution.to_bits() != earlier.resolution.to_bits() {
+            return;
+        }
+        let cells = visits.values_mut().iter_mut().zip(floor.floor.values()).zip(earlier.visits.values());
+        for ((count, &is_reachable), &before) in cells {
+            if is_reachable && before > 0 {
+                *covered += usize::from(*count == 0);
+                *count = count.saturating_add(before);
+                *passes += u64::from(before);
+            }
+        }
+        *dirty = Some((0, visits.len().saturating_sub(1)));
     }
 
     /// Lifts the tool: at the next place it is set down instead of sweeping there.
@@ -73,12 +137,12 @@ impl CoverageTracker {
         self.last = None;
     }
 
-    fn put_down(&mut self, floor: &ReachableFloor, at: Point) {
+    fn put_down(&mut self, floor: &ReachableFloor, at: Pose) {
         self.last = Some(at);
         self.stamps += 1;
-        let Self { stamp, resolution, visits, touched, stamps, memory, covered, passes, dirty, .. } = self;
+        let Self { stamp, body, aside, resolution, visits, touched, stamps, memory, covered, passes, dirty, .. } = self;
         let (now, reachable, counts) = (*stamps, floor.floor.values(), visits.values_mut());
-        stamp.rows(at.x / *resolution, at.y / *resolution, |range| {
+        let sweep = |range: Range<usize>| {
             let (low, high) = dirty.unwrap_or((range.start, range.start));
             *dirty = Some((low.min(range.start), high.max(range.start)));
             let cells = reachable[range.clone()].iter().zip(&mut touched[range.clone()]).zip(&mut counts[range]);
@@ -91,7 +155,16 @@ impl CoverageTracker {
                     *passes += 1;
                 }
             }
-        });
+        };
+        let (x, y) = (at.x / *resolution, at.y / *resolution);
+        match (body, aside) {
+            (Some(body), _) => stamp.body_rows(body, (x, y), math::sin_cos(at.heading), sweep),
+            (None, Some(aside)) => {
+                let tool = at.to_world(*aside);
+                stamp.rows(tool.x / *resolution, tool.y / *resolution, sweep);
+            }
+            (None, None) => stamp.rows(x, y, sweep),
+        }
     }
 
     /// Swept share of the reachable floor, 0 to 1.

@@ -5,12 +5,12 @@ use crate::{
     floor_plan::crossing,
     geometry::{Point, Vector, contains, convex_pieces, signed_area},
     math,
-    robot::{Body, RobotModel},
+    robot::{Body, MAX_CORNERS, RobotModel},
 };
 use std::fmt;
 
 /// Most corners of an outline.
-pub const MAX_OUTLINE_CORNERS: usize = 64;
+pub const MAX_OUTLINE_CORNERS: usize = MAX_CORNERS;
 /// Least and greatest extent of an outline in x and in y, m.
 pub const EXTENTS: [f64; 2] = [0.02, 10.0];
 

@@ -18,6 +18,14 @@ pub enum Object {
         /// Radius, m.
         radius: f64,
     },
+    /// A low obstacle, such as a cable cover or a threshold. It passes under bumpers that are higher above the floor; other
+    /// robots bump into it.
+    LowObstacle {
+        /// Corners of its outline, a simple polygon.
+        outline: Vec<Point>,
+        /// Height, m.
+        height: f64,
+    },
     /// A drop-off: stairs down. A robot whose wheel passes its edge falls.
     DropOff {
         /// Corners of the area without floor.
@@ -91,6 +99,7 @@ impl Object {
         match self {
             Self::Furniture { .. } => "furniture",
             Self::Leg { .. } => "leg",
+            Self::LowObstacle { .. } => "low_obstacle",
             Self::DropOff { .. } => "drop_off",
             Self::Carpet { .. } => "carpet",
             Self::Dirt { .. } => "dirt",
@@ -105,6 +114,7 @@ impl Object {
         match self {
             Self::Furniture { .. } => "furniture",
             Self::Leg { .. } => "leg",
+            Self::LowObstacle { .. } => "low obstacle",
             Self::DropOff { .. } => "stairs",
             Self::Carpet { .. } => "carpet",
             Self::Dirt { .. } => "dirt",

@@ -1,6 +1,6 @@
 //! Draws floor plans from rectangles, discs and polygons in metres.
 
-use super::FloorPlan;
+use super::{FloorPlan, Object};
 use crate::{
     geometry::{Point, Pose},
     grid::{Cell, Grid, Occupancy},
@@ -11,6 +11,9 @@ pub type Rect = [f64; 4];
 
 /// Radius of a chair's or table's leg, m: on usual grids just the cell that it stands in.
 const LEG: f64 = 0.02;
+/// Distance of a recessed dock's back behind the surface, m: the whole back, 2 cm deep, is inside, and a robot that touches
+/// the surface touches the contacts.
+const RECESS: f64 = 0.025;
 
 /// A floor plan under construction. Parts outside the plan are clipped.
 ///
@@ -23,6 +26,7 @@ const LEG: f64 = 0.02;
 pub struct Sketch {
     resolution: f64,
     occupancy: Grid<Occupancy>,
+    objects: Vec<Object>,
     start: Option<Pose>,
 }
 
@@ -39,7 +43,8 @@ impl Sketch {
 
     fn filled(width: f64, height: f64, resolution: f64, value: Occupancy) -> Self {
         let cells = |length: f64| ((length / resolution).round() as usize).max(1);
-        Self { resolution, occupancy: Grid::filled(cells(width), cells(height), value), start: None }
+        let occupancy = Grid::filled(cells(width), cells(height), value);
+        Self { resolution, occupancy, objects: Vec::new(), start: None }
     }
 
     /// Walls or solid furniture.
@@ -105,6 +110,14 @@ impl Sketch {
         })
     }
 
+    /// A dock recessed in a wall or in furniture, whose surface is at (`x`, `y`), facing `heading_deg`: it takes no floor.
+    pub fn recessed_dock(mut self, x: f64, y: f64, heading_deg: f64) -> Self {
+        let surface = Pose::new(x, y, heading_deg.to_radians());
+        let back = surface.to_world(Point::new(-RECESS, 0.0));
+        self.objects.push(Object::Dock { pose: Pose::new(back.x, back.y, surface.heading) });
+        self
+    }
+
     /// Start of the robot; heading in degrees, counter-clockwise from the right.
     pub fn start(mut self, x: f64, y: f64, heading_deg: f64) -> Self {
         self.start = Some(Pose::new(x, y, heading_deg.to_radians()));
@@ -118,7 +131,7 @@ impl Sketch {
             note: note.to_owned(),
             resolution: self.resolution,
             occupancy: self.occupancy,
-            objects: Vec::new(),
+            objects: self.objects,
             start: self.start,
             origin: Pose::new(0.0, 0.0, 0.0),
         }

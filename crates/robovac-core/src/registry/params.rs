@@ -99,7 +99,10 @@ pub struct Params(BTreeMap<&'static str, ParamValue>);
 impl Params {
     /// The defaults.
     pub fn defaults(specs: &[ParamSpec]) -> Self {
-        Self(specs.iter().map(|spec| (spec.id, spec.kind.default())).collect())
+        // One by one: to collect them needs a sort, whose code the page would carry for each kind of map.
+        let mut values = BTreeMap::new();
+        values.extend(specs.iter().map(|spec| (spec.id, spec.kind.default())));
+        Self(values)
     }
 
     /// The defaults with `given` values on top, each checked.

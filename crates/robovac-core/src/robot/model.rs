@@ -1,6 +1,6 @@
 //! A robot model: geometry, limits, sensors and power.
 
-use super::body::{Battery, Body, Castor, SensorSuite, SideBrush, WheelLayout};
+use super::body::{Battery, Body, Castor, SensorSuite, SideBrush, Tool, WheelLayout};
 
 /// Geometry, limits, sensors and power of a robot. SI units; the middle between the wheels is the body's origin.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +27,8 @@ pub struct RobotModel {
     pub battery: Battery,
     /// Width of the strip of floor that one pass cleans, m.
     pub tool_width: f64,
+    /// Where the tool is, and its shape.
+    pub tool: Tool,
     /// Distance between the wheels' contact points, m.
     pub wheel_base: f64,
     /// Encoder counts per metre of wheel travel.

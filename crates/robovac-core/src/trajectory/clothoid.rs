@@ -45,7 +45,12 @@ mod tests {
         // C(sqrt 2) = 0.5288915, S(sqrt 2) = 0.7139721 at a turn of pi, where the curvature is pi sqrt 2.
         let [x, y] = unit_end(math::PI);
         let scale = math::PI * 2.0_f64.sqrt();
-        assert!((x - scale * 0.528_891_6).abs() < 1e-5 && (y - scale * 0.713_972_2).abs() < 1e-5, "{} {}", x / scale, y / scale);
+        assert!(
+            (x - scale * 0.528_891_6).abs() < 1e-5 && (y - scale * 0.713_972_2).abs() < 1e-5,
+            "{} {}",
+            x / scale,
+            y / scale
+        );
     }
 
     #[test]

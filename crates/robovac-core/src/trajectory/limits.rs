@@ -65,11 +65,13 @@ mod tests {
     }
 
     #[test]
-    fn a_turn_on_the_spot_is_no_slower_than_with_stops() {
+    fn a_turn_on_the_spot_is_hardly_slower_than_with_stops() {
+        // By the share of the acceleration that is kept for corrections.
+        let most = 1.0 / PLANNED.1.sqrt();
         for robot in crate::robot::MODELS {
             let Some(limits) = DriveLimits::of(robot) else { continue };
-            for angle in [1.57, 2.0, 3.14] {
-                assert!(limits.turn_time(angle) < robot.turn_time(angle), "{} {angle}", robot.id);
+            for angle in [1.5, 2.0, 3.1] {
+                assert!(limits.turn_time(angle) <= most * robot.turn_time(angle), "{} {angle}", robot.id);
             }
         }
     }

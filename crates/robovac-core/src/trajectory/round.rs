@@ -116,7 +116,10 @@ impl CornerShape {
     /// `None` if they aren't the halves of one.
     pub fn u_turn(turns: [f64; 2], between: f64) -> Option<[Self; 2]> {
         let sizes = turns.map(f64::abs);
-        if turns[0] * turns[1] <= 0.0 || sizes.iter().any(|size| !(0.2..=SHARPEST_HALF).contains(size)) || between <= 0.0 {
+        if turns[0] * turns[1] <= 0.0
+            || sizes.iter().any(|size| !(0.2..=SHARPEST_HALF).contains(size))
+            || between <= 0.0
+        {
             return None;
         }
         // From the corner, the middle of the turn is so far along the piece between, for a curvature of 1.
@@ -177,7 +180,6 @@ impl RoundedLine {
             .map(|i| {
                 let rounding = roundings.get(i).copied().unwrap_or_default();
                 let shape = match rounding {
-                    Rounding::Stop => None,
                     Rounding::Alone(tangent) => CornerShape::alone(turns[i], tangent),
                     Rounding::First if i + 1 < line.len() => {
                         CornerShape::u_turn([turns[i], turns[i + 1]], length(i)).map(|[first, _]| first)
@@ -185,7 +187,7 @@ impl RoundedLine {
                     Rounding::Second if i > 0 => {
                         CornerShape::u_turn([turns[i - 1], turns[i]], length(i - 1)).map(|[_, second]| second)
                     }
-                    Rounding::First | Rounding::Second => None,
+                    Rounding::Stop | Rounding::First | Rounding::Second => None,
                 };
                 shape.map(|shape| (shape, rounding))
             })

@@ -77,7 +77,14 @@ impl Trajectory {
             way += stretch.length;
         }
         let end = Pose { heading: last.start.heading, ..end };
-        self.knots.push(Knot { time_s: now, distance_m: way, pose: end, curvature: 0.0, speed: 0.0, corner: last.corner });
+        self.knots.push(Knot {
+            time_s: now,
+            distance_m: way,
+            pose: end,
+            curvature: 0.0,
+            speed: 0.0,
+            corner: last.corner,
+        });
     }
 
     fn turn(&mut self, at: Pose, turn: f64, corner: usize, limits: &DriveLimits) {
@@ -172,7 +179,12 @@ mod tests {
             let pair = (i + 2 < line.len())
                 .then(|| CornerShape::u_turn([turns[i], turns[i + 1]], (line[i + 1] - line[i]).norm()))
                 .flatten()
-                .filter(|[a, b]| a.tangents[0] < room(i - 1) && b.tangents[1] < room(i + 1) && a.tangents[1] > 0.0 && b.tangents[0] > 0.0);
+                .filter(|[a, b]| {
+                    a.tangents[0] < room(i - 1)
+                        && b.tangents[1] < room(i + 1)
+                        && a.tangents[1] > 0.0
+                        && b.tangents[0] > 0.0
+                });
             if pair.is_some() && rng.random_bool(0.7) {
                 (roundings[i], roundings[i + 1]) = (Rounding::First, Rounding::Second);
                 i += 2;
@@ -194,11 +206,15 @@ mod tests {
             let trajectory = Trajectory::new(&rounded, &limits);
             for pair in trajectory.knots().windows(2) {
                 let [a, b] = [pair[0], pair[1]];
-                let wheels = |knot: Knot| [-1.0, 1.0].map(|side| knot.speed * (1.0 + side * limits.half_base * knot.curvature));
+                let wheels =
+                    |knot: Knot| [-1.0, 1.0].map(|side| knot.speed * (1.0 + side * limits.half_base * knot.curvature));
                 for (from, to) in wheels(a).into_iter().zip(wheels(b)) {
                     assert!(to.abs() <= limits.wheel_speed + 1e-9, "seed {seed}: {to} m/s");
                     let takes = b.time_s - a.time_s;
-                    assert!((to - from).abs() <= limits.acceleration * takes * (1.0 + 1e-6) + 1e-9, "seed {seed}: {from} to {to} in {takes}");
+                    assert!(
+                        (to - from).abs() <= limits.acceleration * takes * (1.0 + 1e-6) + 1e-9,
+                        "seed {seed}: {from} to {to} in {takes}"
+                    );
                 }
                 assert!(b.speed <= limits.speed + 1e-12 && b.time_s >= a.time_s);
             }

@@ -473,6 +473,16 @@ impl Connection {
         self.console.lines()
     }
 
+    /// Keeps what happens from here on, for [`Self::take_events`].
+    pub fn watch(&mut self) {
+        self.watched = Some(Vec::new());
+    }
+
+    /// What happened since the last call, with its times, s.
+    pub fn take_events(&mut self) -> Vec<(f64, LineEvent)> {
+        self.watched.as_mut().map(std::mem::take).unwrap_or_default()
+    }
+
     /// The robot's estimated trail since the last call, four numbers for each reading: x and y in m, heading in rad,
     /// and its contacts as the sum of 1 bumper left, 2 bumper right, 4 cliff left, 8 cliff front left, 16 cliff front
     /// right, 32 cliff right, 64 wheel drop, 128 virtual wall, and [`SWEEPS`]; or [`SETS_OFF`].

@@ -72,12 +72,12 @@ impl Replay {
 
     /// Keeps what happens from here on.
     pub(crate) fn watch(&mut self) {
-        self.link.watched = Some(Vec::new());
+        self.link.watch();
     }
 
     /// What happened since the last call.
     pub(crate) fn take_events(&mut self) -> Vec<(f64, LineEvent)> {
-        self.link.watched.as_mut().map(std::mem::take).unwrap_or_default()
+        self.link.take_events()
     }
 
     /// See [`Connection::take_traffic`].

@@ -87,7 +87,7 @@ pub enum Log {
 
 const BY_THE_BOOK: Personality = Personality {
     id: "model",
-    title: "By the book",
+    title: "As specified",
     summary: "A Create 2 that follows the specification.",
     default_baud: 115_200,
     baud: 115_200,

@@ -53,7 +53,14 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "maze", why: "It passes a doorway only by chance." },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, walls_only: false, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: true,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "least",

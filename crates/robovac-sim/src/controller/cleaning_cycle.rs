@@ -59,14 +59,25 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
                random walk finds the next room. The robot can't know when the floor is clean, so it runs until it is \
                stopped.",
         complexity: "O(1) time and memory per step.",
-        use_when: "When nothing is known about the room. Seldom the best, never the worst.",
-        shines: Example { room: "thesis226", why: "One room with a few obstacles, where each of the four is useful." },
-        fails: Example {
+        use_when: "When nothing is known about the room: in most rooms it cleans as much as the best of the four, or more.",
+        shines: Example {
             room: "clutter",
-            why: "Three of the four are useless among so many obstacles, but still take up time.",
+            why: "Wall following leads it past the obstacles, and the others clean what lies between: in 20 minutes it \
+                cleans more than any other behaviour.",
+        },
+        fails: Example {
+            room: "maze",
+            why: "In narrow ways only wall following gets ahead, and that is but one of the four.",
         },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, walls_only: false, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: true,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "durations",

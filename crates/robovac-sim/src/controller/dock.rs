@@ -72,10 +72,20 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         complexity: "O(1) time and memory per step.",
         use_when: "When the battery runs low. It needs infrared receivers; in large or winding rooms the search is \
             slow.",
-        shines: Example { room: "room12ft", why: "In a single room the beams are found quickly." },
-        fails: Example { room: "maze", why: "Walls block the beams, so the dock is found only by chance." },
+        shines: Example { room: "bedroom", why: "In a single room the beams are found quickly." },
+        fails: Example {
+            room: "flat",
+            why: "From other rooms no beam is seen, so the robot must first find the right door by chance.",
+        },
     },
-    claims: BehaviourClaims { ends: true, cleans: false, walls_only: false, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: true,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[],
 };
 
@@ -89,6 +99,8 @@ pub(super) struct Dock {
     beacon: Beacon,
     phase: DockPhase,
     tries: u32,
+    /// Whether it searches along walls only.
+    keeps_to_walls: bool,
     /// Whether the robot has receivers and contacts.
     is_able: bool,
 }
@@ -113,12 +125,25 @@ impl Dock {
             beacon: Beacon::default(),
             phase: START,
             tries: 0,
+            keeps_to_walls: false,
             is_able: setup.robot.sensors.infrared && setup.robot.battery.charge_ma > 0.0,
         }
     }
 
+    /// Starts a search along walls that never changes to a random walk; `heeds_beams` is whether it goes to a dock that
+    /// it sees.
+    pub(super) fn follow_walls(&mut self, pilot: &mut Pilot, heeds_beams: bool) {
+        self.keeps_to_walls = true;
+        self.search(pilot, true, if heeds_beams { 0.0 } else { f64::INFINITY });
+    }
+
     fn search(&mut self, pilot: &mut Pilot, along_walls: bool, blind: f64) {
-        let left = if along_walls { SEARCH_S.1 } else { SEARCH_S.0 };
+        let along_walls = along_walls || self.keeps_to_walls;
+        let left = match along_walls {
+            _ if self.keeps_to_walls => f64::INFINITY,
+            true => SEARCH_S.1,
+            false => SEARCH_S.0,
+        };
         self.phase = DockPhase::Search { left, along_walls, blind };
         self.tries = 0;
         if along_walls { self.walls.begin(pilot) } else { self.walk.begin(pilot) }
@@ -208,7 +233,7 @@ impl Behaviour for Dock {
             }
             DockPhase::Home { .. } => {
                 self.search(pilot, false, BLIND_S);
-                self.walk.on_obstruction(pilot, obstruction);
+                self.on_obstruction(pilot, obstruction);
             }
             DockPhase::Search { .. } => self.walk.on_obstruction(pilot, obstruction),
         }

@@ -1,7 +1,9 @@
 //! Drives a planned line by dead reckoning.
 
 use super::{Controller, parts::safe_speed};
+use crate::contact::Footprint;
 use robovac_core::{
+    coverage::ReachableFloor,
     geometry::{Point, Pose, Vector, difference},
     math,
     robot::{Drive, Odometry, OdometryModel, RobotModel, SensorReadings, WheelLayout},
@@ -37,6 +39,9 @@ const TURN_GAIN: f64 = 6.0;
 /// smaller turns, so that it would turn again and again.
 const UNSEEN: f64 = 0.035;
 
+/// A bump where a wall of the known room is nearer than this to the body, at the estimated pose, is no surprise, m.
+const EXPECTED: f64 = 0.02;
+
 /// Speed back to the line per metre off it, 1/s, for a robot that moves in all directions.
 const SIDESTEP: f64 = 3.0;
 
@@ -51,6 +56,7 @@ const SIDESTEP: f64 = 3.0;
 #[derive(Debug, Clone)]
 pub struct FollowPath {
     robot: RobotModel,
+    model: OdometryModel,
     odometry: Odometry,
     /// With distance and angle, which are reported four times a second: the pose since the last report, by counts.
     since_report: Option<Odometry>,
@@ -76,6 +82,8 @@ pub struct FollowPath {
     still: u32,
     /// Heading that a robot that moves in all directions keeps, rad.
     heading: f64,
+    /// The room, if contacts with its walls are part of the path.
+    known: Option<(Arc<ReachableFloor>, Footprint)>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,6 +114,7 @@ impl FollowPath {
     pub fn new(robot: &RobotModel, odometry: OdometryModel, start: Pose, line: Arc<[Point]>) -> Self {
         let mut follower = Self {
             robot: robot.clone(),
+            model: odometry,
             cruise: robot.cruise_speed,
             is_careful: false,
             odometry: Odometry::new(robot, odometry, start),
@@ -122,6 +131,7 @@ impl FollowPath {
             counts: [0; 3],
             still: 0,
             heading: start.heading,
+            known: None,
         };
         follower.next_piece();
         follower
@@ -133,6 +143,37 @@ impl FollowPath {
         self.cruise = safe_speed(&self.robot);
         self.is_careful = true;
         self
+    }
+
+    /// A follower of another line from here, with the same estimate of the pose.
+    pub(super) fn onto(&self, line: Arc<[Point]>) -> Self {
+        let mut other = Self { line, next: 0, ..self.clone() };
+        other.next_piece();
+        other
+    }
+
+    /// Takes a reading while something else drives.
+    pub(super) fn watch(&mut self, sensed: &SensorReadings) {
+        self.watch_pose(sensed);
+    }
+
+    /// Corrects its estimate of the pose; the wheels are at rest.
+    pub(super) fn relocate(&mut self, pose: Pose) {
+        self.odometry = Odometry::new(&self.robot, self.model, pose);
+        self.since_report = self.since_report.is_some().then(|| Odometry::new(&self.robot, OdometryModel::Arc, pose));
+    }
+
+    /// Drives on to the corner that was next, from wherever it is.
+    pub(super) fn resume(&mut self) {
+        if self.phase != FollowPhase::Done {
+            self.next -= 1;
+            self.next_piece();
+        }
+    }
+
+    /// The robot.
+    pub(super) fn robot(&self) -> &RobotModel {
+        &self.robot
     }
 
     /// Continues by itself on the way to corner number `corner`, from `began` on, with the wheels turning: on the straight piece
@@ -161,6 +202,19 @@ impl FollowPath {
     /// Number of the corner to which it drives on the straight piece itself, if it does.
     pub(super) fn straight_to(&self) -> Option<usize> {
         (self.phase == FollowPhase::Drive && self.shift == 0.0).then_some(self.next)
+    }
+
+    /// For a path that may touch: a bump where the room has a wall doesn't mean that the estimate is off, and the robot
+    /// slides along.
+    pub fn knowing(mut self, floor: &Arc<ReachableFloor>) -> Self {
+        self.known = Some((Arc::clone(floor), Footprint::new(&self.robot)));
+        self
+    }
+
+    /// Whether the known room has a wall beside the body.
+    fn expects_contact(&mut self) -> bool {
+        let pose = self.pose();
+        self.known.as_mut().is_some_and(|(floor, footprint)| footprint.is_near_walls(&floor.walls, pose, EXPECTED))
     }
 
     fn next_piece(&mut self) {
@@ -355,10 +409,11 @@ impl Controller for FollowPath {
         self.hung_s = 0.0;
         // On a dock, whose ramp is black, all cliff sensors report an edge.
         let sees_edge = sensed.sees_cliff() && !sensed.battery.on_dock;
+        let is_surprised = sensed.bumped() && !self.expects_contact();
         match self.phase {
             FollowPhase::Drive if sees_edge || sensed.virtual_wall => self.turned_back(),
             FollowPhase::Turn(_) if sees_edge => self.shied(),
-            FollowPhase::Drive if sensed.bumped() => self.bumped(sensed),
+            FollowPhase::Drive if is_surprised => self.bumped(sensed),
             _ => {}
         }
         self.patience -= dt_s;

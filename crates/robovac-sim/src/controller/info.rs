@@ -53,6 +53,8 @@ pub struct BehaviourClaims {
     pub manual: bool,
     /// Explores: its purpose is to detect walls and furniture for a map. Cleaned floor doesn't count.
     pub explores: bool,
+    /// Does nothing without a laser scanner.
+    pub needs_laser: bool,
 }
 
 /// Parameters for making a behaviour.

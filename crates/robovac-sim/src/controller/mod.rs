@@ -17,8 +17,10 @@ mod info;
 mod intent;
 pub mod interlock;
 mod manual;
+mod online_snake;
 mod parts;
 mod random_walk;
+mod recharge;
 mod s_path;
 mod spiral;
 mod timing;
@@ -31,8 +33,9 @@ pub use follow_path::FollowPath;
 pub use follow_smoothly::FollowSmoothly;
 pub use info::{BehaviourClaims, BehaviourInfo, Setup};
 pub use intent::Intent;
-pub use timing::Timing;
 pub(crate) use parts::safe_speed;
+pub use recharge::Recharge;
+pub use timing::Timing;
 
 use crate::mapping::Mapper;
 use robovac_core::{
@@ -154,6 +157,7 @@ registry! {
         explore::until_obstacle,
         explore::edge,
         explore::frontier,
+        online_snake,
     }
 }
 

@@ -55,12 +55,18 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
                    last tenth of the floor takes as long as all the rest.",
         shines: Example {
             room: "kitchen",
-            why: "It soon reaches every nook of one furnished room: in 20 minutes it cleans more than any other \
-                behaviour.",
+            why: "It soon reaches every nook of one furnished room: after 20 minutes it is among the best.",
         },
         fails: Example { room: "maze", why: "It passes a doorway only by chance: most of the maze is never reached." },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, walls_only: false, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: true,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "least",

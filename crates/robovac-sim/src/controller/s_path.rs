@@ -64,7 +64,14 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "clutter", why: "Lanes end almost at once, and every collision costs four motions." },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, walls_only: false, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: true,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "lane",

@@ -55,10 +55,17 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
                obstacle is hit. Then the robot moves on in a random direction and starts again where there is room.",
         complexity: "O(1) time and memory per step; no map.",
         use_when: "On open floor, or to clean one spot thoroughly. Among furniture its circles end almost at once.",
-        shines: Example { room: "tshape", why: "Few obstacles: circles grow until they reach the walls." },
+        shines: Example { room: "lshape", why: "Few obstacles: circles grow until they reach the walls." },
         fails: Example { room: "clutter", why: "No circle closes before a collision." },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, walls_only: false, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: true,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "pitch",

@@ -11,6 +11,9 @@
 //!
 //! # Where the paper is silent
 //!
+//! - *How far to turn away*: a wall at less than 30 degrees to the heading doesn't press a bumper of 120 degrees. A robot that
+//!   turned away less would rub along the wall unawares for most of the way, and its odometry would lead into the wall. It
+//!   turns so far that its arc meets the wall at that angle again.
 //! - *Finding a wall*: straight ahead until something is there.
 //! - *Furniture that stands alone* would be gone round for ever. A robot that has turned right by 360 degrees more than
 //!   left since it met its wall has gone round something; it leaves after a number of rounds, at a right angle. Around a
@@ -86,7 +89,14 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         fails: Example { room: "empty", why: "It cleans the border again and again and never the middle." },
     },
-    claims: BehaviourClaims { ends: false, cleans: true, walls_only: true, manual: false, explores: false },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: true,
+        walls_only: true,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "on",
@@ -138,6 +148,8 @@ pub(super) struct WallFollow {
     rounds: u32,
     /// Radius of the arcs, m.
     arc: f64,
+    /// Turn away from a contact on the right, rad.
+    away: f64,
     phase: WallPhase,
     /// Smoothed signal, as a share of the set one.
     last: f64,
@@ -158,7 +170,10 @@ impl WallFollow {
     /// robot, m.
     pub(super) fn new(setup: &Setup<'_>, light: Option<f64>, rounds: u32, wider: f64) -> Self {
         let light = light.filter(|_| setup.robot.sensors.light_bumper.is_some());
-        Self { light, rounds, arc: setup.robot.radius + wider, phase: WallPhase::Seek, last: 0.0 }
+        // Nearer to parallel than that, a wall on the right doesn't press the bumper.
+        let unfelt = setup.robot.sensors.bumper.map_or(0.0, |bumper| math::FRAC_PI_2 - bumper.half_arc);
+        let away = AWAY[0].max(2.0 * unfelt);
+        Self { light, rounds, arc: setup.robot.radius + wider, away, phase: WallPhase::Seek, last: 0.0 }
     }
 
     /// With the default parameters.
@@ -233,7 +248,7 @@ impl Behaviour for WallFollow {
         }
         self.feel(pilot.turned());
         let turn = match obstruction.side {
-            ObstructionSide::Right => AWAY[0],
+            ObstructionSide::Right => self.away,
             ObstructionSide::Front => AWAY[1],
             ObstructionSide::Left => AWAY[2],
         };

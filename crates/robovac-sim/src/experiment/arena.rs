@@ -1,8 +1,8 @@
 //! One planner in one room: the unit of every comparison.
 
 use crate::experiment::planning::{PlanRequest, Planned, RoomSetup};
-use coverage_planners::{Bounds, CoveragePath, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers,
-    smooth::SmoothError,
+use coverage_planners::{
+    Bounds, CoveragePath, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers, smooth::SmoothError,
 };
 use robovac_core::{
     coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, registry::Params, robot::RobotModel,

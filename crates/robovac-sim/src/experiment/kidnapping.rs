@@ -31,7 +31,7 @@ pub const RIGHT_M: f64 = 0.1;
 /// Settings that all trials have in common.
 #[derive(Debug, Clone)]
 pub struct Kidnapping<'a> {
-    /// The room, of which the robot has an exact map, furniture included.
+    /// The room, of which the robot has an exact map, furniture and docks included.
     pub plan: &'a FloorPlan,
     /// The room laid out for the robot.
     pub prepared: &'a RoomSetup,
@@ -69,7 +69,7 @@ impl Kidnapping<'_> {
     pub fn run(&self, seed: u64) -> Option<Kidnapped> {
         let map = OccupancyMap::of(&with_objects(self.plan));
         let setup = LocatorSetup { robot: self.robot.clone(), odometry: self.odometry, seed };
-        let mut locator = Locator::new(&map, setup)?;
+        let mut locator = Locator::new(&map, setup)?.knowing_docks(&self.prepared.world.docks);
         let mut rng = seeded(seed, STREAM);
         let places = locator.places();
         let at = places[rng.random_range(0..places.len())];

@@ -5,9 +5,12 @@ use super::Shows;
 use crate::controller::{self, Behaviours};
 use crate::{Conditions, Noise, NoiseLevel, SensorKind, SlipLevel};
 use robovac_core::{
-    geometry::Pose,
+    geometry::{MetricPath, Pose},
     registry::{ParamError, Params},
-    robot::{OdometryModel, RobotModel, TWIN_MODEL, Twin, TwinFault, cell_robot, model},
+    robot::{
+        Body, CustomRobot, CustomRobotFault, OdometryModel, OwnRobot, RobotModel, TWIN_MODEL, Twin, WheelLayout,
+        cell_robot, model,
+    },
 };
 use std::collections::BTreeMap;
 
@@ -19,6 +22,11 @@ pub const SPEEDS: [f64; 7] = [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0, 0.0];
 /// Default speed for watching, and for manual driving, times real time.
 const DEFAULT_SPEED: f64 = 16.0;
 const MANUAL_SPEED: f64 = 1.0;
+
+/// Longest path in a link, letters: about 1,500 corners. Some programs cut longer links off.
+const MOST_PATH: usize = 12_000;
+/// Stands in a link for a longer path: it is kept with the room.
+pub const KEPT_PATH: &str = "kept";
 
 /// Largest seed, which JavaScript can represent exactly.
 const MAX_SEED: u64 = u32::MAX as u64;
@@ -36,13 +44,15 @@ pub struct Settings {
     left: BTreeMap<&'static str, Params>,
     /// Id of the robot.
     pub robot: &'static str,
-    /// Figures of one particular robot in place of the model's.
-    pub twin: Option<Twin>,
+    /// What the user's own robot has in place of the model's.
+    pub custom: Option<CustomRobot>,
+    /// A path from elsewhere, which the robot drives in place of the planner's.
+    pub path: Option<MetricPath>,
     /// Side of the planning cells, m.
     pub cell_size: f64,
     /// Seed of everything random.
     pub seed: u64,
-    /// Slip and noise.
+    /// Slip, noise and battery.
     pub conditions: Conditions,
     /// How the follower computes its pose.
     pub odometry: OdometryModel,
@@ -81,12 +91,15 @@ pub enum SettingsError {
         /// Accepted values.
         expected: &'static str,
     },
+    /// A path that a link is too short for, and that isn't here.
+    #[error("this link's path is too long for a link; ask its author for the scenario file and load that")]
+    FarPath,
     /// A planner's parameter.
     #[error(transparent)]
     Param(#[from] ParamError),
-    /// A twin's figure.
+    /// A twin's figure, or one of an own robot.
     #[error(transparent)]
-    Twin(#[from] TwinFault),
+    Robot(#[from] CustomRobotFault),
 }
 
 impl Settings {
@@ -104,7 +117,8 @@ impl Settings {
             params: Params::defaults(algorithm.params()),
             left: BTreeMap::new(),
             robot: TWIN_MODEL,
-            twin: None,
+            custom: None,
+            path: None,
             cell_size: 0.12,
             seed: 1,
             conditions: Conditions::default(),
@@ -138,6 +152,7 @@ impl Settings {
             _ => {}
         }
         self.algorithm = chosen;
+        self.path = None;
         Ok(())
     }
 
@@ -164,10 +179,25 @@ impl Settings {
         let known = || robovac_core::robot::MODELS.iter().map(|m| m.id).collect::<Vec<_>>().join(", ");
         let chosen =
             model(id).ok_or_else(|| SettingsError::Unknown { kind: "robot", id: id.into(), known: known() })?;
+        let before = self.shape();
         self.robot = chosen.id;
-        self.twin = None;
+        self.custom = None;
         self.cell_size = chosen.default_cell;
+        self.keep_path(&before);
         Ok(())
+    }
+
+    /// What a path is planned for: body and wheels.
+    fn shape(&self) -> (Body, f64, WheelLayout) {
+        let robot = self.robot_model();
+        (robot.body, robot.radius, robot.wheels)
+    }
+
+    /// Leaves the path out if the robot had another shape before.
+    fn keep_path(&mut self, before: &(Body, f64, WheelLayout)) {
+        if self.path.is_some() && self.shape() != *before {
+            self.path = None;
+        }
     }
 
     /// Chooses a twin, which was checked. The size of cells stays if the robot was of the same model.
@@ -175,16 +205,35 @@ impl Settings {
         if self.robot != TWIN_MODEL {
             let _ = self.select_robot(TWIN_MODEL);
         }
-        self.twin = Some(twin);
+        self.custom = Some(CustomRobot::Twin(twin));
     }
 
     /// Chooses the twin of a link or a scenario.
     pub fn set_twin(&mut self, twin: Twin) -> Result<(), SettingsError> {
+        let custom = CustomRobot::Twin(twin);
         if let Some(model) = model(TWIN_MODEL) {
-            twin.check(model)?;
+            custom.check(model)?;
         }
         self.select_twin(twin);
         Ok(())
+    }
+
+    /// Builds an own robot on the present model, with the size of cells that suits its tool.
+    pub fn set_own_robot(&mut self, own: OwnRobot) -> Result<(), SettingsError> {
+        let Some(model) = model(self.robot) else { return Ok(()) };
+        let custom = CustomRobot::Own(own);
+        custom.check(model)?;
+        let before = self.shape();
+        self.cell_size = custom.of(model).default_cell;
+        self.custom = Some(custom);
+        self.keep_path(&before);
+        Ok(())
+    }
+
+    /// The path as in a link; [`KEPT_PATH`] for one that is too long.
+    pub fn path_link(&self) -> Option<String> {
+        let text = self.path.as_ref()?.to_string();
+        Some(if text.len() > MOST_PATH { KEPT_PATH.to_owned() } else { text })
     }
 
     /// Chooses the side of the planning cells, m.
@@ -244,6 +293,18 @@ impl Settings {
         Ok(())
     }
 
+    /// Sets the charge of the battery at the start, whose text is `text`.
+    pub fn set_start_charge(&mut self, percent: Option<u64>, text: &str) -> Result<(), SettingsError> {
+        let percent =
+            percent.and_then(|percent| u8::try_from(percent).ok()).filter(|percent| (1..=100).contains(percent));
+        self.conditions.start_charge_percent = percent.ok_or_else(|| SettingsError::Invalid {
+            kind: "the start charge",
+            value: text.to_owned(),
+            expected: "a whole number from 1 to 100 (percent)",
+        })?;
+        Ok(())
+    }
+
     /// Chooses how the follower computes its pose.
     pub fn set_odometry(&mut self, id: &str) -> Result<(), SettingsError> {
         let known = || OdometryModel::ALL.map(|(_, name)| name).join(", ");
@@ -257,14 +318,19 @@ impl Settings {
 
     /// Whether `other` gives the same plan in the same room.
     pub fn plans_like(&self, other: &Self) -> bool {
-        let plan = |it: &Self| (it.algorithm.id(), it.robot, it.twin, it.cell_size, it.seed, it.smooth);
-        plan(self) == plan(other) && self.params == other.params
+        let plan = |it: &Self| (it.algorithm.id(), it.robot, it.cell_size, it.seed, it.smooth);
+        plan(self) == plan(other)
+            && self.params == other.params
+            && self.custom == other.custom
+            && self.path == other.path
     }
 
     /// The robot, which for the idealised one depends on the size of a cell.
     pub fn robot_model(&self) -> RobotModel {
         match model(self.robot) {
-            Some(robot) if robot.id != "cell" => self.twin.map_or_else(|| robot.clone(), |twin| twin.of(robot)),
+            Some(robot) if robot.id != "cell" => {
+                self.custom.as_ref().map_or_else(|| robot.clone(), |custom| custom.of(robot))
+            }
             _ => cell_robot(self.cell_size),
         }
     }
@@ -280,14 +346,17 @@ impl Settings {
             push(&format!("p.{id}"), value.to_string());
         }
         push("robot", self.robot.to_owned());
-        if let Some(twin) = self.twin {
-            push("twin", twin.to_string());
+        if let Some(custom) = &self.custom {
+            push(custom.key(), custom.to_string());
+        }
+        if let Some(path) = self.path_link() {
+            push("path", path);
         }
         push("cell", self.cell_size.to_string());
         if self.seed != default.seed {
             push("seed", self.seed.to_string());
         }
-        let Conditions { slip, noise, quantised, .. } = self.conditions;
+        let Conditions { slip, noise, quantised, start_charge_percent, .. } = self.conditions;
         if slip != default.conditions.slip {
             push("slip", slip.id().to_owned());
         }
@@ -296,6 +365,9 @@ impl Settings {
         }
         if quantised {
             push("quantised", quantised.to_string());
+        }
+        if start_charge_percent != default.conditions.start_charge_percent {
+            push("charge", start_charge_percent.to_string());
         }
         if self.odometry != default.odometry {
             push("odometry", self.odometry.id().to_owned());
@@ -329,11 +401,24 @@ impl Settings {
                 value: value.to_owned(),
                 expected: "figures, e.g. base:242.1,speed:1.02",
             })?)?,
+            "own" => self.set_own_robot(OwnRobot::parse(value).ok_or_else(|| SettingsError::Invalid {
+                kind: "the own robot",
+                value: value.to_owned(),
+                expected: "figures, e.g. radius:0.2,tool:0.25,speed:0.3",
+            })?)?,
+            "path" => {
+                self.path = Some(MetricPath::parse(value).ok_or_else(|| SettingsError::Invalid {
+                    kind: "the path",
+                    value: value.chars().take(40).collect(),
+                    expected: "a whole link, or the scenario file of the run",
+                })?);
+            }
             "cell" => self.set_cell_size(number("the cell size", "a length from 0.02 to 2 (metres)")?)?,
             "seed" => self.set_seed(value.parse().ok(), value)?,
             "slip" => self.set_slip(value)?,
             "noise" => self.set_noise(None, value)?,
             "quantised" => self.conditions.quantised = value == "true",
+            "charge" => self.set_start_charge(value.parse().ok(), value)?,
             "odometry" => self.set_odometry(value)?,
             "smooth" => self.smooth = value == "true",
             "show" => self.shows = Shows::from_link(value)?,

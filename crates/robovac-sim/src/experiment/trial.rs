@@ -6,7 +6,7 @@ use coverage_planners::Observer;
 use robovac_core::{
     floor_plan::{self, FloorPlan, SourceFile},
     geometry::Pose,
-    robot::{Twin, cell_robot},
+    robot::{CustomRobot, cell_robot},
 };
 use serde::{Deserialize, Serialize};
 
@@ -23,8 +23,8 @@ pub struct TrialRequest {
     pub start: Option<[f64; 3]>,
     /// Id of the robot.
     pub robot: String,
-    /// Figures of one particular robot in place of the model's.
-    pub twin: Option<Twin>,
+    /// What the user's own robot has in place of the model's.
+    pub custom: Option<CustomRobot>,
     /// Side of the planning cells, m.
     pub cell_size: f64,
     /// The planner with its parameters, as [`Entrant::parse`] reads it.
@@ -46,7 +46,7 @@ impl TrialRequest {
             CELL_ROBOT => cell_robot(self.cell_size),
             id => choose_robot(id, &plan, None).ok_or_else(|| format!("there is no robot \"{id}\""))?.0,
         };
-        let robot = self.twin.map_or_else(|| robot.clone(), |twin| twin.of(&robot));
+        let robot = self.custom.as_ref().map_or_else(|| robot.clone(), |custom| custom.of(&robot));
         let start = self.start.map(|[x, y, heading]| Pose::new(x, y, heading));
         let arena = Arena::new(&plan, &robot, self.cell_size, start).map_err(|e| e.to_string())?;
         Ok(arena.smooth(self.smooth))

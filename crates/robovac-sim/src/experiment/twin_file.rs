@@ -148,6 +148,7 @@ impl TwinFile {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use robovac_core::robot::CustomRobot;
 
     #[test]
     fn what_is_written_is_read() {
@@ -166,13 +167,16 @@ mod tests {
         assert_eq!(read, file);
         let mut settings = Settings::new();
         read.choose(&mut settings);
-        assert_eq!((settings.twin, settings.conditions.slip), (Some(twin), SlipLevel::Harsh));
+        assert_eq!(
+            (settings.custom.clone(), settings.conditions.slip),
+            (Some(CustomRobot::Twin(twin)), SlipLevel::Harsh)
+        );
         let mut linked = Settings::new();
         assert_eq!(file.to_link(), "robot=roomba600&twin=base:242&slip=harsh&quantised=true");
         for (key, value) in file.to_link().split('&').filter_map(|pair| pair.split_once('=')) {
             linked.take_link(key, value).unwrap();
         }
-        assert_eq!((linked.twin, linked.conditions), (settings.twin, settings.conditions));
+        assert_eq!((&linked.custom, linked.conditions), (&settings.custom, settings.conditions));
         assert!(linked.to_link().contains(&("twin".to_owned(), "base:242".to_owned())));
         assert!(settings.conditions.quantised && (settings.robot_model().wheel_base - 0.242).abs() < 1e-12);
     }

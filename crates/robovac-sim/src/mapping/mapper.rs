@@ -5,15 +5,16 @@ use super::{
     locate::{Locator, LocatorSetup},
     memo::ReadingMemory,
     multiscan::Multiscan,
-    observation::SensorModel,
-    paint::paint,
+    observation::{ContactPoint, Observation, SensorModel},
+    paint::{paint, paint_wall},
     pose_ekf::PoseEkf,
     reckoning::{Reckoning, Rolling, WheelErrors},
     scan::{ScanMapper, paint_place},
 };
+use crate::docking::{berth, dock_at};
 use nalgebra::{Matrix3, Vector3};
 use robovac_core::{
-    geometry::{Pose, difference},
+    geometry::{Pose, Vector, difference},
     math,
     rng::{normal, seeded},
     robot::{Body, OdometryModel, RobotModel, SensorReadings},
@@ -28,6 +29,10 @@ const DIRTY: u8 = 24;
 const PARTICLES: usize = 24;
 /// Distance and turn between two corrections, m and rad (ours: as long as odometry is accurate to a few millimetres).
 const STRETCH: (f64, f64) = (0.5, 1.6);
+/// The same for a robot with nothing but a bumper, m: long enough for several contacts with a wall.
+const BY_CONTACTS: f64 = 2.2;
+/// Uncertainty of a contact's direction where a wall of the room is in it, rad.
+const BY_WALL: f64 = 0.1;
 /// Readings after which another press of the bumper is a new contact, as switches bounce.
 const BOUNCE: u32 = 10;
 /// Possible displacement of a robot that was picked up, as a standard deviation: m and rad.
@@ -126,11 +131,15 @@ pub struct Mapper {
     marks: Marks,
     /// Readings since the bumper was pressed.
     untouched: u32,
+    /// Direction towards the last wall that contacts have shown, rad.
+    wall: Option<f64>,
     is_lifted: bool,
     is_lost: bool,
     /// Distance driven since the start, and at the last visit to the dock, m; no dock counts if it didn't start on one.
     travelled: f64,
     docked: Option<f64>,
+    /// Its pose on its dock, once it has been there and knew where it was.
+    berth: Option<Pose>,
     /// Readings so far, while they can be processed again, and how often they have been.
     memory: Option<ReadingMemory>,
     looks: usize,
@@ -154,10 +163,12 @@ impl Mapper {
             map: OccupancyMap::new(RESOLUTION),
             marks: Marks::new(RESOLUTION),
             untouched: BOUNCE,
+            wall: None,
             is_lifted: false,
             is_lost: false,
             travelled: 0.0,
             docked: None,
+            berth: None,
             // Scans need no second look.
             memory: (setup.tracking == Tracking::Corrected && setup.robot.sensors.laser.is_none())
                 .then(ReadingMemory::default),
@@ -172,6 +183,12 @@ impl Mapper {
         self.laser = self.laser.map(|laser| laser.knowing(&map, &marks));
         (self.map, self.marks) = (map, marks);
         (self.memory, self.is_lost) = (None, true);
+        self
+    }
+
+    /// The same with a dock on the map, by which it knows its place when it comes there.
+    pub fn knowing_dock(mut self, dock: Pose) -> Self {
+        self.berth = Some(berth(dock, &self.setup.robot));
         self
     }
 
@@ -207,6 +224,11 @@ impl Mapper {
     /// Whether it stood on a dock before it first moved.
     pub fn began_on_dock(&self) -> bool {
         self.docked.is_some()
+    }
+
+    /// Its pose on its dock, if it knows the dock.
+    pub fn berth(&self) -> Option<Pose> {
+        self.berth
     }
 
     /// Its parameters.
@@ -283,10 +305,13 @@ impl Mapper {
         if self.is_lifted {
             self.put_down();
         }
+        if sensed.battery.on_dock && corrects {
+            self.moor();
+        }
         let contact = self.sensors.contact(sensed, rolled[0] + rolled[1] > 0.0);
         let is_new_contact = contact.is_some() && self.untouched >= BOUNCE;
         self.untouched = if contact.is_some() { 0 } else { self.untouched.saturating_add(1) };
-        let contact = contact.map(|contact| self.sensors.aside(contact, rolled[1] - rolled[0]));
+        let contact = contact.map(|contact| self.by_walls(self.sensors.aside(contact, rolled[1] - rolled[0])));
         // With a laser, contacts of bodies that aren't round aren't needed, and their direction isn't known.
         let slides = corrects && (sensed.laser.is_none() || self.setup.robot.body == Body::Round);
         let is_stride = self.way.roll(rolled, contact.filter(|_| slides).map(|contact| contact.direction));
@@ -302,10 +327,9 @@ impl Mapper {
             return;
         }
         let mut seen = self.sensors.observe(sensed);
-        if !is_new_contact {
-            // It slides along the obstacle.
-            seen.contact = None;
-        }
+        let switches = seen.contact.filter(|_| is_new_contact);
+        // If it isn't new, it slides along the obstacle.
+        seen.contact = if self.sensors.is_bumper_alone() { contact.filter(|_| is_new_contact) } else { switches };
         let pose = self.pose();
         paint(&mut self.map, pose, &seen, &self.sensors);
         let radius = 0.5 * self.setup.robot.tool_width;
@@ -316,10 +340,27 @@ impl Mapper {
         if !corrects {
             return;
         }
-        self.scan.add(self.way.at, &seen, &self.sensors);
-        if is_new_contact || self.way.way > STRETCH.0 || self.way.turned > STRETCH.1 {
+        self.scan.add(self.way.at, &Observation { contact: switches, ..seen }, &self.sensors);
+        let is_due = if self.sensors.is_bumper_alone() {
+            self.way.way > BY_CONTACTS
+        } else {
+            is_new_contact || self.way.way > STRETCH.0 || self.way.turned > STRETCH.1
+        };
+        if is_due {
             self.correct();
         }
+    }
+
+    /// A contact of a robot with nothing but a bumper, in the direction of a wall that its switches allow: the last one that it
+    /// has followed, or one along the axes of the room.
+    fn by_walls(&self, contact: ContactPoint) -> ContactPoint {
+        if !self.sensors.is_bumper_alone() {
+            return contact;
+        }
+        let heading = self.pose().heading;
+        let walls = self.wall.into_iter().chain(self.ekf.axes()).map(|wall| difference(heading, wall));
+        let wall = walls.into_iter().find(|&direction| contact.allows(direction));
+        wall.map_or(contact, |direction| ContactPoint { direction, deviation: BY_WALL })
     }
 
     /// Takes the scan of a reading, if it is a new one.
@@ -354,7 +395,9 @@ impl Mapper {
     fn find_place(&mut self, sensed: &SensorReadings, is_fresh: bool) {
         if self.finder.is_none() && is_fresh {
             let MapperSetup { robot, odometry, seed, .. } = self.setup.clone();
-            self.finder = Locator::new(&self.map, LocatorSetup { robot, odometry, seed }).map(Box::new);
+            let docks: Vec<Pose> = self.berth.iter().map(|&berth| dock_at(berth, &robot)).collect();
+            let locator = Locator::new(&self.map, LocatorSetup { robot, odometry, seed });
+            self.finder = locator.map(|locator| Box::new(locator.knowing_docks(&docks)));
             self.sure = 0;
         }
         let Some(finder) = &mut self.finder else { return };
@@ -434,7 +477,30 @@ impl Mapper {
         self.ekf.correct(&features);
         self.ekf.learn_axes(&features.walls);
         self.ekf.draw(&features.points);
+        self.ekf.draw(&features.between);
+        if self.sensors.is_bumper_alone() {
+            let (pose, ahead) = (self.ekf.pose(), self.ekf.pose().direction());
+            for point in features.points.iter().chain(&features.between).filter(|point| point.is_oriented) {
+                let [x, y] = [point.normal.x, point.normal.y];
+                let normal = Vector::new(ahead.x * x - ahead.y * y, ahead.y * x + ahead.x * y);
+                paint_wall(&mut self.map, pose.to_world(point.at), normal);
+                self.wall = Some(math::atan2(-normal.y, -normal.x));
+            }
+        }
         self.begin_stretch();
+    }
+
+    /// It is on its dock: a landmark (004, section 4.3). A robot that is lost knows its place there, and one that isn't
+    /// remembers the place of the dock.
+    fn moor(&mut self) {
+        match self.berth {
+            Some(berth) if self.is_lost => {
+                let square = DOCK[0] * DOCK[0];
+                self.relocate(berth, &PoseCovariance { position: [square, 0.0, square], heading: DOCK[1] });
+            }
+            None if !self.is_lost => self.berth = Some(self.pose()),
+            _ => {}
+        }
     }
 
     /// It is on its dock, whose pose is known if it began there.

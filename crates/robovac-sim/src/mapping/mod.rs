@@ -31,9 +31,11 @@
 //!   probability that is learnt from the walls met so far. Where most aren't, as in an attic, this stops by itself.
 //! - *Reprocessing*: after 10, 25 and 60 m, when the wheels are known better, all readings so far are processed again,
 //!   as everything depends on what is mapped first.
-//! - The *dock*, if the robot began there, is an absolute reference.
+//! - The *dock*, if the robot began there, is an absolute reference. A robot that is lost knows its place on a dock where
+//!   it has been before.
 
 mod boundary;
+mod contact_lines;
 mod layer;
 pub mod locate;
 mod mapper;
@@ -52,6 +54,7 @@ mod reckoning;
 mod scan;
 mod seen_boundary;
 mod thesis_grid;
+mod thesis_map;
 
 pub use layer::TiledLayer;
 pub use mapper::{Mapper, MapperSetup, RESOLUTION, Tracking};
@@ -62,3 +65,4 @@ pub use pose_covariance::PoseCovariance;
 pub use quality::{MapQuality, MapTruth};
 pub use seen_boundary::SeenBoundary;
 pub use thesis_grid::{CellStatus, ThesisGrid};
+pub use thesis_map::ThesisMap;

@@ -7,6 +7,7 @@
 //! chosen, then the next (RANSAC, Fischler & Bolles 1981, with pairs picked in turn and not at random).
 
 use super::{
+    contact_lines::{Contact, ContactLine, contact_lines},
     observation::{BEAMS, COSINE, ContactPoint, Observation, REFLECTANCE, SensorModel},
     reckoning::Reckoning,
 };
@@ -37,6 +38,10 @@ const WALL: f64 = 0.2;
 const STEEP: f64 = 0.3;
 /// Least uncertainty of a wall's direction, rad, as the way along it isn't quite straight.
 const WALL_DEVIATION: f64 = 0.004;
+/// Error of a contact's place, m: the play of the bumper and what odometry drifts on the way to the next.
+const CONTACT: f64 = 0.003;
+/// Distance of points that are added between contacts on a wall, m.
+const BETWEEN: f64 = 0.04;
 /// Distance of a sensor's source behind the body's edge, m, as in the law of light.
 const SOURCE: f64 = 0.017;
 
@@ -72,6 +77,8 @@ pub(super) struct BoundaryPoint {
     pub shared: f64,
     /// Points of one line have the same number.
     pub group: usize,
+    /// Middle of the robot, for contacts whose direction isn't known: their distance to a surface is that of the middle.
+    pub middle: Option<Point>,
 }
 
 /// A straight wall.
@@ -89,6 +96,8 @@ pub(super) struct WallLine {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Features {
     pub points: Vec<BoundaryPoint>,
+    /// Points on walls between contacts, which weren't touched themselves.
+    pub between: Vec<BoundaryPoint>,
     pub walls: Vec<WallLine>,
 }
 
@@ -121,12 +130,23 @@ impl Multiscan {
             lines.push(line);
         }
         features.add_lone(&self.sightings);
-        for (from, contact) in &self.contacts {
-            features.add_contact(*from, *contact, &lines, sensors.radius());
+        if sensors.is_bumper_alone() {
+            let (lines, alone) = contact_lines(&self.contacts, sensors.radius());
+            for line in &lines {
+                features.add_contact_line(line);
+            }
+            for contact in &alone {
+                features.add_vague_contact(contact, sensors.radius());
+            }
+        } else {
+            for (from, contact) in &self.contacts {
+                features.add_contact(*from, *contact, &lines, sensors.radius());
+            }
         }
-        for point in &mut features.points {
+        for point in features.points.iter_mut().chain(&mut features.between) {
             point.at = way.seen_from_here(point.at);
             point.normal = turned(point.normal, -way.at.heading);
+            point.middle = point.middle.map(|middle| way.seen_from_here(middle));
         }
         for wall in &mut features.walls {
             wall.direction -= way.at.heading;
@@ -175,7 +195,7 @@ impl Features {
             let Some(echo) = sensors.echo(sighting.light, line.cosine(sighting), 0.05) else { continue };
             let at = sighting.edge + sighting.sight * echo.distance;
             let shared = 0.5 * REFLECTANCE.1 * (echo.distance + SOURCE);
-            points.push(BoundaryPoint { at, normal: line.normal, is_oriented: true, own, shared, group });
+            points.push(BoundaryPoint { at, normal: line.normal, is_oriented: true, own, shared, group, middle: None });
         }
         // Echoes of several beams come from all over the line.
         points.sort_by(|a, b| line.along(a.at).total_cmp(&line.along(b.at)));
@@ -202,7 +222,7 @@ impl Features {
             taken.push(at);
             let (group, normal) = (self.next_group(), -sighting.sight);
             let own = sighting.deviation;
-            self.points.push(BoundaryPoint { at, normal, is_oriented: false, own, shared: 0.0, group });
+            self.points.push(BoundaryPoint { at, normal, is_oriented: false, own, shared: 0.0, group, middle: None });
         }
     }
 
@@ -224,6 +244,50 @@ impl Features {
             own: if by_line.is_some() { 0.003 } else { 0.003 + 0.06 * contact.deviation },
             shared: 0.0,
             group,
+            middle: None,
+        });
+    }
+
+    /// Adds a wall that contacts touch.
+    fn add_contact_line(&mut self, line: &ContactLine) {
+        let group = self.next_group();
+        let point = |at| BoundaryPoint {
+            at,
+            normal: line.normal,
+            is_oriented: true,
+            own: CONTACT + line.off,
+            shared: CONTACT,
+            group,
+            middle: None,
+        };
+        self.points.extend(line.points.iter().map(|&at| point(at)));
+        for pair in line.points.windows(2) {
+            let way = pair[1] - pair[0];
+            let pieces = (way.norm() / BETWEEN).ceil();
+            self.between.extend((1..pieces as u32).map(|i| point(pair[0] + way * (f64::from(i) / pieces))));
+        }
+        if line.length >= WALL {
+            let fit = (line.off + CONTACT) * 3.5 / ((line.points.len() as f64).sqrt() * line.length);
+            let deviation = fit.max(WALL_DEVIATION);
+            let direction = math::atan2(-line.normal.x, line.normal.y);
+            self.walls.push(WallLine { direction, deviation, length: line.length });
+        }
+    }
+
+    /// Adds a contact whose direction only the switches tell.
+    fn add_vague_contact(&mut self, (from, contact): &Contact, radius: f64) {
+        let (sin, cos) = math::sin_cos(from.heading + contact.direction);
+        let normal = Vector::new(-cos, -sin);
+        let (middle, group, own) = (from.position(), self.next_group(), 2.0 * CONTACT);
+        let at = middle - normal * radius;
+        self.points.push(BoundaryPoint {
+            at,
+            normal,
+            is_oriented: false,
+            own,
+            shared: 0.0,
+            group,
+            middle: Some(middle),
         });
     }
 }

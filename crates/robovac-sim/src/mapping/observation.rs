@@ -10,9 +10,9 @@
 //! - *No echo* means that there is no obstacle within range.
 
 use robovac_core::{
-    geometry::{Point, Vector},
+    geometry::{Point, Vector, difference, edges, outward},
     math,
-    robot::{LightBumper, RobotModel, SensorReadings},
+    robot::{Body, LightBumper, RobotModel, SensorReadings},
 };
 
 /// Beams of a light bumper.
@@ -36,6 +36,10 @@ const SLIDES: f64 = 0.3;
 /// with the obstacle inside the curve, as a share of the bumper's half arc (ours, measured: a robot that follows walls
 /// moves by 93 % of the distance rolled).
 const AROUND: (f64, f64) = (0.0005, 0.85);
+/// Angle that a switch spans, as a multiple of the standard deviation within it.
+const SWITCHES: f64 = 3.5;
+/// How far beyond that a contact may be, as the heading is uncertain, rad.
+const ALLOWANCE: f64 = 0.1;
 /// Uncertainty of a contact's direction found by light, rad (ours).
 const BY_LIGHT: f64 = 0.1;
 
@@ -59,6 +63,13 @@ pub struct ContactPoint {
     pub deviation: f64,
 }
 
+impl ContactPoint {
+    /// Whether the switches allow a wall in that direction from the body's origin.
+    pub(super) fn allows(&self, direction: f64) -> bool {
+        difference(self.direction, direction).abs() < 0.5 * SWITCHES * self.deviation + ALLOWANCE
+    }
+}
+
 /// The observations of a reading.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Observation {
@@ -72,8 +83,10 @@ pub struct Observation {
 #[derive(Debug, Clone)]
 pub struct SensorModel {
     radius: f64,
+    body: Body,
     bumper: Option<[f64; 2]>,
     light: Option<Light>,
+    has_laser: bool,
 }
 
 #[derive(Debug, Clone)]
@@ -98,7 +111,7 @@ impl SensorModel {
                 bumper: light,
             }
         });
-        Self { radius: robot.radius, bumper, light }
+        Self { radius: robot.radius, body: robot.body, bumper, light, has_laser: robot.sensors.laser.is_some() }
     }
 
     /// The observations of a reading.
@@ -123,15 +136,15 @@ impl SensorModel {
             (true, false) => (both_within, half_arc),
             (false, true) => (-half_arc, -both_within),
         };
-        // Directions in which it would stand although it pushes, or slide.
-        let (least, most) = match (pushes, sensed.stasis) {
+        // Directions in which it would stand although it pushes, or slide; a Roomba's castor tells.
+        let (least, most) = match (pushes && self.light.is_some(), sensed.stasis) {
             (true, true) if least.abs() < SLIDES && most > 0.0 && least >= 0.0 => (SLIDES.max(least), most),
             (true, true) if most.abs() < SLIDES && least < 0.0 && most <= 0.0 => (least, (-SLIDES).min(most)),
             (true, false) if least >= 0.0 => (least.min(SLIDES), least.min(SLIDES) + 0.05),
             (true, false) if most <= 0.0 => (most.max(-SLIDES) - 0.05, most.max(-SLIDES)),
             _ => (least, most),
         };
-        let by_switches = ContactPoint { direction: 0.5 * (least + most), deviation: (most - least) / 3.5 };
+        let by_switches = ContactPoint { direction: 0.5 * (least + most), deviation: (most - least) / SWITCHES };
         let Some(light) = &self.light else { return Some(by_switches) };
         let roots = sensed.light_signal.map(|signal| (f64::from(signal) - IDLE).max(0.0).sqrt());
         let brightest = roots.iter().copied().fold(0.0, f64::max);
@@ -196,9 +209,29 @@ impl SensorModel {
         self.light.as_ref().map_or(0.0, |light| SEEN.min(0.5 * light.bumper.range))
     }
 
-    /// Radius of the body, m.
+    /// Radius of the smallest circle around the body, m.
     pub fn radius(&self) -> f64 {
         self.radius
+    }
+
+    /// Radius of the largest circle around the origin within the body, m.
+    pub fn inner_radius(&self) -> f64 {
+        let Body::Polygon(corners) = self.body else { return self.radius };
+        let corners = corners.iter().map(|&[x, y]| Point::new(x, y)).collect::<Vec<_>>();
+        edges(&corners).map(|(a, b)| a.coords.dot(&outward(a, b))).fold(self.radius, f64::min)
+    }
+
+    /// Distance from the origin to a straight wall in that direction that the body touches, m.
+    pub fn support(&self, direction: f64) -> f64 {
+        let Body::Polygon(corners) = self.body else { return self.radius };
+        let (sin, cos) = math::sin_cos(direction);
+        corners.iter().map(|[x, y]| cos * x + sin * y).fold(0.0, f64::max)
+    }
+
+    /// Whether contacts of a round body are all that it senses of its surroundings: the middle of such a body is as far from a
+    /// wall that it touches, whatever the direction.
+    pub fn is_bumper_alone(&self) -> bool {
+        self.light.is_none() && self.bumper.is_some() && !self.has_laser && self.body == Body::Round
     }
 }
 

@@ -1,6 +1,6 @@
 //! Mapping during a run.
 
-use super::{Mapper, locate::Locator};
+use super::{Mapper, ThesisMap, locate::Locator};
 use crate::{
     Run, RunObserver,
     controller::{Controller, Intent, clean_by_map},
@@ -16,6 +16,7 @@ pub struct MapObserver {
     mapper: Option<Box<Mapper>>,
     baseline: Option<Box<Mapper>>,
     locator: Option<Box<Locator>>,
+    thesis: Option<Box<ThesisMap>>,
     reckoned: Vec<Odometry>,
 }
 
@@ -35,6 +36,11 @@ impl MapObserver {
         Self { locator: Some(Box::new(locator)), ..self }
     }
 
+    /// Adds the thesis' grid, for comparison.
+    pub fn with_thesis(self, thesis: ThesisMap) -> Self {
+        Self { thesis: Some(Box::new(thesis)), ..self }
+    }
+
     /// Adds dead reckoning by all models from `start`, for comparison.
     pub fn with_reckoning(self, robot: &RobotModel, start: Pose) -> Self {
         Self { reckoned: OdometryModel::ALL.map(|(model, _)| Odometry::new(robot, model, start)).into(), ..self }
@@ -51,6 +57,9 @@ impl RunObserver for MapObserver {
         }
         if let Some(locator) = &mut self.locator {
             locator.update(sensed);
+        }
+        if let Some(thesis) = &mut self.thesis {
+            thesis.update(sensed);
         }
     }
 
@@ -70,7 +79,8 @@ impl RunObserver for MapObserver {
     }
 
     fn bytes(&self) -> usize {
-        [&self.mapper, &self.baseline].into_iter().flatten().map(|mapper| mapper.bytes()).sum()
+        let mappers: usize = [&self.mapper, &self.baseline].into_iter().flatten().map(|mapper| mapper.bytes()).sum();
+        mappers + self.thesis.as_ref().map_or(0, |thesis| thesis.bytes())
     }
 
     fn boxed_clone(&self) -> Box<dyn RunObserver> {
@@ -88,6 +98,11 @@ impl Run {
     /// The second mapper's estimates.
     pub fn baseline(&self) -> Option<&Mapper> {
         self.observer::<MapObserver>()?.baseline.as_deref()
+    }
+
+    /// The thesis' grid.
+    pub fn thesis(&self) -> Option<&ThesisMap> {
+        self.observer::<MapObserver>()?.thesis.as_deref()
     }
 
     /// The locator on a known map.

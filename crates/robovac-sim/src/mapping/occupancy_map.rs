@@ -29,7 +29,8 @@ impl OccupancyMap {
         Self { resolution, odds: TiledLayer::new() }
     }
 
-    /// The map of `plan`, with certainty; its lower-left corner becomes the origin.
+    /// The map of `plan`, with certainty; its lower-left corner becomes the origin. Where the floor ends at the edge of the
+    /// plan there is a wall, as everything outside counts as one.
     pub fn of(plan: &FloorPlan) -> Self {
         let mut map = Self::new(plan.resolution);
         for (cell, &occupancy) in plan.occupancy.iter() {
@@ -39,6 +40,11 @@ impl OccupancyMap {
                 Occupancy::Occupied => MOST,
             };
             map.odds.update(cell, |_| odds);
+            if occupancy == Occupancy::Free {
+                for outside in cell.block().filter(|&near| !plan.occupancy.contains(near)) {
+                    map.odds.update(outside, |_| MOST);
+                }
+            }
         }
         map
     }

@@ -30,11 +30,15 @@ const FAR: f64 = 0.1;
 const BEHIND: f64 = 0.012;
 /// Uncertainty of direction above which a contact says little about a cell, rad.
 const VAGUE: f64 = 0.35;
+/// Margin of the floor under a body with nothing but a bumper, m.
+const WIPES: f64 = 0.015;
+
 /// Adds a reading taken at `pose`.
 pub(super) fn paint(map: &mut OccupancyMap, pose: Pose, seen: &Observation, sensors: &SensorModel) {
     let position = pose.position();
-    let radius = sensors.radius();
     let size = map.resolution();
+    // By contacts alone the pose is known less well, and the body mustn't wipe out the walls that it touches.
+    let radius = sensors.inner_radius() - if sensors.is_bumper_alone() { WIPES } else { 0.0 };
     let low = map.cell_at(position - Vector::new(radius, radius));
     let high = map.cell_at(position + Vector::new(radius, radius));
     for y in low.y..=high.y {
@@ -60,9 +64,16 @@ pub(super) fn paint(map: &mut OccupancyMap, pose: Pose, seen: &Observation, sens
     }
     if let Some(contact) = seen.contact {
         let (sin, cos) = math::sin_cos(contact.direction);
+        let radius = sensors.support(contact.direction);
         let cell = map.cell_at(position + turned(Vector::new(cos, sin)) * (radius + BEHIND));
         map.add(cell, if contact.deviation < VAGUE { TOUCHED } else { 0.3 * TOUCHED });
     }
+}
+
+/// Adds a point of a wall between contacts, with its normal towards the robot.
+pub(super) fn paint_wall(map: &mut OccupancyMap, at: Point, normal: Vector) {
+    let cell = map.cell_at(at - normal * BEHIND);
+    map.add(cell, TOUCHED);
 }
 
 /// Marks the cells along a beam as free, each once.

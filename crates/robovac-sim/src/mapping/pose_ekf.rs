@@ -240,6 +240,12 @@ impl PoseEkf {
         }
     }
 
+    /// Directions of the room's walls, rad; none while most walls are at other angles.
+    pub fn axes(&self) -> impl Iterator<Item = f64> {
+        let quarters = if self.squareness() < 0.5 { 0 } else { 4 };
+        (0..quarters).map(|i| self.state[AXIS] + FRAC_PI_2 * f64::from(i))
+    }
+
     /// Probability that a wall is along the room's axes.
     fn squareness(&self) -> f64 {
         self.squared.map_or(0.0, |[along, all]| (along + 0.7) / (all + 1.0))
@@ -286,7 +292,14 @@ impl PoseEkf {
             let least = if point.is_oriented { 0.85 } else { 0.6 };
             let Some(surface) = self.boundary.nearest(at, facing, least, reach) else { continue };
             let normal = surface.normal;
-            let off = normal.dot(&(at - surface.point));
+            // The middle of a robot that touches a surface is a radius away from it, wherever it touches.
+            let off = match point.middle {
+                Some(middle) => {
+                    let middle = self.pose().to_world(middle);
+                    normal.dot(&(middle - surface.point)) - (middle - at).norm()
+                }
+                None => normal.dot(&(at - surface.point)),
+            };
             let row = Vector3::new(normal.x, normal.y, -normal.perp(&arm));
             let own = point.own * point.own + MAP.0 * MAP.0;
             let shared = point.shared * point.shared + MAP.1 * MAP.1;

@@ -16,8 +16,11 @@ use robovac_core::{
 
 /// Standard deviation of each wheel's slip after one metre, m: a little more than at the simulator's typical level.
 const SLIP: f64 = 0.0012;
-/// Relative uncertainty of the distance along a contact, and the distance over which that error is constant, m (ours).
-const SLIDE: (f64, f64) = (0.3, 0.05);
+/// Relative uncertainty of the distance along a contact, its share in the variance of the heading, and the distance over which
+/// that error is constant, m (ours).
+const SLIDE: ([f64; 2], f64) = ([0.3, 2.0], 0.05);
+/// The same for a robot with nothing but a bumper, whose contacts are taken to be with walls.
+const SLIDE_ON_WALLS: [f64; 2] = [0.2, 0.1];
 /// Distance and turn between two updates of the covariances, m and rad.
 const STRIDE: (f64, f64) = (0.02, 0.06);
 /// Errors that a laser corrects, as shares of the way and of the turn: driving freely, and in contact; and what there
@@ -77,6 +80,7 @@ pub(super) struct Reckoning {
     pub way: f64,
     pub turned: f64,
     wheel_base: f64,
+    slide: [f64; 2],
     model: OdometryModel,
     /// Pose at the last update of the covariances, and distances rolled since, m.
     since: Pose,
@@ -87,10 +91,11 @@ pub(super) struct Reckoning {
 
 impl Reckoning {
     pub fn new(robot: &RobotModel, model: OdometryModel, wheels: WheelErrors) -> Self {
-        Self::new_with(robot.wheel_base, model, wheels)
+        let slide = if robot.sensors.light_bumper.is_some() { SLIDE.0 } else { SLIDE_ON_WALLS };
+        Self::new_with(robot.wheel_base, slide, model, wheels)
     }
 
-    fn new_with(wheel_base: f64, model: OdometryModel, wheels: WheelErrors) -> Self {
+    fn new_with(wheel_base: f64, slide: [f64; 2], model: OdometryModel, wheels: WheelErrors) -> Self {
         let here = Pose::new(0.0, 0.0, 0.0);
         Self {
             at: here,
@@ -101,6 +106,7 @@ impl Reckoning {
             way: 0.0,
             turned: 0.0,
             wheel_base,
+            slide,
             model,
             since: here,
             rolled: [0.0; 2],
@@ -155,9 +161,10 @@ impl Reckoning {
             self.by_wheels[(2, column)] += by;
         }
         let slip = SLIP * SLIP * self.rolled_either_way;
-        let slide = SLIDE.0 * SLIDE.0 * self.slid * SLIDE.1;
+        let [share, turning] = self.slide;
+        let slide = share * share * self.slid * SLIDE.1;
         let position = 0.25 * slip + slide;
-        let heading = slip / (self.wheel_base * self.wheel_base) + 2.0 * slide;
+        let heading = slip / (self.wheel_base * self.wheel_base) + turning * slide;
         self.noise = shift * self.noise * shift.transpose();
         for (i, variance) in [position, position, heading].into_iter().enumerate() {
             self.noise[(i, i)] += variance;
@@ -183,7 +190,7 @@ impl Reckoning {
 
     /// The same stretch of a robot whose wheels turned while its body was held.
     pub fn held(&self) -> Self {
-        let mut held = Self::new_with(self.wheel_base, self.model, self.wheels);
+        let mut held = Self::new_with(self.wheel_base, self.slide, self.model, self.wheels);
         (held.way, held.turned) = (self.way, self.turned);
         for (i, deviation) in [self.way, self.way, self.turned].into_iter().enumerate() {
             held.noise[(i, i)] = deviation * deviation;

@@ -1,5 +1,5 @@
-//! The occupancy grid of Krapinec 2025 (004, sections 3.3.1 and 7.1), as printed, for comparison with an
-//! [`OccupancyMap`](super::OccupancyMap).
+//! The occupancy grid of Krapinec 2025 (004, sections 3.3.1 and 7.1), as printed. [`ThesisMap`](super::ThesisMap) lays it
+//! over an [`OccupancyMap`](super::OccupancyMap) for comparison.
 //!
 //! 100 x 100 cells of 10 cm, the robot in the middle at the start. A bit of the light bumper marks one cell beside the robot
 //! as occupied, whatever it was; a movement forward marks the robot's own four cells as empty. The cells are looked up with
@@ -31,9 +31,9 @@ use robovac_core::{
 };
 
 /// `grid_size`, cells.
-const SIZE: i64 = 100;
+pub(super) const SIZE: i64 = 100;
 /// `resolution`, m.
-const RESOLUTION: f64 = 0.1;
+pub(super) const RESOLUTION: f64 = 0.1;
 /// `light_offsets`: the cells that the six bits of the light bumper mark, from left to right.
 const LIGHT_OFFSETS: [[f64; 2]; 6] = [[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [1.0, -1.0], [1.0, -2.0], [0.0, -2.0]];
 /// `robot_offset`: the cells that the robot occupies.
@@ -69,33 +69,40 @@ impl ThesisGrid {
         Self { grid: vec![CellStatus::Unknown; (SIZE * SIZE) as usize], odometry, at: start }
     }
 
-    /// Takes the next reading: `odom_callback` and `bump_callback`, and `mark_robot` if the robot has moved forward.
-    pub fn update(&mut self, sensed: &SensorReadings) {
+    /// Takes the next reading: `odom_callback` and `bump_callback`, and `mark_robot` if the robot has moved forward. Returns
+    /// the cells whose status has changed.
+    pub fn update(&mut self, sensed: &SensorReadings) -> Vec<Cell> {
         self.odometry.update(sensed);
         let before = std::mem::replace(&mut self.at, self.odometry.pose());
-        let lights = LIGHT_OFFSETS.iter().zip(sensed.light_bumper).filter(|(_, is_near)| *is_near);
-        lights.for_each(|(&offset, _)| self.mark_on_map(offset, CellStatus::Occupied));
-        if (self.at.position() - before.position()).dot(&before.direction()) > 0.0 {
-            self.mark_robot();
+        let mut changed = Vec::new();
+        for (&offset, _) in LIGHT_OFFSETS.iter().zip(sensed.light_bumper).filter(|(_, is_near)| *is_near) {
+            changed.extend(self.mark_on_map(offset, CellStatus::Occupied));
         }
+        if (self.at.position() - before.position()).dot(&before.direction()) > 0.0 {
+            changed.extend(self.mark_robot());
+        }
+        changed
     }
 
     /// `mark_robot`: its four cells are empty.
-    fn mark_robot(&mut self) {
-        for offset in ROBOT_OFFSETS {
-            self.mark_on_map(offset, CellStatus::Empty);
-        }
+    fn mark_robot(&mut self) -> impl Iterator<Item = Cell> {
+        ROBOT_OFFSETS.map(|offset| self.mark_on_map(offset, CellStatus::Empty)).into_iter().flatten()
     }
 
-    /// `mark_on_map`: the cell that far ahead and to the left of the robot, as printed.
-    fn mark_on_map(&mut self, [dx, dy]: [f64; 2], status: CellStatus) {
+    /// `mark_on_map`: the cell that far ahead and to the left of the robot, as printed. Returns it if its status has changed.
+    fn mark_on_map(&mut self, [dx, dy]: [f64; 2], status: CellStatus) -> Option<Cell> {
         let [x, y] = [self.at.x, self.at.y].map(|metres| metres / RESOLUTION + 0.5 * SIZE as f64);
         let z = math::sin(0.5 * self.at.heading);
         let (centre_x, centre_y) = (x - 0.5, y - 0.5);
         let (x, y) = turned((x + dx - centre_x, y + dy - centre_y), z);
-        if let Some(cell) = index(x + centre_x, y + centre_y).and_then(|index| self.grid.get_mut(index)) {
-            *cell = status;
-        }
+        let index = index(x + centre_x, y + centre_y)?;
+        let before = std::mem::replace(self.grid.get_mut(index)?, status);
+        (before != status).then(|| Cell::new((index as i64 % SIZE) as i32, (index as i64 / SIZE) as i32))
+    }
+
+    /// The pose by odometry, in the frame of the robot's start.
+    pub fn pose(&self) -> Pose {
+        self.at
     }
 
     /// State of a cell; (0, 0) is the lower left one, 5 m to the left and below the robot's start.
@@ -169,7 +176,8 @@ mod tests {
     #[test]
     fn the_robot_occupies_four_cells_around_the_middle() {
         let mut grid = grid_at(0.0, 0.0, 0.0);
-        grid.mark_robot();
+        assert_eq!(grid.mark_robot().count(), 4);
+        assert_eq!(grid.mark_robot().count(), 0, "nothing changes");
         assert_eq!(cells(&grid, CellStatus::Empty), [(49, 49), (50, 49), (49, 50), (50, 50)]);
         assert_eq!(grid.origin().position(), Point::new(-5.0, -5.0));
     }

@@ -16,7 +16,7 @@ pub struct StudyHeader<'a> {
     pub robot: &'a str,
     /// Side of the planning cells, m.
     pub cell_size_m: f64,
-    /// Slip and noise.
+    /// Slip, noise and battery.
     #[serde(skip)]
     pub conditions: Conditions,
     /// How followers of planned paths compute their poses.
@@ -35,6 +35,7 @@ struct JsonStudy<'a> {
     slip: SlipLevel,
     noise: String,
     quantised: bool,
+    start_charge_percent: u8,
     /// The times of all curves' samples, s.
     times_s: Vec<f64>,
     algorithms: Vec<JsonAlgorithm<'a>>,
@@ -75,6 +76,8 @@ struct JsonRun {
     bumps: u32,
     falls: u32,
     dirt_left: Option<f64>,
+    /// Excess of distance and time, as shares.
+    excess: Option<[f64; 2]>,
     digest: String,
 }
 
@@ -85,6 +88,7 @@ pub fn to_json(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
         slip: head.conditions.slip,
         noise: head.conditions.noise.to_string(),
         quantised: head.conditions.quantised,
+        start_charge_percent: head.conditions.start_charge_percent,
         times_s: (0..=SAMPLES).map(|i| 60.0 * head.minutes * i as f64 / SAMPLES as f64).collect(),
         algorithms: entries.iter().map(JsonAlgorithm::of).collect(),
     };
@@ -95,12 +99,13 @@ pub fn to_json(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
 /// A table with a header line, one line per run; empty for missing values.
 pub fn to_csv(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     let mut csv = String::from(
-        "room,robot,slip,noise,quantised,minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
-         time [s],distance [m],bumps,falls,dirt left [%],digest,measure\n",
+        "room,robot,slip,noise,quantised,start charge [%],minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
+         time [s],distance [m],bumps,falls,dirt left [%],excess distance [%],\
+         excess time [%],digest,measure\n",
     );
-    let Conditions { slip, quantised, .. } = head.conditions;
+    let Conditions { slip, quantised, start_charge_percent, .. } = head.conditions;
     let common = format!(
-        "{},{},{},{},{quantised},{}",
+        "{},{},{},{},{quantised},{start_charge_percent},{}",
         quoted(head.room),
         head.robot,
         slip.id(),
@@ -111,15 +116,16 @@ pub fn to_csv(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
         let (kind, measure) = (entrant.algorithm.kind(), measure(entrant));
         // Writing to a string doesn't fail.
         let _ = match result {
-            Err(error) => writeln!(csv, "{common},{kind},{entrant},,{},,,,,,,,,,{measure}", quoted(error)),
+            Err(error) => writeln!(csv, "{common},{kind},{entrant},,{},,,,,,,,,,,,{measure}", quoted(error)),
             Ok(runs) => runs.iter().try_for_each(|run| {
                 let [to_90, to_99] = run.reached_s.map(|s| if s.is_finite() { s.to_string() } else { String::new() });
                 let RunOutcome { seed, time_s, distance_m, bumps, falls, digest, .. } = run;
                 let coverage = 100.0 * run.coverage();
                 let dirt = run.dirt_left.map(|left| (100.0 * left).to_string()).unwrap_or_default();
+                let [more_m, more_s] = [0, 1].map(|i| run.excess.map_or_else(String::new, |above| (100.0 * above[i]).to_string()));
                 writeln!(
                     csv,
-                    "{common},{kind},{entrant},{seed},,{coverage},{to_90},{to_99},{time_s},{distance_m},{bumps},{falls},{dirt},{digest:016x},{measure}"
+                    "{common},{kind},{entrant},{seed},,{coverage},{to_90},{to_99},{time_s},{distance_m},{bumps},{falls},{dirt},{more_m},{more_s},{digest:016x},{measure}"
                 )
             }),
         };
@@ -161,6 +167,7 @@ impl JsonRun {
             bumps: run.bumps,
             falls: run.falls,
             dirt_left: run.dirt_left,
+            excess: run.excess,
             digest: format!("{:016x}", run.digest),
         }
     }

@@ -86,6 +86,7 @@ impl Lab {
 
     /// Makes a run; `None` for an entrant that has no plan or isn't in the registry.
     pub fn run(&self, entrant: &Entrant, seed: u64) -> Option<RunOutcome> {
+        let RoomSetup { floor, robot, .. } = &self.prepared;
         let Self { prepared, terms: Terms { conditions, odometry, duration_s, .. }, .. } = self;
         let run = match entrant.algorithm {
             Algorithm::Behaviour(info) => prepared.run_behaviour(info, &entrant.params, *conditions, seed)?,
@@ -95,11 +96,10 @@ impl Lab {
             }
         };
         if entrant.explores() {
-            let RoomSetup { floor, robot, .. } = prepared;
             let boundary = self.boundary.get_or_init(|| Arc::new(Boundary::new(floor, robot)));
-            return Some(RunOutcome::of_exploring(run, seed, *duration_s, BoundaryTracker::new(boundary)));
+            return Some(RunOutcome::of_exploring(run, robot, seed, *duration_s, BoundaryTracker::new(boundary)));
         }
-        Some(RunOutcome::of(run, seed, *duration_s))
+        Some(RunOutcome::of(run, robot, seed, *duration_s))
     }
 }
 

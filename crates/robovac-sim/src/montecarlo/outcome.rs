@@ -1,7 +1,8 @@
 //! Result of one run.
 
 use crate::{Run, STEP_S};
-use robovac_core::coverage::BoundaryTracker;
+use coverage_planners::{lanes::MetricBound, metrics::sweeps_as_disc};
+use robovac_core::{coverage::BoundaryTracker, robot::RobotModel};
 
 /// Shares whose times are recorded: of the reachable floor, or of the boundary for exploring behaviours.
 pub const GOALS: [f64; 2] = [0.9, 0.99];
@@ -28,29 +29,38 @@ pub struct RunOutcome {
     pub falls: u32,
     /// Remaining share of the dirt at the end, 0 to 1; `None` if there was none.
     pub dirt_left: Option<f64>,
+    /// How far distance and time exceed the least of any run that sweeps as much floor, as shares of that; see [`excess`]. `None` if
+    /// nothing was swept, and for a robot that fills a cell.
+    pub excess: Option<[f64; 2]>,
     /// Digest of the final state, exact to the last bit.
     pub digest: u64,
 }
 
 /// Numbers before the curve in [`RunOutcome::to_numbers`].
-const HEAD: usize = 9 + GOALS.len();
+const HEAD: usize = 11 + GOALS.len();
 
 impl RunOutcome {
     /// Continues `run`, which was made with `seed`, until `duration_s` seconds from its start.
-    pub fn of(run: Run, seed: u64, duration_s: f64) -> Self {
-        Self::by(run, seed, duration_s, Run::coverage)
+    pub fn of(run: Run, robot: &RobotModel, seed: u64, duration_s: f64) -> Self {
+        Self::by(run, robot, seed, duration_s, Run::coverage)
     }
 
     /// The same for an exploring run, measured by the detected boundary.
-    pub fn of_exploring(run: Run, seed: u64, duration_s: f64, mut tracker: BoundaryTracker) -> Self {
-        Self::by(run, seed, duration_s, |run| {
+    pub fn of_exploring(
+        run: Run,
+        robot: &RobotModel,
+        seed: u64,
+        duration_s: f64,
+        mut tracker: BoundaryTracker,
+    ) -> Self {
+        Self::by(run, robot, seed, duration_s, |run| {
             tracker.update(run.pose(), run.sensors());
             tracker.share()
         })
     }
 
     /// Measured by `share`, which is called after each step.
-    fn by(mut run: Run, seed: u64, duration_s: f64, mut share: impl FnMut(&Run) -> f64) -> Self {
+    fn by(mut run: Run, robot: &RobotModel, seed: u64, duration_s: f64, mut share: impl FnMut(&Run) -> f64) -> Self {
         let steps = (duration_s / STEP_S).round() as u64;
         let mut curve = Vec::with_capacity(SAMPLES + 1);
         let mut now = share(&run);
@@ -79,6 +89,7 @@ impl RunOutcome {
             bumps: run.bumps(),
             falls: run.falls(),
             dirt_left: has_dirt.then(|| run.dirt_left()),
+            excess: excess(&run, robot),
             digest: run.digest(),
         }
     }
@@ -94,28 +105,45 @@ impl RunOutcome {
         let counts = [self.bumps, self.falls].map(f64::from);
         let dirt_left = self.dirt_left.unwrap_or(f64::NAN);
         let head = [self.curve.len() as f64, self.seed as f64, self.time_s, self.distance_m, dirt_left];
-        head.into_iter().chain(counts).chain(halves).chain(self.reached_s).chain(self.curve.iter().copied())
+        let excess = self.excess.unwrap_or([f64::NAN; 2]);
+        head.into_iter()
+            .chain(excess)
+            .chain(counts)
+            .chain(halves)
+            .chain(self.reached_s)
+            .chain(self.curve.iter().copied())
     }
 
     /// The inverse of [`RunOutcome::to_numbers`] for several in sequence; incomplete ones are dropped.
     pub fn from_numbers(mut numbers: &[f64]) -> Vec<Self> {
         let mut outcomes = Vec::new();
         while let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() {
-            let &[length, seed, time_s, distance_m, dirt_left, bumps, falls, high, low, reached_90, reached_99] = head;
+            let &[length, seed, time_s, distance_m, dirt_left, above_m, above_s, bumps, falls, high, low, to_90, to_99] =
+                head;
             let Some((curve, rest)) = rest.split_at_checked(length as usize) else { break };
             outcomes.push(Self {
                 seed: seed as u64,
                 curve: curve.to_vec(),
-                reached_s: [reached_90, reached_99],
+                reached_s: [to_90, to_99],
                 time_s,
                 distance_m,
                 bumps: bumps as u32,
                 falls: falls as u32,
                 dirt_left: Some(dirt_left).filter(|left| !left.is_nan()),
+                excess: Some([above_m, above_s]).filter(|above| !above[0].is_nan()),
                 digest: (high as u64) << 32 | low as u64,
             });
             numbers = rest;
         }
         outcomes
     }
+}
+
+/// How far a run's distance and time exceed the [least](MetricBound) length of a path that sweeps as much floor, and the time for
+/// that length at the robot's top speed: a run may sweep in curves, without stops.
+fn excess(run: &Run, robot: &RobotModel) -> Option<[f64; 2]> {
+    let least = MetricBound::new(run.floor(), robot, run.coverage()).length_m;
+    let above = |value: f64, least: f64| (value / least - 1.0).max(0.0);
+    let is_bound = least > 0.0 && sweeps_as_disc(robot);
+    is_bound.then(|| [above(run.distance_m(), least), above(run.time_s(), least / robot.max_wheel_speed)])
 }

@@ -56,6 +56,8 @@ pub struct Summary {
     pub falls: u32,
     /// Remaining share of the dirt, 0 to 1; `None` if there was none.
     pub dirt_left: Option<Band>,
+    /// How far distance and time exceed the least of any run that sweeps as much, as shares; `None` if there is none for a run.
+    pub excess: Option<[Band; 2]>,
 }
 
 /// Outcomes of one algorithm by their seeds. Their order makes no difference.
@@ -90,6 +92,7 @@ impl Summary {
             bumps: Band::of(runs, |run| f64::from(run.bumps))?,
             falls: runs.iter().map(|run| run.falls).sum(),
             dirt_left: Band::of(runs, |run| run.dirt_left.unwrap_or(0.0)).filter(|_| runs[0].dirt_left.is_some()),
+            excess: runs.iter().all(|run| run.excess.is_some()).then(|| excess(runs)).flatten(),
         })
     }
 }
@@ -121,6 +124,11 @@ impl TimeTo {
         let reached = runs.iter().filter(|run| run.reached_s[goal].is_finite()).count();
         Self { percent: 100.0 * GOALS[goal], reached, low_s, median_s, high_s }
     }
+}
+
+fn excess(runs: &[&RunOutcome]) -> Option<[Band; 2]> {
+    let of = |which: usize| Band::of(runs, |run| run.excess.map_or(0.0, |above| above[which]));
+    Some([of(0)?, of(1)?])
 }
 
 fn quantiles(runs: &[&RunOutcome], number: impl Fn(&RunOutcome) -> f64) -> Option<[f64; 3]> {

@@ -1,13 +1,6 @@
 //! Infrared receivers: the beams of docks and virtual walls.
 //!
-//! A dock sends a green and a red beam, each 30 of 50 degrees wide, which overlap in the middle, and a force field of 2
-//! feet around it, as in iRobot's own simulation of the Create 3 (`create3_sim`, `gazebo_ros_ir_opcode.hpp`: docking
-//! buoys of 50 degrees of which either takes 0.6, halo of 0.6096 m). Seen by a robot that faces the dock, the green beam is on
-//! its left and the red one on its right (Open Interface specification). There the beams end at 1.5 m; here they reach
-//! 2.5 m, which is ours: docks are found from across a room. Walls and movers stop them.
-//!
-//! The receiver all around is 153 mm ahead of the Roomba's middle (Create 3's place, at the front edge), and so are the
-//! two front receivers, which look 35 degrees to their side and see 45 degrees to either side of that (ours).
+//! The light of docks is described in [`docking`](crate::docking). Walls and movers stop it.
 //!
 //! A virtual wall's beam widens by 5 degrees to either side of its line, and a halo of 0.4 m keeps robots from pushing
 //! the lighthouse away (owners report that there is one; the figures are ours).
@@ -15,35 +8,20 @@
 //! Noise: at "typical" a receiver misses one character in twenty, at "harsh", in sunlight, every third (ours).
 
 use super::{Around, BodyFrame, Noisy, sight};
-use crate::{SensorKind, World};
+use crate::{
+    SensorKind, World,
+    docking::{self, CONTACT, RECEIVERS, SLACK, resolve},
+};
 use robovac_core::{
     coverage::{DOCK_BACK, FENCE, HALO},
-    geometry::{Point, Pose, Vector},
+    geometry::{Point, Pose},
     robot::{Infrared, RobotModel, SensorReadings},
 };
 
-/// Place of the receivers ahead of the origin, as a share of the body's radius.
-const RECEIVERS: f64 = 0.878;
-/// Direction of the left front receiver, (ahead, left): cosine and sine of 35 degrees.
-const LOOKS: [f64; 2] = [0.819_152_044_288_992, 0.573_576_436_351_046];
-/// Cosine of half the field of view of a front receiver.
-const FIELD: f64 = core::f64::consts::FRAC_1_SQRT_2;
-/// Length of a dock's beams, m.
-const BEAMS: f64 = 2.5;
-/// Tangents of the angles at which a beam ends, on its own side of the middle and on the other: 25 and 5 degrees.
-const BEAM: (f64, f64) = (0.466_307_658_154_999, 0.087_488_663_525_924);
-/// Radius of a dock's force field, m.
-const FORCE_FIELD: f64 = 0.6096;
-/// Depth in a wall at which emitters still work, m.
-const SLACK: f64 = 0.05;
 /// Character of a virtual wall.
 const VIRTUAL_WALL: u8 = 162;
 /// Characters of a dock are sums of these: all, force field, green and red beam.
 const DOCK: [u8; 4] = [160, 1, 4, 8];
-/// Largest distance of the robot's front from the dock's solid back while charging, m, largest offset from the dock's
-/// middle, m, and sine of the largest angle. The dock's contacts are strips that meet those of the robot, 47 mm behind
-/// its front and 44 mm to either side (Open Interface facts, section 6); their size is ours.
-const CONTACT: (f64, f64, f64) = (0.015, 0.025, 0.15);
 
 /// Whether the robot is on a dock with its contacts touching.
 pub(super) fn is_docked(model: &RobotModel, world: &World, frame: &BodyFrame) -> bool {
@@ -92,10 +70,10 @@ pub(super) fn read(
             continue;
         }
         let way = dock.position() - receiver;
-        let sees = |side: f64| way.dot(&frame.direction([LOOKS[0], side * LOOKS[1]])) >= FIELD * way.norm();
+        let [sees_left, sees_right] = docking::front_sees(way, frame.ahead);
         omni |= character;
-        left |= if sees(1.0) { character } else { 0 };
-        right |= if sees(-1.0) { character } else { 0 };
+        left |= if sees_left { character } else { 0 };
+        right |= if sees_right { character } else { 0 };
     }
     if omni != 0 && !misses(0) {
         sensors.infrared.omni = omni;
@@ -107,17 +85,7 @@ pub(super) fn read(
 
 /// The dock's character at the receiver; 0 for none.
 fn character(around: Around<'_>, receiver: Point, dock: Pose) -> u8 {
-    let way = receiver - dock.position();
-    let distance_squared = way.norm_squared();
-    if distance_squared > BEAMS * BEAMS {
-        return 0;
-    }
-    let (ahead, left) = resolve(way, dock);
-    // The dock's left is the right of a robot that faces it.
-    let is_green = -left < ahead * BEAM.0 && left < ahead * BEAM.1;
-    let is_red = left < ahead * BEAM.0 && -left < ahead * BEAM.1;
-    let is_field = distance_squared < FORCE_FIELD * FORCE_FIELD;
-    let bits = [is_field, is_green, is_red];
+    let bits = docking::light_at(dock, receiver);
     if bits == [false; 3] || !sight::is_in_sight(around, receiver, dock.position(), SLACK) {
         return 0;
     }
@@ -135,10 +103,4 @@ fn is_in_fence(around: Around<'_>, receiver: Point, lighthouse: Pose, length: f6
     let (ahead, left) = resolve(way, lighthouse);
     let is_in_beam = ahead > 0.0 && ahead < length && left.abs() < FENCE.0 + FENCE.1 * ahead;
     (is_in_beam || distance_squared < HALO * HALO) && sight::is_in_sight(around, receiver, lighthouse.position(), SLACK)
-}
-
-/// A displacement in an emitter's frame: ahead of it, and to its left.
-fn resolve(way: Vector, emitter: Pose) -> (f64, f64) {
-    let looks = emitter.direction();
-    (looks.dot(&way), looks.perp(&way))
 }

@@ -15,7 +15,7 @@ use robovac_core::{
     coverage::{RayHit, Surface},
     geometry::Point,
     math,
-    robot::{LightBumper, MOST_LIGHT, SensorReadings},
+    robot::{LightBumper, MOST_LIGHT, RobotModel, SensorReadings},
 };
 
 /// Value without an obstacle and without noise.
@@ -28,16 +28,19 @@ const THRESHOLD: u16 = 200;
 pub(super) struct LightBeams {
     /// Unit vectors, (ahead, left).
     directions: [[f64; 2]; 6],
-    /// Distance from the body's origin at which beams start, m.
-    start: f64,
+    /// Distances from the body's origin at which beams start, m: where the body ends.
+    starts: [f64; 6],
+    /// The largest that they can be, m.
+    radius: f64,
     bumper: LightBumper,
 }
 
 impl LightBeams {
-    /// The beams of `light` on a round body.
-    pub fn new(body_radius: f64, light: LightBumper) -> Self {
+    /// The beams of `light` on the body of `model`.
+    pub fn new(model: &RobotModel, light: LightBumper) -> Self {
         let directions = light.angles.map(|angle| [math::cos(angle), math::sin(angle)]);
-        Self { directions, start: body_radius, bumper: light }
+        let starts = light.angles.map(|angle| model.body.reach(model.radius, angle));
+        Self { directions, starts, radius: model.radius, bumper: light }
     }
 
     /// Reads all of them.
@@ -53,7 +56,7 @@ impl LightBeams {
         let idle = noise.pick(SensorKind::Light, [(IDLE, 0.0), (2.0, 31.0), (2.0, 159.0)]);
         let sees_nothing = is_lifted || self.is_all_out_of_reach(around, frame.position);
         for (index, &direction) in self.directions.iter().enumerate() {
-            let light = if sees_nothing { 0.0 } else { self.light(around, frame, direction) };
+            let light = if sees_nothing { 0.0 } else { self.light(around, frame, (direction, self.starts[index])) };
             let mut value = idle.0 + idle.1 * noise.uniform(SensorKind::Light, index);
             if light > 0.0 {
                 value += light * (1.0 + deviation * noise.normal(SensorKind::Light, index)).max(0.0);
@@ -69,21 +72,21 @@ impl LightBeams {
 
     /// Whether nothing is within the range of any beam; a quick test.
     fn is_all_out_of_reach(&self, around: Around<'_>, origin: Point) -> bool {
-        let reach = self.start + self.bumper.range;
+        let reach = self.radius + self.bumper.range;
         let is_near =
             |&(centre, radius): &(Point, f64)| (centre - origin).norm_squared() < (reach + radius) * (reach + radius);
         around.walls.are_far_from(origin, reach) && !around.life.movers().iter().any(is_near)
     }
 
     /// The light returned to a beam.
-    fn light(&self, around: Around<'_>, frame: &BodyFrame, direction: [f64; 2]) -> f64 {
+    fn light(&self, around: Around<'_>, frame: &BodyFrame, (direction, start): ([f64; 2], f64)) -> f64 {
         let direction = frame.direction(direction);
         let range = self.bumper.range;
-        let middle = frame.position + direction * (self.start + 0.5 * range);
+        let middle = frame.position + direction * (start + 0.5 * range);
         if around.life.movers().is_empty() && around.walls.are_far_from(middle, 0.5 * range) {
             return 0.0;
         }
-        let from = frame.position + direction * self.start;
+        let from = frame.position + direction * start;
         look(around, from, direction, range).map_or(0.0, |hit| self.strength(hit))
     }
 

@@ -93,7 +93,7 @@ impl Senses {
             source: (!noise.is_off()).then(|| NoiseSource::new(seed)),
             switches: Switches::default(),
             edges: Edges::new(model, seed),
-            light: model.sensors.light_bumper.map(|light| LightBeams::new(model.radius, light)),
+            light: model.sensors.light_bumper.map(|light| LightBeams::new(model, light)),
             laser: model.sensors.laser.map(|laser| Scanner::new(laser, noise.of(SensorKind::Laser), seed)),
             dirt: DirtSensor::default(),
             motors: Motors::default(),

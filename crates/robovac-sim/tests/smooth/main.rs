@@ -21,7 +21,8 @@ use robovac_sim::{
 use std::sync::Arc;
 
 /// Rooms by seed, with the planners that walk them.
-const CASES: [(u64, &str); 4] = [(0, "boustrophedon"), (1, "contour"), (2, "backtracking_spiral"), (3, "wavefront_path")];
+const CASES: [(u64, &str); 4] =
+    [(0, "boustrophedon"), (1, "contour"), (2, "backtracking_spiral"), (3, "wavefront_path")];
 
 fn planned(room: &RoomSetup, planner: &str) -> Planned {
     let planner = find(planner).unwrap();
@@ -149,7 +150,11 @@ fn only_differential_drives_round_corners() {
     for robot in MODELS.iter().filter(|robot| !robot.fills_cell) {
         let room = RoomSetup::new(&random_flat(1, 1, 1), robot, robot.default_cell, None).unwrap();
         let start = room.floor.start.position();
-        let result = room.smooth(&[start, start + robovac_core::geometry::Vector::new(0.1, 0.0)], &SmoothSetup::default(), false);
+        let result = room.smooth(
+            &[start, start + robovac_core::geometry::Vector::new(0.1, 0.0)],
+            &SmoothSetup::default(),
+            false,
+        );
         match robot.wheels {
             WheelLayout::Differential => assert!(result.is_ok() && DriveLimits::of(robot).is_some()),
             WheelLayout::Omnidirectional => {

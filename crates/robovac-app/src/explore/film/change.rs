@@ -23,11 +23,11 @@ impl WalkDiff {
     pub fn between(former: &[Cell], latter: &[Cell]) -> Self {
         let (mut before, mut after) = (passages(former), passages(latter));
         let (mut before_steps, mut after_steps) = (edges(former), edges(latter));
-        let ways: BTreeSet<_> = before.keys().chain(after.keys()).copied().collect();
-        let changed = ways.into_iter().filter(|way| before.get(way) != after.get(way));
-        let mut cells: Vec<Cell> = changed.map(|(cell, _)| cell).collect();
-        cells.sort_by_key(|cell| (cell.y, cell.x));
-        cells.dedup();
+        let ways = before.keys().chain(after.keys());
+        let changed = ways.filter(|way| before.get(way) != after.get(way));
+        let mut cells = BTreeSet::new();
+        cells.extend(changed.map(|(cell, _)| (cell.y, cell.x)));
+        let cells = cells.into_iter().map(|(y, x)| Cell::new(x, y)).collect();
         Self {
             cells,
             parts: pieces(former, &mut after_steps, &mut after).0,

@@ -8,12 +8,13 @@ use crate::amount::amount;
 use coverage_planners::{FilmFrame, Proof};
 use robovac_core::{coverage::PlanningGrid, geometry::Point, grid::Cell};
 
-/// Most improvements that are shown, the largest ones; together they last about half a minute (ours).
-const MOST_SHOWN: usize = 7;
-/// Durations of pictures, s (ours): of an initial walk; of an improvement's three pictures the first time, and later.
-const FIRST_S: f64 = 1.8;
-const SLOW_S: [f64; 3] = [1.6, 2.0, 2.0];
-const QUICK_S: [f64; 3] = [0.9, 1.1, 1.3];
+/// Most improvements that are shown, the largest ones; together they last about a minute (ours).
+const MOST_SHOWN: usize = 4;
+/// Time to look at a picture, s (ours).
+const LOOK_S: f64 = 1.5;
+/// Characters of a caption that are read in a second: 160 to 180 words a minute, as in subtitles (BBC Subtitle
+/// Guidelines), are 15 to 18.
+const READ: f64 = 15.0;
 
 /// Kind of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,10 +34,8 @@ pub struct Picture {
     pub lines: Vec<(FilmInk, Vec<Point>)>,
     /// Cells where the walk changes.
     pub tinted: Vec<Cell>,
-    /// Its caption.
+    /// Its caption, which sets for how long it is shown.
     text: String,
-    /// Its duration, s.
-    seconds: f64,
 }
 
 /// A film being shown.
@@ -63,10 +62,9 @@ impl Showing {
         for (index, frame) in firsts.iter().enumerate() {
             pictures.push(first(frame, (index + 1, firsts.len()), begun == Some(index), planning_grid));
         }
-        for (index, pair) in largest(&search).into_iter().enumerate() {
+        for pair in largest(&search) {
             let total = search.last().map_or(0, |last| last.number);
-            let seconds = if index == 0 { SLOW_S } else { QUICK_S };
-            pictures.extend(improvement(pair, total, seconds, planning_grid));
+            pictures.extend(improvement(pair, total, planning_grid));
         }
         (!pictures.is_empty()).then_some(Self { pictures, at: 0, since: 0.0, is_held })
     }
@@ -79,7 +77,7 @@ impl Showing {
     /// Advances by a time, s.
     pub fn go_on(&mut self, elapsed_s: f64) {
         let Some(picture) = self.picture().filter(|_| !self.is_held) else { return };
-        let seconds = picture.seconds;
+        let seconds = LOOK_S + picture.text.chars().count() as f64 / READ;
         self.since += elapsed_s.max(0.0);
         if self.since >= seconds {
             (self.at, self.since) = (self.at + 1, 0.0);
@@ -128,12 +126,20 @@ impl Showing {
 
 /// The largest improvements, in their order.
 fn largest<'f>(search: &[&'f FilmFrame]) -> Vec<[&'f FilmFrame; 2]> {
-    let mut pairs: Vec<(f64, [&FilmFrame; 2])> =
-        search.windows(2).map(|pair| (won(pair[0], pair[1]), [pair[0], pair[1]])).collect();
-    pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
-    pairs.truncate(MOST_SHOWN);
-    pairs.sort_by_key(|(_, pair)| pair[1].number);
-    pairs.into_iter().map(|(_, pair)| pair).collect()
+    // Few are kept: a sort would be more code in the page than all of this.
+    let mut pairs: Vec<(f64, [&FilmFrame; 2])> = Vec::new();
+    for pair in search.windows(2) {
+        let gain = won(pair[0], pair[1]);
+        let at = pairs.iter().position(|(other, _)| other.total_cmp(&gain).is_lt()).unwrap_or(pairs.len());
+        pairs.insert(at, (gain, [pair[0], pair[1]]));
+        pairs.truncate(MOST_SHOWN);
+    }
+    let mut in_order: Vec<[&FilmFrame; 2]> = Vec::new();
+    for (_, pair) in pairs {
+        let at = in_order.iter().position(|other| other[1].number > pair[1].number).unwrap_or(in_order.len());
+        in_order.insert(at, pair);
+    }
+    in_order
 }
 
 /// The improvement from one walk to the next, as a share of the bound.
@@ -151,17 +157,11 @@ fn first(frame: &FilmFrame, (number, all): (usize, usize), is_chosen: bool, plan
         lines: vec![(FilmInk::Walk, planning_grid.anchors(walk))],
         tinted: Vec::new(),
         text: format!("Construction, {number} of {all}: {planner} needs {steps} and {turns}.{chosen}"),
-        seconds: FIRST_S,
     }
 }
 
 /// The pictures of an improvement: the walk before with the changing parts, the parts that stay, and the walk after.
-fn improvement(
-    [former, latter]: [&FilmFrame; 2],
-    total: u32,
-    seconds: [f64; 3],
-    planning_grid: &PlanningGrid,
-) -> [Picture; 3] {
+fn improvement([former, latter]: [&FilmFrame; 2], total: u32, planning_grid: &PlanningGrid) -> [Picture; 3] {
     let change = WalkDiff::between(&former.walk, &latter.walk);
     let which = if latter.number > former.number + 1 {
         format!("Improvements {} to {} of {total}", former.number + 1, latter.number)
@@ -181,11 +181,11 @@ fn improvement(
         format!("{which}: rejoined, {} ({share} % of the bound); now {}.", less(&change), good(latter.proof)),
     ];
     let [marked, apart, merged_text] = texts;
-    let picture = |lines, text, seconds| Picture { lines, tinted: change.cells.clone(), text, seconds };
+    let picture = |lines, text| Picture { lines, tinted: change.cells.clone(), text };
     [
-        picture(vec![(FilmInk::Walk, planning_grid.anchors(&former.walk))], marked, seconds[0]),
-        picture(parts, apart, seconds[1]),
-        picture(merged, merged_text, seconds[2]),
+        picture(vec![(FilmInk::Walk, planning_grid.anchors(&former.walk))], marked),
+        picture(parts, apart),
+        picture(merged, merged_text),
     ]
 }
 

@@ -12,18 +12,18 @@ use coverage_planners::{CoveragePath, Film, Proof};
 use robovac_core::{
     floor_plan::{self, FloorPlan, RoomInfo, Scenario, SourceFile},
     geometry::{Point, Pose},
-    grid::Cell,
     registry::Params,
+    robot::CustomRobot,
 };
 use robovac_sim::{
-    Input, RunRecording, STEP_S,
+    Input, Run, RunRecording, STEP_S,
     controller::{self, Behaviours, Joystick},
     experiment::{
-        Settings, SettingsError,
+        KEPT_PATH, Settings, SettingsError,
         planning::{PlanRequest, Planned, RoomSetup},
     },
 };
-use std::sync::Arc;
+use std::{collections::BTreeMap, sync::Arc};
 
 /// Message for a robot that was put down elsewhere and can't sense that.
 const CARRIED: &str = "The robot follows its plan by odometry and can't detect that it was kidnapped.";
@@ -32,6 +32,8 @@ const CARRIED_M: f64 = 0.1;
 
 /// Name in links of a room that was drawn or loaded: it is kept.
 const OWN_ROOM: &str = "own";
+/// Key in links of whether the search is shown.
+const SEARCH: &str = "search";
 
 /// Room, settings, plan and run, with all actions on them.
 ///
@@ -45,6 +47,10 @@ pub struct Session {
     planning: Option<Planning>,
     planned: Option<Planned>,
     recording: Option<RunRecording>,
+    /// The run before the room was changed; what it has swept stays swept.
+    before: Option<Run>,
+    /// Number of runs begun.
+    runs: u32,
     playing: bool,
     pacer: FramePacer,
     requests: u32,
@@ -111,6 +117,8 @@ impl Session {
             planning: None,
             planned: None,
             recording: None,
+            before: None,
+            runs: 0,
             playing: true,
             pacer: FramePacer::default(),
             requests: 0,
@@ -236,7 +244,7 @@ impl Session {
         self.playing = true;
         self.message = None;
         if state == SessionState::Failed {
-            self.prepare();
+            self.prepare_changed();
         }
     }
 
@@ -264,10 +272,13 @@ impl Session {
         }
     }
 
-    /// Returns to the start and pauses.
+    /// Returns to the start and pauses. What was swept before the room was changed isn't any more.
     pub fn reset(&mut self) {
         self.pause();
-        self.seek(0.0);
+        match self.before.take().and_then(|_| self.fresh_run()) {
+            Some(run) => self.record(run),
+            None => self.seek(0.0),
+        }
     }
 
     /// Seeks another time within the time simulated so far, s.
@@ -364,7 +375,11 @@ impl Session {
             self.settings = choices.settings(&self.settings)?;
         }
         self.message = None;
-        self.editor.replace(import.plan, None, None);
+        // A sweep of a room that ships brings that room back: with its name, all of it fits into a link.
+        let swept = self.settings.path.as_ref().and_then(|_| {
+            floor_plan::ROOMS.iter().find(|room| room.title == import.plan.name && (room.build)() == import.plan)
+        });
+        self.editor.replace(import.plan, swept.map(|room| room.id), None);
         self.prepare();
         Ok(())
     }
@@ -373,19 +388,27 @@ impl Session {
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
         let mut settings = self.settings.clone();
         let mut room = None;
+        let mut shows_search = None;
         let pairs = link.trim_start_matches('#').split('&').filter(|p| !p.is_empty());
-        let mut pairs: Vec<(&str, &str)> = pairs.map(|p| p.split_once('=').unwrap_or((p, ""))).collect();
+        let pairs = pairs.map(|p| p.split_once('=').unwrap_or((p, "")));
         // Robot and planner bring defaults of their own, which must not override the link's other values.
-        pairs.sort_by_key(|(key, _)| !matches!(*key, "robot" | "planner" | "behaviour"));
-        for (key, value) in pairs {
+        let (first, others): (Vec<_>, Vec<_>) =
+            pairs.partition(|(key, _)| matches!(*key, "robot" | "planner" | "behaviour"));
+        for (key, value) in first.into_iter().chain(others) {
             if key == "room" {
                 room = Some(value);
+            } else if key == "path" && value == KEPT_PATH {
+                // It came with the room.
+                settings.path = Some(self.settings.path.clone().ok_or(SettingsError::FarPath)?);
+            } else if key == SEARCH {
+                shows_search = Some(value == "1");
             } else {
                 settings.take_link(key, value)?;
             }
         }
         let room = room.filter(|&id| id != OWN_ROOM).map(known_room).transpose()?;
         let start = settings.start.take();
+        self.shows_search = shows_search.unwrap_or(self.shows_search);
         self.replace(settings, room.map(|room| ((room.build)(), Some(room.id))), start);
         Ok(())
     }
@@ -416,15 +439,22 @@ impl Session {
         let choices = ScenarioChoices::of_settings(settings);
         let mut scenario = self.own_room();
         scenario.robot = choices.robot;
-        scenario.twin = settings.twin;
+        scenario.twin = settings.custom.as_ref().and_then(CustomRobot::twin);
+        scenario.own_robot = settings.custom.as_ref().and_then(CustomRobot::own).cloned();
+        scenario.path.clone_from(&settings.path);
         scenario.planner = choices.planner;
         scenario.behaviour = choices.behaviour;
-        scenario.params = params.collect();
+        scenario.params.extend(params);
         scenario.cell_size = choices.cell_size;
         scenario.seed = Some(settings.seed);
         scenario.slip = choices.slip;
-        scenario.noise = choices.noise.map(|levels| levels.into_iter().collect());
+        scenario.noise = choices.noise.map(|levels| {
+            let mut by_kind = BTreeMap::new();
+            by_kind.extend(levels);
+            by_kind
+        });
         scenario.quantised = choices.quantised;
+        scenario.start_charge_percent = choices.start_charge_percent;
         scenario.odometry = choices.odometry;
         scenario.smooth = choices.smooth;
         scenario.to_json()
@@ -448,8 +478,12 @@ impl Session {
     pub fn link_pairs(&self) -> impl Iterator<Item = (String, String)> + use<> {
         let mut settings = self.settings.clone();
         settings.start = self.editor.start();
-        let room = ("room".to_owned(), self.editor.room().unwrap_or(OWN_ROOM).to_owned());
-        std::iter::once(room).chain(settings.to_link())
+        // A path that is too long for a link is kept with the room.
+        let is_linked = settings.path_link().is_none_or(|path| path != KEPT_PATH);
+        let room = self.editor.room().filter(|_| is_linked).unwrap_or(OWN_ROOM);
+        let room = ("room".to_owned(), room.to_owned());
+        let search = self.shows_search.then(|| (SEARCH.to_owned(), "1".to_owned()));
+        std::iter::once(room).chain(settings.to_link()).chain(search)
     }
 
     // ---- drawing
@@ -477,7 +511,7 @@ impl Session {
         }
         if self.editor.end() {
             self.message = None;
-            self.prepare();
+            self.prepare_changed();
         }
     }
 
@@ -487,12 +521,16 @@ impl Session {
             self.say("error", sentence(&refusal.fault.to_string()));
             return;
         }
+        if self.settings.path.is_some() {
+            self.say("error", "The path begins here. Choose a planner to start elsewhere.".to_owned());
+            return;
+        }
         let robot = self.settings.robot_model();
         match RoomSetup::new(self.editor.plan(), &robot, self.settings.cell_size, Some(to)) {
             Ok(prepared) => {
                 self.message = None;
                 self.editor.set_start(Some(rounded(prepared.floor.start)));
-                self.prepare();
+                self.prepare_changed();
             }
             Err(error) => self.say("error", sentence(&error.to_string())),
         }
@@ -500,18 +538,34 @@ impl Session {
 
     /// Undoes the last change of the room.
     pub fn undo(&mut self) {
+        let lineage = self.editor.lineage();
         if self.editor.undo() {
             self.message = None;
-            self.prepare();
+            self.prepare_if_same(lineage);
         }
     }
 
     /// Redoes the last undone change.
     pub fn redo(&mut self) {
+        let lineage = self.editor.lineage();
         if self.editor.redo() {
             self.message = None;
-            self.prepare();
+            self.prepare_if_same(lineage);
         }
+    }
+
+    fn prepare_if_same(&mut self, lineage: u32) {
+        if self.editor.lineage() == lineage { self.prepare_changed() } else { self.prepare() }
+    }
+
+    /// A number that changes with the room, but not with changes of it.
+    pub fn room_lineage(&self) -> u32 {
+        self.editor.lineage()
+    }
+
+    /// Renames the room, which is then an own one.
+    pub fn rename_room(&mut self, name: &str) {
+        self.editor.rename(name);
     }
 
     /// Clears the undo and redo history.

@@ -36,7 +36,7 @@ impl Session {
         }
         self.message = None;
         self.editor.furnish(plan);
-        self.prepare();
+        self.prepare_changed();
         true
     }
 }

@@ -5,9 +5,9 @@ use crate::explore::{PlanSearch, SessionState, Showing, opening};
 use coverage_planners::{
     CoveragePath, Film, FilmFrame, PlanError, PlannerInfo, ProgressReport, Proof, smooth::SmoothSetup,
 };
-use robovac_core::{floor_plan, trajectory::Trajectory};
+use robovac_core::{coverage::FloorError, floor_plan, geometry::Point, trajectory::Trajectory};
 use robovac_sim::{
-    RunRecording,
+    Run, RunRecording,
     experiment::{
         Algorithm, Settings,
         planning::{PlanAnswer, PlanRequest, Planned, RoomSetup},
@@ -51,7 +51,9 @@ impl Session {
                 self.smooth_now(request.id);
             }
             Err(PlanError::Cancelled) => self.cancel_plan(),
-            Err(error @ (PlanError::Unlisted | PlanError::NoFloor)) => self.plan_failed(request.id, &error.to_string()),
+            Err(error @ (PlanError::Unlisted | PlanError::NoFloor | PlanError::OtherTool)) => {
+                self.plan_failed(request.id, &error.to_string());
+            }
         }
     }
 
@@ -136,18 +138,33 @@ impl Session {
         let Some(prepared) = &self.prepared else { return };
         match Planned::new(prepared, &answer) {
             Ok(planned) => {
-                let Settings { conditions, odometry, seed, .. } = self.settings;
-                self.recording = Some(RunRecording::new(planned.run(prepared, conditions, odometry, seed)));
                 let PlanAnswer { path, trace, proof, .. } = answer;
                 planning.film.take(&ProgressReport { done: 1.0, walk: &path.cells, line: &[], proof });
                 self.film = Showing::new(&planning.film.take_frames(), &prepared.planning_grid, self.holds_films);
                 self.search = (!trace.is_empty()).then(|| PlanSearch::new(prepared, &planned, &path.cells, trace));
                 let coverage = planned.drive.coverage;
                 self.planned = Some(planned);
+                if let Some(run) = self.fresh_run() {
+                    self.record(run);
+                }
                 self.warn_of_coarse_cells(coverage);
                 self.begin_film();
             }
             Err(error) => self.planner_failed(&error.to_string()),
+        }
+    }
+
+    /// A run from the start: along `line` (corners, m) for a planner or a path from elsewhere. `None` if the robot doesn't fit, or if the
+    /// behaviour isn't available.
+    pub(crate) fn new_run(&self, line: &Arc<[Point]>) -> Option<Run> {
+        let prepared = self.prepared.as_ref()?;
+        let Settings { algorithm, ref params, ref path, conditions, odometry, seed, .. } = self.settings;
+        match algorithm {
+            _ if path.is_some() => Some(prepared.run_along(line, conditions, odometry, seed)),
+            Algorithm::Planner(_) => Some(prepared.run_along(line, conditions, odometry, seed)),
+            Algorithm::Behaviour(behaviour) => {
+                prepared.run_one_of(self.settings.behaviours(), behaviour, params, conditions, seed)
+            }
         }
     }
 
@@ -202,26 +219,80 @@ impl Session {
         }
     }
 
+    /// The room laid out for the robot: along its path, if that was planned elsewhere.
+    fn room_setup(&self) -> Result<RoomSetup, FloorError> {
+        let (plan, robot, start) = (self.plan(), self.settings.robot_model(), self.editor.start());
+        let Settings { cell_size, ref path, .. } = self.settings;
+        match path {
+            Some(path) => {
+                let heading = start.or(plan.start).map_or(0.0, |start| start.heading);
+                RoomSetup::along(plan, &robot, cell_size, path, heading)
+            }
+            None => RoomSetup::new(plan, &robot, cell_size, start),
+        }
+    }
+
+    /// The room laid out for planners and behaviours, whatever path is driven in it.
+    pub fn planning_room(&self) -> Option<RoomSetup> {
+        let Settings { cell_size, ref path, .. } = self.settings;
+        if path.is_none() {
+            return self.prepared.clone();
+        }
+        RoomSetup::new(self.plan(), &self.settings.robot_model(), cell_size, self.editor.start()).ok()
+    }
+
+    /// A run from the start, once there is a path for those that need one.
+    pub(super) fn fresh_run(&self) -> Option<Run> {
+        let line = self.planned.as_ref().map(|planned| Arc::clone(&planned.line));
+        let needs_line = self.settings.path.is_some() || self.settings.algorithm.planner().is_some();
+        if needs_line && line.is_none() { None } else { self.new_run(&line.unwrap_or_default()) }
+    }
+
+    /// Begins with a run.
+    pub(super) fn record(&mut self, run: Run) {
+        self.runs += 1;
+        let run = match &self.before {
+            Some(before) => run.after(before),
+            None => run,
+        };
+        self.recording = Some(RunRecording::new(run));
+    }
+
+    /// Lays the room out again after a change of it; what was swept stays swept, where it still is floor.
+    pub(super) fn prepare_changed(&mut self) {
+        let run = self.recording.as_ref().map(RunRecording::run).filter(|run| run.steps() > 0).cloned();
+        let before = run.or_else(|| self.before.take());
+        self.lay_out(before);
+    }
+
     /// Lays the room out again and requests a plan.
     pub(super) fn prepare(&mut self) {
+        self.lay_out(None);
+    }
+
+    fn lay_out(&mut self, before: Option<Run>) {
         // After a finished run a change starts the next one.
         self.playing |= self.state() == SessionState::Finished;
         self.planned = None;
         self.search = None;
         self.film = None;
         self.recording = None;
+        self.before = before;
         self.planning = None;
         self.pacer.restart();
         self.is_opening = self.is_opening
             && self.editor.room() == Some(floor_plan::ROOMS[0].id)
             && self.editor.start().is_none()
             && self.settings.plans_like(&self.settings.defaults());
-        let robot = self.settings.robot_model();
-        match RoomSetup::new(self.editor.plan(), &robot, self.settings.cell_size, self.editor.start()) {
+        match self.room_setup() {
             Ok(prepared) => {
                 self.requests += 1;
-                let Settings { algorithm, ref params, conditions, seed, .. } = self.settings;
+                let Settings { algorithm, ref params, ref path, seed, .. } = self.settings;
                 match algorithm {
+                    // No planning: it was planned elsewhere.
+                    _ if let Some(path) = path => {
+                        self.planned = Some(Planned::along(&prepared, path, 0.0));
+                    }
                     Algorithm::Planner(planner) => {
                         let (params, job) = (params.clone(), prepared.job.clone());
                         let request = Some(PlanRequest { id: self.requests, planner, params, seed, job });
@@ -238,14 +309,15 @@ impl Session {
                         });
                     }
                     // No planning: a behaviour doesn't know the room.
-                    Algorithm::Behaviour(behaviour) => {
-                        let behaviours = self.settings.behaviours();
-                        let run = prepared.run_one_of(behaviours, behaviour, params, conditions, seed);
-                        self.recording = run.map(RunRecording::new);
-                    }
+                    Algorithm::Behaviour(_) => {}
                 }
                 self.warn_of_closed_off(&prepared);
                 self.prepared = Some(prepared);
+                if self.planning.is_none()
+                    && let Some(run) = self.fresh_run()
+                {
+                    self.record(run);
+                }
             }
             Err(error) => {
                 self.prepared = None;

@@ -95,7 +95,8 @@ impl Session {
 
     /// Whether the planner traces its decisions.
     pub fn offers_search(&self) -> bool {
-        self.settings.algorithm.planner().is_some_and(|planner| planner.claims.traces || planner.is_anytime())
+        let planner = self.settings.algorithm.planner().filter(|_| self.settings.path.is_none());
+        planner.is_some_and(|planner| planner.claims.traces || planner.is_anytime())
     }
 
     /// Why the search can't be shown in this room; empty if it can.

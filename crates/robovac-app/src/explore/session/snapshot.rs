@@ -12,7 +12,10 @@ use coverage_planners::{
     Proof,
     metrics::{DriveMetrics, WalkMetrics},
 };
-use robovac_core::trajectory::DriveLimits;
+use robovac_core::{
+    robot::{CustomRobot, OwnRobot},
+    trajectory::DriveLimits,
+};
 use robovac_sim::experiment::Shows;
 use robovac_sim::{Run, RunRecording, SensorKind, SlipLevel, What};
 
@@ -33,8 +36,10 @@ impl Session {
             // Both only grow, and one of them with every change.
             plan_version: self.editor.version() + u64::from(self.requests),
             floor: self.prepared.as_ref().map(|p| &*p.floor),
-            tracker: run.map(Run::tracker),
-            run_version: (u64::from(self.requests) << 32) + self.recording.as_ref().map_or(0, RunRecording::version),
+            // While another path is planned, what was swept before is seen.
+            tracker: run.or(self.before.as_ref()).map(Run::tracker),
+            run_version: (u64::from(self.requests + self.runs) << 32)
+                + self.recording.as_ref().map_or(0, RunRecording::version),
             planned: self.planned.as_ref().map_or(&[], |p| &p.line),
             preview: self.preview(),
             film,
@@ -59,6 +64,7 @@ impl Session {
         let state = self.state();
         let run = self.recording.as_ref().map(RunRecording::run);
         let (plan, conditions) = (self.plan(), self.settings.conditions);
+        let custom = self.settings.custom.as_ref();
         SessionView {
             state,
             can: self.can(state),
@@ -76,7 +82,9 @@ impl Session {
                 left_out_m2: self.prepared.as_ref().map_or(0.0, |p| p.floor.left_out_area()),
             },
             robot: self.settings.robot,
-            twin: self.settings.twin.map(|twin| twin.to_string()).unwrap_or_default(),
+            twin: custom.and_then(CustomRobot::twin).map(|twin| twin.to_string()).unwrap_or_default(),
+            own_robot: custom.and_then(CustomRobot::own).map(own_text).unwrap_or_default(),
+            path_corners: self.settings.path.as_ref().map_or(0, |path| path.corners().len()),
             algorithm: self.settings.algorithm.id(),
             kind: self.settings.algorithm.kind(),
             activity: run.map_or("", activity),
@@ -90,6 +98,7 @@ impl Session {
             slip: conditions.slip.id(),
             noise: SensorKind::ALL.map(|(kind, _)| conditions.noise.of(kind).id()),
             quantised: conditions.quantised,
+            start_charge_percent: conditions.start_charge_percent,
             shows: self.settings.shows,
             odometry: self.settings.odometry.id(),
             smooth: self.settings.smooth,
@@ -97,6 +106,11 @@ impl Session {
             speed: self.settings.speed,
             speed_factor: self.pacer.speed_factor(),
             time_s: run.map_or(0.0, Run::time_s),
+            swept_before: self
+                .recording
+                .as_ref()
+                .filter(|_| self.before.is_some())
+                .map_or(0.0, RunRecording::first_coverage),
             run_end_s: self.recording.as_ref().map_or(0.0, RunRecording::end_s),
             coverage: run.map_or(0.0, Run::coverage),
             overlap: run.map_or(0.0, |r| r.tracker().overlap()),
@@ -114,7 +128,8 @@ impl Session {
             play: state.allows(Action::Play),
             pause: state.allows(Action::Pause),
             step: state.allows(Action::Step),
-            reset: state.allows(Action::Reset),
+            // At the start, it begins anew with a dirty floor.
+            reset: state.allows(Action::Reset) || (state == SessionState::Ready && self.before.is_some()),
             cancel: state.allows(Action::Cancel),
             keep: state.allows(Action::Cancel) && self.can_keep(),
             seek: state.allows(Action::Seek),
@@ -157,7 +172,7 @@ impl Session {
             progress: 1.0,
             walk: planned.walk.unwrap_or_default(),
             drive: planned.drive,
-            planning_s: (!self.is_opening).then_some(planned.planning_s),
+            planning_s: (!self.is_opening && planned.walk.is_some()).then_some(planned.planning_s),
             gap: planned.proof.map(Proof::gap),
             above_bound: planned.compared.map(Proof::gap),
             least: planned.least,
@@ -189,6 +204,12 @@ impl Session {
             view.time_s / 60.0
         )
     }
+}
+
+/// An own robot as in links; one without choices needs a word, too.
+fn own_text(own: &OwnRobot) -> String {
+    let text = own.to_string();
+    if text.is_empty() { "model".to_owned() } else { text }
 }
 
 /// The robot's activity, in a few words. A robot that was put down while paused hasn't sensed that yet.

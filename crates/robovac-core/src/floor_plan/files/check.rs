@@ -11,6 +11,8 @@ pub const MAX_CORNERS: usize = 200;
 pub const RADII: [f64; 2] = [0.005, 5.0];
 /// Shortest and longest beam of a virtual wall, m.
 pub const BEAMS: [f64; 2] = [0.1, 20.0];
+/// Least and greatest height of a low obstacle, m.
+const HEIGHTS: [f64; 2] = [0.001, 0.1];
 /// Distance in front of the back of a dock or lighthouse where there must be floor, m: about its middle.
 const FRONT: f64 = 0.05;
 /// Points this close to the border lie inside, m; allows for rounding in files.
@@ -146,7 +148,13 @@ impl FloorPlan {
     /// The key of the invalid value in `object`, with a dot before it, and the fault.
     fn check(&self, object: &Object) -> Result<(), (String, PlacementFault)> {
         match object {
-            Object::Furniture { outline } | Object::DropOff { outline } | Object::Carpet { outline } => {
+            Object::Furniture { outline }
+            | Object::LowObstacle { outline, .. }
+            | Object::DropOff { outline }
+            | Object::Carpet { outline } => {
+                if let Object::LowObstacle { height, .. } = object {
+                    in_range(".height", *height, HEIGHTS, "metres")?;
+                }
                 self.check_points(".outline", outline, 3, "corners")?;
                 if let Some((first, second)) = crossing(outline) {
                     return Err((".outline".to_owned(), PlacementFault::Crossing { first, second }));

@@ -1,12 +1,12 @@
 //! Errors in map files, with a hint how to fix each.
 
-use super::{JsonPlace, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, PlacementFault, SCENARIO_VERSION};
+use super::{JsonPlace, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, PlacementFault, SCENARIO_VERSION, TAKEN};
 
 /// Reasons why files aren't a valid floor plan. Every message names the cause, the place and the remedy.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MapError {
     /// No file was given.
-    #[error("no file was given; choose a floor plan (PNG, PGM or text), a ROS map (YAML and its image) or a scenario")]
+    #[error("no file was given; choose a floor plan. {TAKEN}")]
     NoFile,
     /// A file has no content.
     #[error("\"{name}\" is empty; choose another file or save the map again")]
@@ -15,15 +15,14 @@ pub enum MapError {
         name: String,
     },
     /// A file of an unsupported type.
-    #[error(
-        "\"{name}\" is {kind}, not a supported map; use a PNG or PGM image, a ROS map (YAML and its image), a text map \
-         of # and . or a scenario"
-    )]
+    #[error("\"{name}\" is {kind}: {remedy}. {TAKEN}")]
     NotAMap {
         /// The file.
         name: String,
-        /// Its likely type, e.g. "a JPEG image".
+        /// Its likely type, e.g. "a PDF document".
         kind: &'static str,
+        /// How to make a floor plan of it.
+        remedy: &'static str,
     },
     /// The map has too many rows or columns.
     #[error(
@@ -47,7 +46,7 @@ pub enum MapError {
         part: &'static str,
     },
     /// An image can't be decoded.
-    #[error("\"{name}\" is damaged: {cause}; save the image again as PNG or PGM")]
+    #[error("\"{name}\" is damaged: {cause}; save the image again, best as PNG")]
     BadImage {
         /// The file.
         name: String,

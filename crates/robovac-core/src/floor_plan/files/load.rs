@@ -2,10 +2,10 @@
 //! images.
 
 use super::{
-    DEFAULT_IMAGE_RESOLUTION, FloorPlan, MapError, Scenario, Shading, ascii, raster, stem,
+    DEFAULT_IMAGE_RESOLUTION, FloorPlan, ForeignFile, MapError, Scenario, Shading, ascii, foreign, raster, stem,
     yaml::{self, MapYaml},
 };
-use crate::geometry::Pose;
+use crate::{geometry::Pose, grid::Grid};
 use image::ImageFormat;
 
 /// A file with its name and content.
@@ -20,18 +20,6 @@ pub struct SourceFile {
 /// Largest description of a ROS map, bytes; a longer text isn't one.
 const MAX_YAML_BYTES: usize = 1 << 16;
 
-/// First bytes of common file types, with their names.
-const OTHERS: &[(&[u8], &str)] = &[
-    (b"\xff\xd8\xff", "a JPEG image"),
-    (b"GIF8", "a GIF image"),
-    (b"BM", "a BMP image"),
-    (b"RIFF", "a WebP image or a sound"),
-    (b"%PDF", "a PDF document"),
-    (b"PK\x03\x04", "a ZIP archive"),
-    (b"<", "a web page"),
-    (b"P7", "a PAM image"),
-];
-
 /// The content of a file by its type.
 enum FileContent {
     Image(ImageFormat),
@@ -45,6 +33,7 @@ enum FileContent {
 /// - Text map: see [`super::to_ascii`]; without a header a cell is [`super::DEFAULT_ASCII_RESOLUTION`].
 /// - PNG, PGM (P2, P5; other Netpbm too), 8 or 16 bits, grey or colour, alpha laid on white. Dark is wall, light is floor,
 ///   grey between is unknown ([`Shading::default`]); a pixel is [`DEFAULT_IMAGE_RESOLUTION`] unless a YAML file says more.
+/// - JPEG and WebP, likewise, with the feature `photos`.
 /// - ROS `map_server` YAML with its modes, see [`super::OccupancyMode`].
 /// - Scenario, see [`Scenario`]; its other content is read by [`Scenario::read`].
 pub fn load(files: &[SourceFile]) -> Result<FloorPlan, MapError> {
@@ -80,11 +69,12 @@ pub fn is_image(file: &SourceFile) -> bool {
     raster::format_of(&file.bytes).is_some()
 }
 
-/// Reads an image with the given meaning of shades.
-pub fn load_image(file: &SourceFile, shading: &Shading) -> Result<FloorPlan, MapError> {
-    let format = raster::format_of(&file.bytes);
-    let not_an_image = || MapError::NotAMap { name: base_name(&file.name).to_owned(), kind: "no image" };
-    bare_image(file, format.ok_or_else(not_an_image)?, shading)
+/// Shades of an image, 0 (black) to 255 (white); transparency is laid on white. Row 0 is at the bottom.
+pub fn load_shades(file: &SourceFile) -> Result<Grid<u8>, MapError> {
+    let name = base_name(&file.name);
+    let none = ForeignFile { kind: "no image", remedy: "choose an image" };
+    let format = raster::format_of(&file.bytes).ok_or_else(|| not_a_map(name, none))?;
+    raster::shades(name, &file.bytes, format)
 }
 
 fn recognise(file: &SourceFile) -> Result<FileContent, MapError> {
@@ -96,21 +86,25 @@ fn recognise(file: &SourceFile) -> Result<FileContent, MapError> {
     if let Some(format) = raster::format_of(bytes) {
         return Ok(FileContent::Image(format));
     }
-    let not_a_map = |kind| MapError::NotAMap { name: name.to_owned(), kind };
+    let unknown = |kind| not_a_map(name, ForeignFile { kind, remedy: "choose another file" });
     if bytes.trim_ascii_start().starts_with(b"{") {
         return Ok(FileContent::Plan(Box::new(Scenario::read(name, bytes)?.plan(name)?)));
     }
-    if let Some(&(_, kind)) = OTHERS.iter().find(|(magic, _)| bytes.starts_with(magic)) {
-        return Err(not_a_map(kind));
+    if let Some(other) = foreign(bytes) {
+        return Err(not_a_map(name, other));
     }
-    let text = std::str::from_utf8(bytes).map_err(|_| not_a_map("a file of an unknown format"))?;
+    let text = std::str::from_utf8(bytes).map_err(|_| unknown("a file of an unknown format"))?;
     if ascii::is_ascii(text) {
         return Ok(FileContent::Plan(Box::new(ascii::read(name, text)?.checked(name)?)));
     }
     if text.len() <= MAX_YAML_BYTES && yaml::is_yaml(text) {
         return Ok(FileContent::Yaml(MapYaml::read(name, text)?));
     }
-    Err(not_a_map("text of an unknown format"))
+    Err(unknown("text of an unknown format"))
+}
+
+fn not_a_map(name: &str, ForeignFile { kind, remedy }: ForeignFile) -> MapError {
+    MapError::NotAMap { name: name.to_owned(), kind, remedy }
 }
 
 fn bare_image(file: &SourceFile, format: ImageFormat, shading: &Shading) -> Result<FloorPlan, MapError> {

@@ -3,6 +3,7 @@
 mod ascii;
 mod check;
 mod error;
+mod foreign;
 mod layout;
 mod load;
 mod place;
@@ -15,7 +16,8 @@ mod yaml;
 pub use ascii::{DEFAULT_ASCII_RESOLUTION, to_ascii};
 pub use check::{BEAMS, MAX_CORNERS, MAX_OBJECTS, PlacementFault, PlacementRefusal, RADII};
 pub use error::{Flaw, MapError};
-pub use load::{SourceFile, base_name, image_of, is_image, load, load_image};
+pub use foreign::{ForeignFile, TAKEN, foreign};
+pub use load::{SourceFile, base_name, image_of, is_image, load, load_shades};
 pub use place::JsonPlace;
 pub use raster::{DEFAULT_IMAGE_RESOLUTION, OccupancyMode, Shading};
 pub use ros_map::{MapImage, RosMap, RosMapError, to_ros_map};

@@ -1,8 +1,9 @@
-//! Images as maps: PNG and the Netpbm family (PGM above all), with the rules of the ROS map server.
+//! Images as maps: PNG and the Netpbm family (PGM above all), with the rules of the ROS map server; with the feature
+//! `photos` JPEG and WebP, too.
 
 use super::{MAX_SIDE, MapError};
 use crate::grid::{Grid, Occupancy};
-use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
+use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits, metadata::Orientation};
 use std::io::{Cursor, ErrorKind};
 
 /// Metres per pixel of an image without a YAML file.
@@ -67,6 +68,11 @@ impl Default for Shading {
 }
 
 impl Shading {
+    /// The cell for a pixel of [`super::load_shades`].
+    pub fn cell_of(&self, shade: u8) -> Occupancy {
+        self.cell(f64::from(shade) / f64::from(u8::MAX), 1.0)
+    }
+
     /// The cell for a pixel with this shade and opacity, both 0 to 1.
     fn cell(&self, shade: f64, alpha: f64) -> Occupancy {
         let occupied = |shade: f64| if self.negate { shade } else { 1.0 - shade };
@@ -98,23 +104,43 @@ pub(super) fn format_of(bytes: &[u8]) -> Option<ImageFormat> {
         [0x89, b'P', b'N', b'G', ..] => Some(ImageFormat::Png),
         [b'P', b'1'..=b'6'] => Some(ImageFormat::Pnm),
         [b'P', b'1'..=b'6', next, ..] if next.is_ascii_whitespace() || *next == b'#' => Some(ImageFormat::Pnm),
+        #[cfg(feature = "photos")]
+        [0xff, 0xd8, 0xff, ..] => Some(ImageFormat::Jpeg),
+        #[cfg(feature = "photos")]
+        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => Some(ImageFormat::WebP),
         _ => None,
     }
 }
 
-/// Decodes the image in the file `name`. Its size is checked before any pixel is decoded.
+/// Cells of the image in the file `name`.
 pub(super) fn read(
     name: &str,
     bytes: &[u8],
     format: ImageFormat,
     shading: &Shading,
 ) -> Result<Grid<Occupancy>, MapError> {
+    decode(name, bytes, format, |shade, alpha| shading.cell(shade, alpha))
+}
+
+/// Shades of the image in the file `name`, 0 (black) to 255 (white); transparency is laid on white.
+pub(super) fn shades(name: &str, bytes: &[u8], format: ImageFormat) -> Result<Grid<u8>, MapError> {
+    decode(name, bytes, format, |shade, alpha| ((shade * alpha + 1.0 - alpha) * f64::from(u8::MAX)).round() as u8)
+}
+
+/// Decodes an image; `pixel` makes a cell of a shade and an opacity, both 0 to 1. Its size is checked before any pixel
+/// is decoded.
+fn decode<T: Copy>(
+    name: &str,
+    bytes: &[u8],
+    format: ImageFormat,
+    pixel: impl Fn(f64, f64) -> T,
+) -> Result<Grid<T>, MapError> {
     let broken = |error: ImageError| explain(name, error);
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(MAX_DECODER_BYTES);
     reader.limits(limits);
-    let decoder = reader.into_decoder().map_err(broken)?;
+    let mut decoder = reader.into_decoder().map_err(broken)?;
     let (width, height) = (decoder.dimensions().0 as usize, decoder.dimensions().1 as usize);
     if width.max(height) > MAX_SIDE {
         return Err(MapError::TooLarge { name: name.to_owned(), width, height });
@@ -122,29 +148,58 @@ pub(super) fn read(
     if width.min(height) == 0 {
         return Err(MapError::BadImage { name: name.to_owned(), cause: format!("its size is {width} x {height}") });
     }
+    // How the camera was held. Map servers don't look at it, and their formats don't have it.
+    let is_photo = !matches!(format, ImageFormat::Png | ImageFormat::Pnm);
+    let held = is_photo.then(|| decoder.orientation().ok()).flatten().unwrap_or(Orientation::NoTransforms);
     let colour = decoder.color_type();
     let mut bytes = vec![0; decoder.total_bytes() as usize];
     decoder.read_image(&mut bytes).map_err(broken)?;
     let row = width * usize::from(colour.bytes_per_pixel());
-    let cells = bytes.chunks(row).rev().flat_map(|row| cells(row, colour, shading)).collect();
+    let cells: Vec<T> = bytes.chunks(row).flat_map(|row| cells(row, colour, &pixel)).collect();
+    let (width, cells) = upright(width, cells, held);
+    let cells = cells.chunks(width).rev().flatten().copied().collect();
     Grid::from_rows(width, cells).ok_or_else(|| MapError::Truncated { name: name.to_owned(), part: "picture" })
 }
 
+/// Rows of pixels, from the top, turned as the camera was held; with their new width.
+fn upright<T: Copy>(width: usize, pixels: Vec<T>, held: Orientation) -> (usize, Vec<T>) {
+    let height = pixels.len() / width.max(1);
+    let (is_turned, flips_x, flips_y) = match held {
+        Orientation::NoTransforms => return (width, pixels),
+        Orientation::FlipHorizontal => (false, true, false),
+        Orientation::Rotate180 => (false, true, true),
+        Orientation::FlipVertical => (false, false, true),
+        Orientation::Rotate90FlipH => (true, false, false),
+        Orientation::Rotate90 => (true, false, true),
+        Orientation::Rotate270FlipH => (true, true, true),
+        Orientation::Rotate270 => (true, true, false),
+    };
+    let (new_width, new_height) = if is_turned { (height, width) } else { (width, height) };
+    let at = |x: usize, y: usize| {
+        let (x, y) = if is_turned { (y, x) } else { (x, y) };
+        let x = if flips_x { width - 1 - x } else { x };
+        let y = if flips_y { height - 1 - y } else { y };
+        pixels[y * width + x]
+    };
+    let turned = (0..new_height).flat_map(|y| (0..new_width).map(move |x| (x, y))).map(|(x, y)| at(x, y)).collect();
+    (new_width, turned)
+}
+
 /// Cells of one row of pixels, each made of 8 or 16 bits a channel.
-fn cells<'a>(row: &'a [u8], colour: ColorType, shading: &'a Shading) -> impl Iterator<Item = Occupancy> + 'a {
+fn cells<'a, T>(row: &'a [u8], colour: ColorType, pixel: &'a impl Fn(f64, f64) -> T) -> impl Iterator<Item = T> + 'a {
     let channels = usize::from(colour.channel_count());
     let size = usize::from(colour.bytes_per_pixel()) / channels;
     let colours = channels - usize::from(colour.has_alpha());
-    row.chunks_exact(channels * size).map(move |pixel| {
+    row.chunks_exact(channels * size).map(move |bytes| {
         let value = |channel: &[u8]| match *channel {
             [byte] => f64::from(byte) / f64::from(u8::MAX),
             [low, high] => f64::from(u16::from_ne_bytes([low, high])) / f64::from(u16::MAX),
             // The decoders in use have no other depth.
             _ => 1.0,
         };
-        let sum: f64 = pixel[..colours * size].chunks_exact(size).map(value).sum();
-        let alpha = if colour.has_alpha() { value(&pixel[colours * size..]) } else { 1.0 };
-        shading.cell(sum / colours as f64, alpha)
+        let sum: f64 = bytes[..colours * size].chunks_exact(size).map(value).sum();
+        let alpha = if colour.has_alpha() { value(&bytes[colours * size..]) } else { 1.0 };
+        pixel(sum / colours as f64, alpha)
     })
 }
 
@@ -197,6 +252,19 @@ mod tests {
         assert_eq!(cell(OccupancyMode::Raw, 100, 1.0), Occupancy::Occupied);
         assert_eq!(cell(OccupancyMode::Raw, 101, 1.0), Occupancy::Unknown);
         assert_eq!(cell(OccupancyMode::Raw, 255, 1.0), Occupancy::Unknown);
+    }
+
+    #[test]
+    fn a_camera_held_any_way_gives_the_same_picture() {
+        // image's own definition: rotating what was stored by the angle, clockwise, makes it upright.
+        let stored = image::GrayImage::from_fn(3, 2, |x, y| image::Luma([(10 * y + x) as u8]));
+        for exif in 1..=8 {
+            let held = Orientation::from_exif(exif).unwrap();
+            let mut expected = image::DynamicImage::ImageLuma8(stored.clone());
+            expected.apply_orientation(held);
+            let (width, pixels) = upright(3, stored.as_raw().clone(), held);
+            assert_eq!((width, pixels), (expected.width() as usize, expected.into_bytes()), "{held:?}");
+        }
     }
 
     #[test]

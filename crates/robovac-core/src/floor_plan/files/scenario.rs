@@ -11,9 +11,9 @@ use super::{
     scenario_object::ScenarioObject,
 };
 use crate::{
-    geometry::Pose,
+    geometry::{MetricPath, Pose},
     grid::{Grid, Occupancy, picture},
-    robot::Twin,
+    robot::{OwnRobot, Twin},
 };
 use serde::{Deserialize, Serialize, de::IgnoredAny};
 use std::collections::BTreeMap;
@@ -64,6 +64,9 @@ pub struct Scenario {
     /// Figures of one particular robot in place of the model's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub twin: Option<Twin>,
+    /// What an own robot has in place of the model's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own_robot: Option<OwnRobot>,
     /// Id of the planner, unless there is a behaviour.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planner: Option<String>,
@@ -73,6 +76,9 @@ pub struct Scenario {
     /// Values of its parameters that differ from the defaults: numbers, words, or true and false.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub params: BTreeMap<String, serde_json::Value>,
+    /// A path that is driven in place of the planner's.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub path: Option<MetricPath>,
     /// Side of the planning cells, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cell_size: Option<f64>,
@@ -88,6 +94,9 @@ pub struct Scenario {
     /// Whether wheel speeds are limited to the steps of the robot's interface.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quantised: Option<bool>,
+    /// Charge of the battery at the start, percent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start_charge_percent: Option<u64>,
     /// How the robot computes its pose.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub odometry: Option<String>,
@@ -106,9 +115,12 @@ struct ScenarioHeader {
     slip: Option<IgnoredAny>,
     noise: Option<IgnoredAny>,
     quantised: Option<IgnoredAny>,
+    start_charge_percent: Option<IgnoredAny>,
     odometry: Option<IgnoredAny>,
     smooth: Option<IgnoredAny>,
     twin: Option<IgnoredAny>,
+    own_robot: Option<IgnoredAny>,
+    path: Option<IgnoredAny>,
 }
 
 /// A pose with its heading in degrees, for hand-edited files.
@@ -145,7 +157,8 @@ impl ScenarioHeader {
     /// An invalid value of the header, by its path.
     fn flaw(&self) -> Option<(&'static str, Flaw)> {
         let version = self.version.as_ref()?;
-        let Self { objects, behaviour, slip, noise, quantised, odometry, smooth, twin, .. } = self;
+        let Self { objects, behaviour, slip, noise, quantised, start_charge_percent, .. } = self;
+        let Self { odometry, smooth, twin, own_robot, path, .. } = self;
         match version.as_u64() {
             Some(1) => [
                 ("objects", objects),
@@ -153,9 +166,12 @@ impl ScenarioHeader {
                 ("slip", slip),
                 ("noise", noise),
                 ("quantised", quantised),
+                ("start_charge_percent", start_charge_percent),
                 ("odometry", odometry),
                 ("smooth", smooth),
                 ("twin", twin),
+                ("own_robot", own_robot),
+                ("path", path),
             ]
             .into_iter()
             .find(|(_, value)| value.is_some())
@@ -185,14 +201,17 @@ impl Scenario {
             start: plan.start.map(Into::into),
             robot: None,
             twin: None,
+            own_robot: None,
             planner: None,
             behaviour: None,
             params: BTreeMap::new(),
+            path: None,
             cell_size: None,
             seed: None,
             slip: None,
             noise: None,
             quantised: None,
+            start_charge_percent: None,
             odometry: None,
             smooth: None,
         }
@@ -248,6 +267,9 @@ impl Scenario {
             return Err(("behaviour".to_owned(), Flaw::TwoAlgorithms));
         }
         in_range("resolution", self.resolution, [MIN_RESOLUTION, MAX_RESOLUTION], "metres per cell")?;
+        if let Some(percent) = self.start_charge_percent {
+            in_range("start_charge_percent", percent as f64, [1.0, 100.0], "a percentage")?;
+        }
         let poses = self.objects.iter().enumerate().filter_map(|(index, object)| match object {
             ScenarioObject::Dock(pose) => Some((format!("objects[{index}].dock.heading_deg"), pose.heading_deg)),
             ScenarioObject::VirtualWall(beam) => {

@@ -13,6 +13,7 @@ type At = [f64; 2];
 pub(super) enum ScenarioObject {
     Furniture { outline: Vec<At> },
     Leg { at: At, radius: f64 },
+    LowObstacle { outline: Vec<At>, height: f64 },
     DropOff { outline: Vec<At> },
     Carpet { outline: Vec<At> },
     Dirt { at: At, radius: f64 },
@@ -39,6 +40,7 @@ impl From<&Object> for ScenarioObject {
         match object {
             Object::Furniture { outline } => Self::Furniture { outline: all(outline) },
             Object::Leg { at: centre, radius } => Self::Leg { at: at(centre), radius: *radius },
+            Object::LowObstacle { outline, height } => Self::LowObstacle { outline: all(outline), height: *height },
             Object::DropOff { outline } => Self::DropOff { outline: all(outline) },
             Object::Carpet { outline } => Self::Carpet { outline: all(outline) },
             Object::Dirt { at: centre, radius } => Self::Dirt { at: at(centre), radius: *radius },
@@ -59,6 +61,9 @@ impl From<&ScenarioObject> for Object {
         match object {
             ScenarioObject::Furniture { outline } => Self::Furniture { outline: all(outline) },
             ScenarioObject::Leg { at: centre, radius } => Self::Leg { at: at(centre), radius: *radius },
+            ScenarioObject::LowObstacle { outline, height } => {
+                Self::LowObstacle { outline: all(outline), height: *height }
+            }
             ScenarioObject::DropOff { outline } => Self::DropOff { outline: all(outline) },
             ScenarioObject::Carpet { outline } => Self::Carpet { outline: all(outline) },
             ScenarioObject::Dirt { at: centre, radius } => Self::Dirt { at: at(centre), radius: *radius },

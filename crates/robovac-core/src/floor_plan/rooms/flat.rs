@@ -36,7 +36,7 @@ const LIVING: &[Rect] = &[
     [1.4, 0.2, 3.2, 0.6],
     // Bookcase.
     [0.2, 1.0, 0.55, 2.6],
-    // Charging dock, the robot starts in front of it.
+    // Case of the dock; the robot starts in front of it.
     [3.25, 4.65, 3.45, 4.75],
 ];
 /// Coffee table, dining table and its four chairs.
@@ -99,6 +99,6 @@ pub(super) const ROOM: RoomInfo = RoomInfo {
         sketch = furniture.into_iter().fold(sketch, Sketch::fill);
         sketch = legs.into_iter().fold(sketch, Sketch::legs);
         sketch = ROUND.iter().fold(sketch, |sketch, &(x, y, radius)| sketch.disc(x, y, radius));
-        sketch.start(3.35, 4.4, -90.0).finish(ROOM.title, ROOM.note)
+        sketch.recessed_dock(3.35, 4.65, -90.0).start(3.35, 4.4, -90.0).finish(ROOM.title, ROOM.note)
     },
 };

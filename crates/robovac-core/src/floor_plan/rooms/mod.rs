@@ -2,6 +2,7 @@
 
 mod bedroom;
 mod classroom;
+mod closed_loop;
 mod clutter;
 mod comb;
 mod crossing;
@@ -95,6 +96,7 @@ pub const ROOMS: &[&RoomInfo] = &[
     &thesis226::ROOM,
     &empty::ROOM,
     &thesis8::ROOM,
+    &closed_loop::ROOM,
     &lshape::ROOM,
     &tshape::ROOM,
     &ushape::ROOM,

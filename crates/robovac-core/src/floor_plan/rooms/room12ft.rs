@@ -8,7 +8,7 @@ const CELL: f64 = 0.0508;
 /// Twelve feet in metres.
 const SIDE: f64 = 72.0 * CELL;
 
-/// Bed, wardrobe, chest of drawers.
+/// Bed with the dock under it, wardrobe, chest of drawers.
 const SOLID: &[Rect] = &[[1.72, 0.0, SIDE, 1.02], [0.0, 2.24, 0.61, SIDE], [3.25, 2.03, SIDE, 2.9]];
 /// Desk and chair.
 const LEGS: &[Rect] = &[[1.37, 2.95, 2.59, SIDE], [1.73, 2.54, 2.18, 2.95]];
@@ -24,6 +24,7 @@ pub(super) const ROOM: RoomInfo = RoomInfo {
             .fill(SOLID)
             .legs(LEGS)
             .disc(0.3, 0.3, 0.18)
+            .recessed_dock(2.6, 20.0 * CELL, 90.0)
             .start(0.3, 1.4, 0.0)
             .finish(ROOM.title, ROOM.note)
     },

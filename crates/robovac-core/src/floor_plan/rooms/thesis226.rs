@@ -7,7 +7,7 @@
 use super::{RoomInfo, RoomKind};
 use crate::floor_plan::{Rect, Sketch};
 
-/// Cupboard, sofa, table: 30 of 256 cells.
+/// Cupboard with the dock under it, sofa, table: 30 of 256 cells.
 const SOLID: &[Rect] = &[[0.0, 1.4, 0.4, 2.6], [2.8, 0.4, 3.2, 1.4], [1.0, 0.6, 1.8, 1.0]];
 
 pub(super) const ROOM: RoomInfo = RoomInfo {
@@ -16,5 +16,8 @@ pub(super) const ROOM: RoomInfo = RoomInfo {
     note: "Good for the thesis' Table 2: 226 planning cells of 20 cm. The layout is our guess.",
     kind: RoomKind::Cluttered,
     is_benchmark: false,
-    build: || Sketch::open(3.2, 3.2, 0.2).fill(SOLID).start(0.1, 3.1, 0.0).finish(ROOM.title, ROOM.note),
+    build: || {
+        let sketch = Sketch::open(3.2, 3.2, 0.2).fill(SOLID).recessed_dock(0.4, 2.1, 0.0);
+        sketch.start(0.1, 3.1, 0.0).finish(ROOM.title, ROOM.note)
+    },
 };

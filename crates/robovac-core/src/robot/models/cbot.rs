@@ -2,7 +2,7 @@
 
 use crate::robot::{
     RobotModel,
-    body::{Battery, Body, Bumper, Castor, Laser, SensorSuite, WheelLayout},
+    body::{Battery, Body, Bumper, Castor, Corners, Laser, SensorSuite, Tool, WheelLayout},
     model::PowerDraw,
 };
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -40,12 +40,17 @@ pub(super) const CBOT: RobotModel = RobotModel {
     id: "cbot",
     title: "CBot",
     summary: "Box of 40 x 20 cm with a laser scanner; cleans its full width",
-    body: Body::Polygon(&[[-HALF[0], -HALF[1]], [HALF[0], -HALF[1]], [HALF[0], HALF[1]], [-HALF[0], HALF[1]]]),
+    body: Body::Polygon(Corners::of(&[
+        [-HALF[0], -HALF[1]],
+        [HALF[0], -HALF[1]],
+        [HALF[0], HALF[1]],
+        [-HALF[0], HALF[1]],
+    ])),
     // The half diagonal.
     radius: 0.223_606_797_749_979,
     wheels: WheelLayout::Differential,
     sensors: SensorSuite {
-        bumper: Some(Bumper { half_arc: FRAC_PI_2, both_within: 0.26 }),
+        bumper: Some(Bumper { half_arc: FRAC_PI_2, both_within: 0.26, height: 0.0 }),
         cliffs: [Some([0.14, 0.09]), Some([0.19, 0.05]), Some([0.19, -0.05]), Some([0.14, -0.09])],
         light_bumper: None,
         infrared: false,
@@ -56,6 +61,7 @@ pub(super) const CBOT: RobotModel = RobotModel {
     side_brushes: &[],
     battery: Battery { capacity_mah: 2696.0, voltage: 14.4, charge_ma: 0.0, has_gauge: true },
     tool_width: 0.2,
+    tool: Tool::CENTRED,
     wheel_base: 0.17,
     counts_per_metre: 508.8 / (PI * 0.14),
     wheel_radius: 0.07,

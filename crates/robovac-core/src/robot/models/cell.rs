@@ -2,7 +2,7 @@
 
 use crate::robot::{
     RobotModel,
-    body::{Battery, Body, Bumper, SensorSuite, WheelLayout},
+    body::{Battery, Body, Bumper, SensorSuite, Tool, WheelLayout},
     model::PowerDraw,
 };
 
@@ -26,7 +26,7 @@ pub const fn cell_robot(cell: f64) -> RobotModel {
         radius: 0.45 * cell,
         wheels: WheelLayout::Differential,
         sensors: SensorSuite {
-            bumper: Some(Bumper { half_arc: core::f64::consts::FRAC_PI_2, both_within: 0.35 }),
+            bumper: Some(Bumper { half_arc: core::f64::consts::FRAC_PI_2, both_within: 0.35, height: 0.0 }),
             cliffs: [
                 Some([0.25 * cell, 0.4 * cell]),
                 Some([0.44 * cell, 0.1 * cell]),
@@ -42,6 +42,7 @@ pub const fn cell_robot(cell: f64) -> RobotModel {
         side_brushes: &[],
         battery: Battery { capacity_mah: 4500.0, voltage: 6.0, charge_ma: 818.0, has_gauge: true },
         tool_width: cell,
+        tool: Tool::CENTRED,
         wheel_base: 0.675 * cell,
         counts_per_metre: 1e5,
         wheel_radius: 0.2 * cell,

@@ -2,7 +2,7 @@
 
 use crate::robot::{
     RobotModel,
-    body::{Battery, Body, Bumper, SensorSuite, SideBrush, WheelLayout},
+    body::{Battery, Body, Bumper, SensorSuite, SideBrush, Tool, WheelLayout},
     model::PowerDraw,
 };
 use core::f64::consts::{FRAC_PI_3, TAU};
@@ -21,9 +21,11 @@ const SPEED: f64 = TAU * WHEEL_RADIUS * REVOLUTIONS;
 /// DVR-1.
 ///
 /// Of 002: a round body; r, R and N above, which give 0.30 m/s and a quarter turn in R / (4 r N) = 0.625 s (equation 2); a
-/// bumper of two switches that spans 120 degrees, and three cliff sensors at the left, front and right (section III,
-/// figures 5 and 15); two side brushes; a battery of 6 V and 4.5 Ah that lasts for about an hour (section IV.E). It has
-/// neither a dock nor receivers for virtual walls, which are future work there, nor a gauge, nor wheel drop switches.
+/// bumper of two switches that spans 120 degrees, 2 cm above the floor, and three cliff sensors at the left, front and
+/// right (section III,
+/// figures 5 and 15); two side brushes; a battery of 6 V and 4.5 Ah that lasts for about an hour and charges in 5 to 6
+/// hours (section IV.E), so with 4.5 Ah / 5.5 h. It finds no dock by itself and has no receivers for virtual walls, which
+/// are future work there, nor a gauge, nor wheel drop switches; it charges where a person puts it on a dock.
 ///
 /// Ours: encoders, of which it has none (8 counts a turn of the motor before its 70:1 gear, so that dead reckoning has
 /// something to go by); where its cliff sensors and side brushes sit, drawn from figure 15's arrangement - the side
@@ -40,7 +42,7 @@ pub(super) const DVR_1: RobotModel = RobotModel {
     radius: BODY_RADIUS,
     wheels: WheelLayout::Differential,
     sensors: SensorSuite {
-        bumper: Some(Bumper { half_arc: FRAC_PI_3, both_within: 0.26 }),
+        bumper: Some(Bumper { half_arc: FRAC_PI_3, both_within: 0.26, height: 0.02 }),
         cliffs: [Some([0.057, 0.1224]), Some([0.135, 0.0]), Some([0.135, 0.0]), Some([0.057, -0.1224])],
         light_bumper: None,
         infrared: false,
@@ -49,8 +51,9 @@ pub(super) const DVR_1: RobotModel = RobotModel {
     },
     castors: &[],
     side_brushes: &[SideBrush { at: [0.08, 0.09], radius: 0.06 }, SideBrush { at: [0.08, -0.09], radius: 0.06 }],
-    battery: Battery { capacity_mah: 4500.0, voltage: 6.0, charge_ma: 0.0, has_gauge: false },
+    battery: Battery { capacity_mah: 4500.0, voltage: 6.0, charge_ma: 4500.0 / 5.5, has_gauge: false },
     tool_width: 0.145,
+    tool: Tool::CENTRED,
     wheel_base: 2.0 * WHEEL_TO_CENTRE,
     counts_per_metre: 8.0 * 70.0 / (TAU * WHEEL_RADIUS),
     wheel_radius: WHEEL_RADIUS,

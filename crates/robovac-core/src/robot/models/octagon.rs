@@ -2,7 +2,7 @@
 
 use crate::robot::{
     RobotModel,
-    body::{Battery, Body, Bumper, SensorSuite, WheelLayout},
+    body::{Battery, Body, Bumper, Corners, SensorSuite, Tool, WheelLayout},
     model::PowerDraw,
 };
 use core::f64::consts::PI;
@@ -22,7 +22,7 @@ pub(super) const OCTAGON: RobotModel = RobotModel {
     id: "octagon",
     title: "Omnidirectional octagon",
     summary: "Eight sides, 36 cm wide, moves in any direction without turning",
-    body: Body::Polygon(&[
+    body: Body::Polygon(Corners::of(&[
         [HALF, -SIDE],
         [HALF, SIDE],
         [SIDE, HALF],
@@ -31,12 +31,12 @@ pub(super) const OCTAGON: RobotModel = RobotModel {
         [-HALF, -SIDE],
         [-SIDE, -HALF],
         [SIDE, -HALF],
-    ]),
+    ])),
     // To a corner: HALF / cos 22.5°.
     radius: HALF * 1.082_392_200_292_394,
     wheels: WheelLayout::Omnidirectional,
     sensors: SensorSuite {
-        bumper: Some(Bumper { half_arc: PI, both_within: 0.35 }),
+        bumper: Some(Bumper { half_arc: PI, both_within: 0.35, height: 0.0 }),
         cliffs: [Some([0.07, 0.16]), Some([0.17, 0.05]), Some([0.17, -0.05]), Some([0.07, -0.16])],
         light_bumper: None,
         infrared: false,
@@ -47,6 +47,7 @@ pub(super) const OCTAGON: RobotModel = RobotModel {
     side_brushes: &[],
     battery: Battery { capacity_mah: 2696.0, voltage: 14.4, charge_ma: 0.0, has_gauge: true },
     tool_width: 2.0 * HALF,
+    tool: Tool::CENTRED,
     wheel_base: 0.235,
     counts_per_metre: 508.8 / (PI * 0.072),
     wheel_radius: 0.036,
@@ -68,7 +69,7 @@ mod tests {
     fn all_corners_lie_on_the_circle_around_it() {
         let Body::Polygon(corners) = OCTAGON.body else { panic!("it is a polygon") };
         assert_eq!(corners.len(), 8);
-        for [x, y] in corners {
+        for [x, y] in corners.iter() {
             assert!(((x * x + y * y).sqrt() - OCTAGON.radius).abs() < 1e-9);
         }
     }

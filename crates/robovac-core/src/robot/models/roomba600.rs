@@ -2,7 +2,7 @@
 
 use crate::robot::{
     LightLaw, RobotModel,
-    body::{Battery, Body, Bumper, LightBumper, SensorSuite, SideBrush, WheelLayout},
+    body::{Battery, Body, Bumper, LightBumper, SensorSuite, SideBrush, Tool, WheelLayout},
     model::PowerDraw,
 };
 
@@ -26,7 +26,7 @@ pub(super) const ROOMBA_600: RobotModel = RobotModel {
     radius: 0.174_25,
     wheels: WheelLayout::Differential,
     sensors: SensorSuite {
-        bumper: Some(Bumper { half_arc: 1.553, both_within: 0.35 }),
+        bumper: Some(Bumper { half_arc: 1.553, both_within: 0.35, height: 0.0 }),
         cliffs: [Some([0.063, 0.148]), Some([0.154, 0.042]), Some([0.154, -0.042]), Some([0.063, -0.148])],
         light_bumper: Some(LightBumper {
             angles: [1.169, 0.559, 0.21, -0.21, -0.559, -1.169],
@@ -41,6 +41,7 @@ pub(super) const ROOMBA_600: RobotModel = RobotModel {
     side_brushes: &[SideBrush { at: [0.092, -0.116], radius: 0.095 }],
     battery: Battery { capacity_mah: 2696.0, voltage: 14.4, charge_ma: 1232.0, has_gauge: true },
     tool_width: 0.17,
+    tool: Tool::CENTRED,
     wheel_base: 0.235,
     counts_per_metre: 508.8 / (core::f64::consts::PI * 0.072),
     wheel_radius: 0.036,

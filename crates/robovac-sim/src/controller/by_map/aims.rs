@@ -86,25 +86,24 @@ impl ByMap {
         (route, patience)
     }
 
-    /// Nothing is left: returns to its dock, if it began there.
+    /// Nothing is left: returns to its dock, if it knows one.
     fn finish(&mut self, pilot: &mut Pilot) {
         let look = Look { robot: &pilot.robot, aim: AIMS[1], barred: &self.barred, is_spent: &|_| false };
         let remains = Remains::new(&self.mapper, &look);
         let is_clean = remains.as_ref().is_some_and(|remains| remains.nearest(AIMS[1].cells).is_none());
         let end = if is_clean { RunEnd::Clean } else { RunEnd::NothingReachable };
-        let start = self.mapper.setup().start;
-        let before = start.to_world(Point::new(-BEFORE_DOCK, 0.0));
-        let way = remains.filter(|_| self.mapper.began_on_dock()).and_then(|remains| remains.way(before));
-        self.phase = match way {
-            Some(line) => {
-                let (route, patience) = self.route(line);
-                CleaningPhase::Return { route, patience, end }
-            }
-            None if self.mapper.began_on_dock() => {
-                self.dock.begin(pilot);
-                CleaningPhase::Dock { patience: DOCK_S, end }
-            }
-            None => CleaningPhase::Done(end),
+        let Some(berth) = self.mapper.berth() else {
+            self.phase = CleaningPhase::Done(end);
+            return;
+        };
+        let before = berth.to_world(Point::new(-BEFORE_DOCK, 0.0));
+        let way = remains.and_then(|remains| remains.way(before));
+        self.phase = if let Some(line) = way {
+            let (route, patience) = self.route(line);
+            CleaningPhase::Return { route, patience, end }
+        } else {
+            self.dock.begin(pilot);
+            CleaningPhase::Dock { patience: DOCK_S, end }
         };
     }
 }

@@ -8,8 +8,8 @@
 //!    computed again. Edges and virtual walls are barred for ever; other obstacles get another chance when nothing else
 //!    is left.
 //! 4. A robot that was *picked up* doesn't know its pose. It follows walls until only one pose on its map is possible
-//!    ([`locate`](crate::mapping::locate)), and continues cleaning.
-//! 5. It is *done* when no reachable floor is left, narrow gaps included. If it began on its dock, it goes there.
+//!    ([`locate`](crate::mapping::locate)), or it comes to its dock, and continues cleaning.
+//! 5. It is *done* when no reachable floor is left, narrow gaps included. If it has been on its dock, it goes there.
 //!
 //! It always ends: every start, every passed place and every stop is counted ([`AttemptBudget`]), and ways that take
 //! too long are given up.
@@ -59,8 +59,8 @@ const DOCK_S: f64 = 400.0;
 /// Cleans the floor that `mapper` has left, with plans of the planner `planner`.
 pub fn clean_by_map(mapper: Mapper, planner: &'static str) -> Box<dyn Controller> {
     let (robot, seed) = (mapper.setup().robot.clone(), mapper.setup().seed);
-    // A robot that didn't begin on a dock doesn't know of one.
-    let params = Params::defaults(if mapper.began_on_dock() { &[GO_HOME, LEAVE_HOME] } else { &[] });
+    // A robot that has never been on a dock doesn't know of one.
+    let params = Params::defaults(if mapper.berth().is_some() { &[GO_HOME, LEAVE_HOME] } else { &[] });
     let setup = Setup { robot: &robot, params: &params, seed };
     Reactive::boxed(&setup, ByMap::new(&setup, mapper, planner))
 }

@@ -69,13 +69,17 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             a random number.",
         use_when: "To map the border of a room with a light bumper. Slow, and circles free-standing furniture for \
             ever.",
-        shines: Example { room: "tshape", why: "It follows the wall into every nook, where phase 5 drives past." },
-        fails: Example {
-            room: "ring",
-            why: "It follows the first wall that it finds and never reaches the other one.",
-        },
+        shines: Example { room: "maze", why: "A maze is one long wall, which it follows into every branch." },
+        fails: Example { room: "flat", why: "It circles the piece of furniture that it meets first." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "text",

@@ -43,10 +43,17 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         complexity: "O(1) time and memory per step; it stores at most the last contact.",
         use_when: "As a baseline for sensing behaviours, and to see how walls corrupt odometry: the wheels keep \
             rolling while the robot is blocked.",
-        shines: Example { room: "room12ft", why: "In an empty room a random walk eventually finds every wall." },
+        shines: Example { room: "room12ft", why: "In a small room chance leads it to most walls in time." },
         fails: Example { room: "flat", why: "It keeps revisiting the same floor and passes doorways only by chance." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[DISTANCE, ANGLE, PUSHES],
 };
 

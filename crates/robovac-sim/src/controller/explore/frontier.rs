@@ -84,17 +84,24 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
                open floor in lanes. When no frontier can be reached any more, the map is complete.",
         complexity: "O(n log n) time for each new goal in a map of n cells, and O(n) memory.",
         use_when: "To map a whole flat: it finds what is missing and knows when the map is complete. It depends on a \
-            good pose estimate.",
+            good pose estimate, which drifts in large halls with few landmarks.",
         shines: Example {
             room: "flat",
             why: "It visits every room, goes round every piece of furniture once, and stops when the map is complete.",
         },
         fails: Example {
-            room: "hall20",
-            why: "In a hall of 20 m by 20 m there are few landmarks, and the pose drifts from lane to lane.",
+            room: "hotel",
+            why: "Corridors and small rooms are one long wall: following it finds as much, without a map.",
         },
     },
-    claims: BehaviourClaims { ends: true, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: true,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "tracking",

@@ -39,13 +39,20 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             to the right. When it ends, the next one is chosen. Sensor readings don't influence the choice.",
         complexity: "O(1) time and memory per step; it stores at most the last contact.",
         use_when: "To see what a second direction of rotation changes: the heading wanders instead of going round.",
-        shines: Example { room: "room12ft", why: "In an empty room a random walk eventually finds every wall." },
+        shines: Example { room: "room12ft", why: "In a small room chance leads it to most walls in time." },
         fails: Example {
             room: "flat",
             why: "Two motions out of three are rotations, so it makes little progress: the next rooms stay unknown.",
         },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[DISTANCE, ANGLE, PUSHES],
 };
 

@@ -44,10 +44,20 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             chooses again.",
         complexity: "O(1) time and memory per step; it stores at most the last contact.",
         use_when: "To see the effect of checking ahead: walls no longer corrupt odometry, but a random walk is slow.",
-        shines: Example { room: "kitchen", why: "It crosses a furnished room with hardly any contact." },
+        shines: Example {
+            room: "kitchen",
+            why: "In one furnished room chance leads it to more than half of what there is.",
+        },
         fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[DISTANCE, ANGLE],
 };
 

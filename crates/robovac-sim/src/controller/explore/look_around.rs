@@ -44,7 +44,14 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         shines: Example { room: "kitchen", why: "It turns away from obstacles beside it and soon leaves corners." },
         fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[DISTANCE, ANGLE],
 };
 

@@ -50,10 +50,17 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
                until nothing is in front, and drives on. So it circulates along whatever encloses it.",
         complexity: "O(1) time and memory per step; no map.",
         use_when: "To see why a rule without randomness or memory isn't enough: it can repeat the same loop for ever.",
-        shines: Example { room: "ring", why: "Walls guide it along the corridor at full speed, all the way round." },
+        shines: Example { room: "room12ft", why: "In a small room, furniture keeps changing its course." },
         fails: Example { room: "flat", why: "It circles the same few pieces of furniture and misses every door." },
     },
-    claims: BehaviourClaims { ends: false, cleans: false, walls_only: false, manual: false, explores: true },
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: false,
+        walls_only: false,
+        manual: false,
+        explores: true,
+        needs_laser: false,
+    },
     params: &[
         ParamSpec {
             id: "direction",

@@ -6,13 +6,15 @@ use robovac_core::{
     coverage::PlanningGrid,
     registry::{ParamKind, ParamSpec, ParamValue, Params},
 };
-use std::{ops::ControlFlow, sync::Arc};
+use std::{cmp::Ordering, ops::ControlFlow, sync::Arc};
 
 /// Smallest and largest side of cells tried, as shares of the tool's width.
 const SIDES: (f64, f64) = (0.45, 1.05);
 /// Step from one side to the next, m: lanes move along the walls by far more than that, so that every side also has other
 /// distances from them.
 const STEP: f64 = 0.0025;
+/// How many of the best are planned with the planner's own effort.
+const FINALS: usize = 4;
 /// Free cells beyond which fewer sides are tried, so that the choice doesn't take minutes.
 const MANY: usize = 60_000;
 
@@ -37,7 +39,7 @@ impl RoomSetup {
     }
 
     /// The planning cells with which `planner` sweeps the share `coverage`, 0 to 1, in the least time; if none reach it, those
-    /// with which it sweeps most. Planners that search do so with the least effort. `None` for planners in metres, which need
+    /// with which it sweeps most. Planners that search do so with the least effort, fast ones in the end with their own. `None` for planners in metres, which need
     /// no cells, and for a robot that fills a cell, which has no choice.
     ///
     /// `observe` gets the share that is done and returns whether to continue; `None` if it doesn't.
@@ -52,7 +54,7 @@ impl RoomSetup {
         if planner.claims.in_metres || self.robot.fills_cell {
             return None;
         }
-        let params = with_least_effort(planner, params);
+        let quick = with_least_effort(planner, params);
         let least = SIDES.0 * self.robot.tool_width;
         // Finer cells than those of the floor contain none of its centres.
         let least = least.max(self.floor.resolution);
@@ -60,19 +62,24 @@ impl RoomSetup {
         let cells = self.floor.area() / (least * most);
         let step = STEP * (cells / MANY as f64).max(1.0);
         let count = ((most - least) / step) as u32;
-        let mut best: Option<FittedCells> = None;
+        let mut tried = Vec::new();
         for i in 0..=count {
             if observe(f64::from(i) / f64::from(count + 1)).is_break() {
                 return None;
             }
             // In whole tenths of a millimetre, as it stands in links.
             let cell_size = ((most - f64::from(i) * step) * 1e4).round() / 1e4;
-            let Ok(found) = self.with_cells(cell_size).try_cells(planner, &params, seed, cell_size) else { continue };
-            if best.is_none_or(|best| found.is_better(&best, coverage)) {
-                best = Some(found);
-            }
+            tried.extend(self.with_cells(cell_size).try_cells(planner, &quick, seed, cell_size));
         }
-        best
+        tried.sort_by(|a, b| a.compare(b, coverage));
+        if planner.claims.fast && quick != *params {
+            // With its effort, a plan can sweep a little less.
+            let finals = tried.iter().take(FINALS).filter_map(|found| {
+                self.with_cells(found.cell_size).try_cells(planner, params, seed, found.cell_size).ok()
+            });
+            return finals.min_by(|a, b| a.compare(b, coverage));
+        }
+        tried.first().copied()
     }
 
     fn try_cells(
@@ -92,12 +99,13 @@ impl RoomSetup {
 }
 
 impl FittedCells {
-    /// Whether it suits a required coverage better than `other`.
-    fn is_better(&self, other: &Self, required: f64) -> bool {
+    /// What suits a required coverage better comes first.
+    fn compare(&self, other: &Self, required: f64) -> Ordering {
         match (self.coverage >= required, other.coverage >= required) {
-            (true, true) => self.duration_s < other.duration_s,
-            (false, false) => self.coverage > other.coverage,
-            (reaches, _) => reaches,
+            (true, true) => self.duration_s.total_cmp(&other.duration_s),
+            (false, false) => other.coverage.total_cmp(&self.coverage),
+            (true, false) => Ordering::Less,
+            (false, true) => Ordering::Greater,
         }
     }
 }
@@ -134,7 +142,7 @@ mod tests {
         assert!(some.duration_s < much.duration_s && some.cell_size > much.cell_size, "{some:?} {much:?}");
         assert!(all.coverage < 1.0 && all.coverage >= much.coverage, "as much as can be: {all:?}");
         // It is the plan that these cells give.
-        let again = room.with_cells(much.cell_size).try_cells(planner, &with_least_effort(planner, &params), 1, 0.0);
+        let again = room.with_cells(much.cell_size).try_cells(planner, &params, 1, 0.0);
         assert_eq!(again.unwrap().duration_s, much.duration_s);
     }
 

@@ -2,7 +2,9 @@
 
 use crate::{
     Conditions, Run, RunSetup, World,
-    controller::{self, BehaviourInfo, Behaviours, Controller, FollowPath, FollowSmoothly, Setup, safe_speed},
+    controller::{
+        self, BehaviourInfo, Behaviours, Controller, FollowPath, FollowSmoothly, Recharge, Setup, safe_speed,
+    },
 };
 use coverage_planners::{
     Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
@@ -13,9 +15,9 @@ use coverage_planners::{
 use robovac_core::{
     coverage::{FloorError, PlanningGrid, ReachableFloor, fine_resolution},
     floor_plan::FloorPlan,
-    geometry::{Point, Pose},
+    geometry::{MetricPath, Point, Pose},
     registry::Params,
-    robot::{OdometryModel, RobotModel},
+    robot::{OdometryModel, RobotModel, WheelLayout},
     trajectory::Trajectory,
 };
 use std::sync::Arc;
@@ -111,17 +113,30 @@ impl RoomSetup {
         let world = Arc::new(World::new(plan));
         Self { floor, planning_grid: Arc::new(planning_grid), job, world, robot: robot.clone() }
     }
+
+    /// Lays out `plan` for `robot` that drives `path` and stands at its start, with `heading` rad if it turns to where it
+    /// drives. Otherwise it keeps heading 0, for which such paths are planned.
+    pub fn along(
+        plan: &FloorPlan,
+        robot: &RobotModel,
+        cell_size: f64,
+        path: &MetricPath,
+        heading: f64,
+    ) -> Result<Self, FloorError> {
+        let turns = robot.wheels == WheelLayout::Differential;
+        let (start, heading) = (path.start(), if turns { heading } else { 0.0 });
+        let floor = ReachableFloor::of_path(plan, robot, Pose::new(start.x, start.y, heading))?;
+        let cell_size = cell_size.max(fine_resolution(plan));
+        Ok(Self::on(plan, floor, robot, cell_size))
+    }
 }
 
 impl RoomSetup {
     /// The line that a robot drives to follow `path`, corners in m, after checking the path.
     pub fn line(&self, path: &CoveragePath) -> Result<Arc<[Point]>, PathError> {
         path.check(&self.job)?;
-        let line = if path.is_in_metres() {
-            path.line.clone()
-        } else {
-            self.planning_grid.polyline(&self.floor, &path.cells)
-        };
+        let line =
+            if path.is_in_metres() { path.line.clone() } else { self.planning_grid.polyline(&self.floor, &path.cells) };
         Ok(line.into())
     }
 
@@ -131,18 +146,38 @@ impl RoomSetup {
         RunSetup { floor: Arc::clone(floor), world: Arc::clone(world), robot: robot.clone(), conditions, seed }
     }
 
-    /// A run along `line` (corners, m) by dead reckoning. Empty batteries are replaced, as plans are compared by the
-    /// floor that they clean, with energy as a separate number.
+    /// A run along `line` (corners, m) by dead reckoning. A robot that can dock goes to its dock when the battery is low,
+    /// and goes on where it stopped. Without a dock empty batteries are replaced, as plans are compared by the floor that
+    /// they clean, with energy as a separate number.
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
-        self.run_driven(&Driven { line: Arc::clone(line), smooth: None }, conditions, odometry, seed)
+        let follower = self.follower_in_room(line, odometry);
+        match Recharge::new(&follower, &self.floor, &self.world.docks, seed) {
+            Some(recharge) => Run::new(&self.setup(conditions, seed), Box::new(recharge)),
+            None => self.run_on(Box::new(follower), conditions, seed),
+        }
     }
 
-    /// The same with corners rounded, if they are.
+    /// The same with corners rounded, if they are; then empty batteries are replaced.
     pub fn run_driven(&self, driven: &Driven, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
-        let follower = self.follower(&self.robot, &driven.line, odometry);
-        let follower = if self.is_flat() { follower } else { follower.carefully() };
-        let conditions = Conditions { spare_batteries: true, ..conditions };
-        Run::new(&self.setup(conditions, seed), driven.controller(&self.robot, follower))
+        if driven.smooth.is_none() {
+            return self.run_along(&driven.line, conditions, odometry, seed);
+        }
+        let follower = self.follower_in_room(&driven.line, odometry);
+        self.run_on(driven.controller(&self.robot, follower), conditions, seed)
+    }
+
+    /// The follower of `line`, with what it has to know of the room.
+    fn follower_in_room(&self, line: &Arc<[Point]>, odometry: OdometryModel) -> FollowPath {
+        let follower = self.follower(&self.robot, line, odometry);
+        // A robot that doesn't turn to where it drives keeps its path's distance from edges at every heading.
+        let is_careful = !self.is_flat() && (self.floor.turns || !self.floor.is_for_path);
+        let follower = if is_careful { follower.carefully() } else { follower };
+        if self.floor.is_for_path { follower.knowing(&self.floor) } else { follower }
+    }
+
+    /// A run whose empty batteries are replaced.
+    fn run_on(&self, controller: Box<dyn Controller>, conditions: Conditions, seed: u64) -> Run {
+        Run::new(&self.setup(Conditions { spare_batteries: true, ..conditions }, seed), controller)
     }
 
     fn is_flat(&self) -> bool {
@@ -200,9 +235,10 @@ pub struct Driven {
 impl Driven {
     /// What drives it: `follower`, which follows the line, or its trajectory if there is one and `robot` can.
     pub fn controller(&self, robot: &RobotModel, follower: FollowPath) -> Box<dyn Controller> {
-        let smooth = self.smooth.as_ref().and_then(|trajectory| {
-            FollowSmoothly::new(robot, follower.clone(), Arc::clone(trajectory))
-        });
+        let smooth = self
+            .smooth
+            .as_ref()
+            .and_then(|trajectory| FollowSmoothly::new(robot, follower.clone(), Arc::clone(trajectory)));
         smooth.map_or_else(|| Box::new(follower) as Box<dyn Controller>, |smooth| Box::new(smooth))
     }
 }
@@ -250,6 +286,21 @@ impl Planned {
             least: None,
             kept_at: None,
         })
+    }
+
+    /// The plan to drive along `path`, which took `seconds` to find.
+    pub fn along(prepared: &RoomSetup, path: &MetricPath, seconds: f64) -> Self {
+        Self {
+            walk: None,
+            drive: DriveMetrics::of(&prepared.floor, &prepared.robot, path.corners()),
+            line: Arc::clone(path.corners()),
+            smooth: None,
+            planning_s: seconds,
+            proof: None,
+            compared: None,
+            least: None,
+            kept_at: None,
+        }
     }
 
     /// All metrics for a table, with the bounds of the job.

@@ -203,7 +203,7 @@ mod tests {
             let plan = (room(id).unwrap().build)();
             let report = planned(&plan, CELL_ROBOT, None, None).unwrap();
             let free = plan.occupancy.values().iter().filter(|o| o.is_free()).count();
-            assert_eq!((report.drive.coverage, report.walk.reachable_cells), (1.0, free), "{id}");
+            assert_eq!((report.drive.coverage, report.walk.unwrap().reachable_cells), (1.0, free), "{id}");
             assert_eq!(
                 (report.task.room.width, report.task.room.height),
                 (plan.occupancy.width(), plan.occupancy.height())
@@ -269,7 +269,7 @@ mod tests {
             seed: 0,
         };
         let report = PlanReport::new(&task, task.solve(|| 0.0, None).unwrap());
-        assert_eq!((report.task.start, report.walk.steps), (Cell::new(0, 0), 0));
+        assert_eq!((report.task.start, report.walk.unwrap().steps), (Cell::new(0, 0), 0));
         assert!((report.task.heading_deg + 90.0).abs() < 1e-9, "{}", report.task.heading_deg);
     }
 

@@ -2,10 +2,14 @@
 
 use super::{
     DistanceField,
+    landmark::{DARK, Landmarks},
     likelihood::Reading,
     scan_reading::{ScanReading, ScanSearch},
 };
-use crate::mapping::{OccupancyMap, PoseCovariance, scan::Match};
+use crate::{
+    docking::{berth, could_touch},
+    mapping::{OccupancyMap, PoseCovariance, scan::Match},
+};
 use rand::RngExt;
 use robovac_core::{
     geometry::{Point, Pose, difference, normalize},
@@ -54,6 +58,9 @@ const LOST_BY_SCAN: f64 = 12.0;
 /// Least log fit that these averages take into account, and that of scans.
 const WORST: f64 = -12.0;
 const WORST_BY_SCAN: f64 = -40.0;
+/// Particles for each dock on which the robot can be, with their deviation from its pose there, m and rad.
+const PER_DOCK: usize = 200;
+const MOORED: (f64, f64) = (0.01, 0.03);
 /// It is sure if this share of the weight lies within this many metres of its estimate.
 const SURE: (f64, f64) = (0.85, 0.25);
 /// And for this many updates.
@@ -79,9 +86,12 @@ pub struct Locator {
     scans: Option<Arc<ScanSearch>>,
     /// The latest scan.
     scan: Option<Arc<[f32]>>,
-    /// Places where the robot can stand, and those of them near obstacles.
+    /// Places where the robot can stand, those of them near obstacles, and those near docks.
     places: Arc<[Point]>,
     near: Arc<[Point]>,
+    lit: Arc<[Point]>,
+    docks: Landmarks,
+    on_dock: bool,
     rng: Rng,
     odometry: Odometry,
     /// Odometry at the last update.
@@ -134,6 +144,9 @@ impl Locator {
             scan: None,
             places,
             near,
+            lit: Arc::default(),
+            docks: Landmarks::new(&[], &setup.robot),
+            on_dock: false,
             rng: seeded(setup.seed, STREAM),
             looked: origin,
             bumped: false,
@@ -148,6 +161,13 @@ impl Locator {
         })
     }
 
+    /// The same with docks on the map, which are landmarks.
+    pub fn knowing_docks(mut self, docks: &[Pose]) -> Self {
+        self.docks = Landmarks::new(docks, &self.setup.robot);
+        self.lit = self.places.iter().copied().filter(|&place| self.docks.is_near(place)).collect();
+        self
+    }
+
     /// Takes the next reading.
     pub fn update(&mut self, sensed: &SensorReadings) {
         self.odometry.update(sensed);
@@ -157,6 +177,11 @@ impl Locator {
         }
         if std::mem::take(&mut self.lifted) {
             self.forget();
+        }
+        let was_on_dock = std::mem::replace(&mut self.on_dock, sensed.battery.on_dock);
+        if self.on_dock && !was_on_dock && !self.docks.docks.is_empty() {
+            self.moor();
+            return;
         }
         let scan = sensed.laser.as_ref().filter(|_| self.scans.is_some());
         if let Some(scan) = scan {
@@ -185,8 +210,12 @@ impl Locator {
             return;
         }
         let reading = Reading::new(&self.setup.robot, sensed);
-        self.draw(&reading);
-        self.weigh(|field, pose| reading.fit(field, pose));
+        let (docks, seen) = (self.docks.clone(), self.docks.seen(sensed));
+        let fit = |field: &DistanceField, pose: Pose| {
+            reading.fit(field, pose) + seen.map_or(0.0, |seen| docks.fit(seen, field, pose))
+        };
+        self.draw(&reading, seen.is_some_and(|seen| seen != DARK), &fit);
+        self.weigh(fit);
     }
 
     /// Forgets everything except the map.
@@ -239,24 +268,49 @@ impl Locator {
         }
     }
 
-    /// During a search, draws poses that fit the reading, wherever an obstacle is near.
-    fn draw(&mut self, reading: &Reading) {
+    /// It has come onto a dock.
+    fn moor(&mut self) {
+        let robot = &self.setup.robot;
+        let berths: Vec<Pose> = self.docks.docks.iter().map(|&dock| berth(dock, robot)).collect();
+        // An estimate that can be right is kept: it is more accurate than the contacts.
+        let can_be = |pose| berths.iter().any(|&berth| could_touch(berth, pose));
+        if self.is_sure() && self.pose().is_some_and(can_be) {
+            return;
+        }
+        self.particles.clear();
+        for berth in &berths {
+            for _ in 0..PER_DOCK {
+                let [a, b, c] = [normal(&mut self.rng), normal(&mut self.rng), normal(&mut self.rng)];
+                let heading = normalize(berth.heading + MOORED.1 * c);
+                let pose = Pose::new(berth.x + MOORED.0 * a, berth.y + MOORED.0 * b, heading);
+                self.particles.push(Particle { pose, weight: 0.0 });
+            }
+        }
+        (self.draws, self.fits, self.looked) = (0, None, self.odometry.pose());
+        self.judge();
+        self.agreed = if berths.len() == 1 { SURE_LOOKS } else { 0 };
+    }
+
+    /// During a search, draws poses that fit the reading, wherever an obstacle is near, or a dock if its beams are seen.
+    fn draw(&mut self, reading: &Reading, is_lit: bool, fit: &impl Fn(&DistanceField, Pose) -> f64) {
         let count = match self.draws {
             0 if !self.is_sure() && self.looks.is_multiple_of(AGAIN.1) => AGAIN.0,
             0 => 0,
             _ => DRAWS.0,
         };
-        if count == 0 || !reading.meets_something() {
+        let is_lit = is_lit && !self.lit.is_empty();
+        if count == 0 || !(is_lit || reading.meets_something()) {
             return;
         }
+        let places = if is_lit { Arc::clone(&self.lit) } else { Arc::clone(&self.near) };
         let is_searching = self.draws > 0;
         let share = if is_searching { COUNT.1 / 2 } else { COUNT.1 / 16 };
         self.draws = self.draws.saturating_sub(1);
-        let reach = self.setup.robot.radius + reading.reach();
+        let reach = if reading.meets_something() { self.setup.robot.radius + reading.reach() } else { f64::INFINITY };
         let half = 0.5 * self.field.resolution();
         let mut drawn = Vec::new();
         for _ in 0..count {
-            let at = self.near[self.rng.random_range(0..self.near.len())];
+            let at = places[self.rng.random_range(0..places.len())];
             let [x, y] = [0.0; 2].map(|_: f64| self.rng.random_range(-half..half));
             let at = Point::new(at.x + x, at.y + y);
             if self.field.distance(at) > reach {
@@ -264,7 +318,7 @@ impl Locator {
             }
             let heading = self.rng.random_range(-math::PI..math::PI);
             let pose = Pose::new(at.x, at.y, heading);
-            let fit = reading.fit(&self.field, pose);
+            let fit = fit(&self.field, pose);
             if fit > -8.0 {
                 drawn.push(Particle { pose, weight: fit });
             }

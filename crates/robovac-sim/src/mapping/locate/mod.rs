@@ -13,11 +13,14 @@
 //! - Echoes, missing echoes, contacts and free floor under the body all count, as the sum of many weak hints.
 //! - The number of particles depends on the number of possible places (Fox, Adapting the sample size in particle
 //!   filters through KLD-sampling, 2003).
+//! - *Docks* whose places are known are landmarks. Their beams tell where around the dock the robot is and where it looks;
+//!   on its contacts it knows its pose at once.
 //! - A robot with a laser scanner searches the whole map for the poses at which a scan fits, and follows those.
 //! - It draws new poses when readings fit the map worse than before (augmented MCL; Thrun, Burgard & Fox, Probabilistic
 //!   Robotics, 2005, section 8.3.5), and starts over after wheel drops.
 
 mod field;
+mod landmark;
 mod likelihood;
 mod locator;
 mod scan_reading;

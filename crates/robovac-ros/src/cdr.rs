@@ -7,12 +7,19 @@ const HEADER: [u8; 4] = [0, 1, 0, 0];
 #[derive(Debug)]
 pub struct Cdr(Vec<u8>);
 
+impl Default for Cdr {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Cdr {
+    /// An empty message.
     pub fn new() -> Self {
         Self(HEADER.to_vec())
     }
 
-    /// The encoded message.
+    /// The encoded message, with its encapsulation of four bytes.
     pub fn bytes(self) -> Vec<u8> {
         self.0
     }
@@ -24,28 +31,34 @@ impl Cdr {
         self.0.extend(bytes);
     }
 
+    /// `uint8`
     pub fn byte(&mut self, value: u8) {
         self.value([value]);
     }
 
+    /// `bool`, several in turn.
     pub fn flags(&mut self, values: &[bool]) {
         for &value in values {
             self.byte(value.into());
         }
     }
 
+    /// `uint16`
     pub fn short(&mut self, value: u16) {
         self.value(value.to_le_bytes());
     }
 
+    /// `uint32`, and the length of a list.
     pub fn word(&mut self, value: u32) {
         self.value(value.to_le_bytes());
     }
 
+    /// `float32`
     pub fn single(&mut self, value: f32) {
         self.value(value.to_le_bytes());
     }
 
+    /// `float64`, several in turn.
     pub fn doubles(&mut self, values: &[f64]) {
         for value in values {
             self.value(value.to_le_bytes());
@@ -59,13 +72,13 @@ impl Cdr {
         self.0.push(0);
     }
 
-    /// `std_msgs/Header`.
+    /// `std_msgs/Header`
     pub fn header(&mut self, time_s: f64, frame: &str) {
         self.time(time_s);
         self.string(frame);
     }
 
-    /// `builtin_interfaces/Time`.
+    /// `builtin_interfaces/Time`
     pub fn time(&mut self, time_s: f64) {
         let nanos = nanos(time_s);
         self.word((nanos / 1_000_000_000) as u32);

@@ -1,0 +1,130 @@
+//! Floor plans in images: photographs, scans, exported pictures. Their shades become walls, and rooms are traced from
+//! them as from drawings.
+
+mod level;
+mod local;
+mod specks;
+mod suggest;
+
+pub use suggest::suggest;
+
+use robovac_core::{
+    floor_plan::Shading,
+    geometry::{Point, Vector},
+    grid::{Cell, Grid, Occupancy},
+    math::{cos, floor, sin},
+};
+use serde::{Deserialize, Serialize};
+
+/// How shades are told apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "snake_case")]
+pub enum ShadeMethod {
+    /// As the ROS map server does: dark is wall, light is floor, grey between is unknown.
+    #[default]
+    Map,
+    /// One level for the whole picture.
+    Level,
+    /// Compared with the shades around, for pictures that aren't evenly lit.
+    Local,
+}
+
+/// How the shades of an image become walls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WallShades {
+    /// How shades are told apart.
+    pub method: ShadeMethod,
+    /// Darker shades are walls, 0 (black) to 1 (white). For [`ShadeMethod::Level`].
+    pub level: f64,
+    /// Walls are darker than the mean around them by this share of it, 0 to 1. For [`ShadeMethod::Local`].
+    pub contrast: f64,
+    /// Whether light shades are walls instead.
+    pub negate: bool,
+    /// Marks that are smaller than this are left out, pixels; not for [`ShadeMethod::Map`].
+    pub specks: f64,
+}
+
+impl WallShades {
+    /// What each pixel is.
+    pub fn cells(&self, shades: &Grid<u8>) -> Grid<Occupancy> {
+        let light = |is_wall: bool| if is_wall { Occupancy::Occupied } else { Occupancy::Free };
+        let mut walls = match self.method {
+            ShadeMethod::Map => {
+                let shading = Shading { negate: self.negate, ..Shading::default() };
+                let cells: Vec<Occupancy> = (0..=u8::MAX).map(|shade| shading.cell_of(shade)).collect();
+                return shades.map(|&shade| cells[usize::from(shade)]);
+            }
+            ShadeMethod::Level => level::darker(shades, self.level, self.negate),
+            ShadeMethod::Local => local::darker(shades, self.contrast, self.negate),
+        };
+        specks::remove(&mut walls, self.specks);
+        walls.map(|&is_wall| light(is_wall))
+    }
+}
+
+/// An image as a drawing: its unit is a pixel, its origin the image's lower left corner, turned around that.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// Its name.
+    pub name: String,
+    /// Pixels that aren't floor.
+    pub blocked: Grid<bool>,
+    /// Angle by which it is turned, rad, counter-clockwise.
+    pub turn: f64,
+}
+
+impl Picture {
+    /// Lower left and upper right corner of the turned picture.
+    pub fn bounds(width: usize, height: usize, turn: f64) -> [Point; 2] {
+        let (width, height) = (width as f64, height as f64);
+        let corners = [(0.0, 0.0), (width, 0.0), (0.0, height), (width, height)];
+        let turned = corners.map(|(x, y)| turned(Point::new(x, y), turn));
+        let low = turned.iter().fold(turned[0], |low, corner| low.inf(corner));
+        let high = turned.iter().fold(turned[0], |high, corner| high.sup(corner));
+        // Rounding must not add a column.
+        let whole = |value: f64| if (value - value.round()).abs() < 1e-9 { value.round() } else { value };
+        [low, high].map(|point| Point::new(whole(point.x), whole(point.y)))
+    }
+
+    /// Whether something lies on the square with `side` at `low`; `outside` is what lies beyond the picture.
+    pub(crate) fn blocks(&self, low: Point, side: f64, outside: bool) -> bool {
+        // A sample a pixel, at least.
+        let count = floor(side + 1e-9).max(1);
+        let step = side / f64::from(count);
+        let (sin, cos) = (sin(-self.turn), cos(-self.turn));
+        (0..count * count).any(|index| {
+            let by = Vector::new(f64::from(index % count) + 0.5, f64::from(index / count) + 0.5) * step;
+            let at = low + by;
+            let pixel = Cell::new(floor(at.x * cos - at.y * sin), floor(at.x * sin + at.y * cos));
+            self.blocked.get(pixel).copied().unwrap_or(outside)
+        })
+    }
+}
+
+/// A point turned around the origin, counter-clockwise.
+fn turned(point: Point, turn: f64) -> Point {
+    let (sin, cos) = (sin(turn), cos(turn));
+    Point::new(point.x * cos - point.y * sin, point.x * sin + point.y * cos)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::grid::from_picture;
+
+    #[test]
+    fn a_turned_picture_is_looked_up_where_it_lies() {
+        let blocked = from_picture("#...\n....\n", |c| c == '#').unwrap();
+        let mut picture = Picture { name: String::new(), blocked, turn: 0.0 };
+        assert_eq!(Picture::bounds(4, 2, 0.0), [Point::new(0.0, 0.0), Point::new(4.0, 2.0)]);
+        assert!(picture.blocks(Point::new(0.0, 1.0), 1.0, false) && !picture.blocks(Point::new(1.0, 1.0), 1.0, false));
+        assert!(picture.blocks(Point::new(0.0, 0.0), 2.0, false), "a square with a wall in it");
+        // A quarter to the left: the upper left corner comes to the lower left.
+        picture.turn = robovac_core::math::FRAC_PI_2;
+        let [low, high] = Picture::bounds(4, 2, picture.turn);
+        assert_eq!((low, high), (Point::new(-2.0, 0.0), Point::new(0.0, 4.0)));
+        assert!(picture.blocks(low, 1.0, false) && !picture.blocks(low + Vector::new(1.0, 0.0), 1.0, false));
+        assert!(picture.blocks(Point::new(5.0, 5.0), 1.0, true));
+    }
+}

@@ -1,0 +1,217 @@
+//! Tells the frame of a sheet and its title block from walls.
+
+use super::{
+    frame::{BoundingBox, RasterFrame},
+    openings,
+    raster::RasterCanvas,
+};
+use crate::{Drawing, Role, model::DrawingLayer, roles::says_wall};
+use robovac_core::{geometry::Point, grid::Cell, math::ceil};
+
+/// Longer by shorter side of a frame: sheets have the square root of 2 (ISO 216), with margins a little more or less.
+const ASPECT: [f64; 2] = [1.36, 1.48];
+/// Tolerance of lengths, as a share of the drawing's longer side.
+const NEAR: f64 = 0.004;
+/// Least size of a second frame within the first, as a share of it.
+const NESTED: f64 = 0.85;
+/// Largest area of a title block, as a share of the frame's.
+const TITLE_BLOCK: f64 = 0.25;
+/// Least floor that walls within a frame enclose, as a share of the frame's area: without a building it is a room.
+const BUILDING: f64 = 0.12;
+/// Cells along the longer side for that, and openings that are closed for it, in cells.
+const CELLS: f64 = 200.0;
+const DOOR: f64 = 6.0;
+
+/// The drawing with a page's frame and title block on layers of their own, which are ignored. What lies on layers that
+/// are called walls, and a rectangle around anything but a building, stays.
+pub(crate) fn without_page(mut drawing: Drawing) -> Drawing {
+    let Some((frame, title)) = found(&drawing) else { return drawing };
+    for (name, strokes) in [("page frame", frame), ("title block", title)] {
+        if strokes.is_empty() {
+            continue;
+        }
+        let colour = drawing.layers[drawing.strokes[strokes[0]].layer as usize].colour;
+        let layer = drawing.layers.len() as u32;
+        drawing.layers.push(DrawingLayer {
+            name: name.to_owned(),
+            colour,
+            strokes: strokes.len(),
+            role: Role::Ignored,
+        });
+        for stroke in strokes {
+            let old = &mut drawing.strokes[stroke].layer;
+            drawing.layers[*old as usize].strokes -= 1;
+            *old = layer;
+        }
+    }
+    // Layers without strokes aren't shown.
+    let mut kept = 0;
+    let moved: Vec<u32> = drawing
+        .layers
+        .iter()
+        .map(|layer| {
+            kept += u32::from(layer.strokes > 0);
+            kept.saturating_sub(1)
+        })
+        .collect();
+    drawing.layers.retain(|layer| layer.strokes > 0);
+    for stroke in &mut drawing.strokes {
+        stroke.layer = moved[stroke.layer as usize];
+    }
+    drawing
+}
+
+/// The strokes of the frame and of the title block.
+fn found(drawing: &Drawing) -> Option<(Vec<usize>, Vec<usize>)> {
+    let boxes: Vec<BoundingBox> = drawing
+        .strokes
+        .iter()
+        .map(|stroke| BoundingBox::of(drawing.corners(stroke).iter().copied()))
+        .collect::<Option<_>>()?;
+    let is_wall = |index: usize| drawing.layers[drawing.strokes[index].layer as usize].role == Role::Wall;
+    let walls: Vec<usize> = (0..boxes.len()).filter(|&index| is_wall(index)).collect();
+    let all = BoundingBox::of(walls.iter().flat_map(|&index| [boxes[index].low, boxes[index].high]))?;
+    let size = all.high - all.low;
+    let (longer, shorter) = (size.max(), size.min());
+    let near = NEAR * longer;
+    if shorter <= 0.0 || !(ASPECT[0]..=ASPECT[1]).contains(&(longer / shorter)) {
+        return None;
+    }
+    let is_frame = |index: usize| {
+        let (stroke, b) = (&drawing.strokes[index], &boxes[index]);
+        let inside = b.high - b.low;
+        inside.x >= NESTED * size.x
+            && inside.y >= NESTED * size.y
+            && is_rectangle(drawing.corners(stroke), stroke.is_closed, b, near)
+            && !says_wall(&drawing.layers[stroke.layer as usize].name)
+    };
+    let frame: Vec<usize> = walls.iter().copied().filter(|&index| is_frame(index)).collect();
+    let is_outermost = |index: &usize| {
+        let b = &boxes[*index];
+        (b.low - all.low).amax() <= near && (b.high - all.high).amax() <= near
+    };
+    if !frame.iter().any(is_outermost) {
+        return None;
+    }
+    // The innermost one is what a title block stands at.
+    let inner = frame.iter().map(|&index| &boxes[index]).min_by(|a, b| area(a).total_cmp(&area(b)))?;
+    let rest: Vec<usize> = walls.iter().copied().filter(|index| !frame.contains(index)).collect();
+    let touches = |b: &BoundingBox| {
+        let apart = (b.low - inner.low).inf(&(inner.high - b.high));
+        apart.min() <= near
+    };
+    let mut block: Option<BoundingBox> = None;
+    for &index in &rest {
+        if touches(&boxes[index]) {
+            block = Some(joined(block, &boxes[index]));
+        }
+    }
+    let mut title = Vec::new();
+    if let Some(block) = block {
+        let (low, high) = (block.low - inner.low, inner.high - block.high);
+        let is_in_corner = low.x.min(high.x) <= near && low.y.min(high.y) <= near;
+        if !is_in_corner || area(&block) > TITLE_BLOCK * area(inner) {
+            return None;
+        }
+        let is_in = |b: &BoundingBox| (b.low - block.low).min() >= -near && (block.high - b.high).min() >= -near;
+        title = rest.iter().copied().filter(|&index| is_in(&boxes[index])).collect();
+    }
+    let house: Vec<usize> = rest.into_iter().filter(|index| !title.contains(index)).collect();
+    (floor_share(drawing, &house, &all, longer)? >= BUILDING).then_some((frame, title))
+}
+
+fn area(b: &BoundingBox) -> f64 {
+    (b.high.x - b.low.x) * (b.high.y - b.low.y)
+}
+
+fn joined(one: Option<BoundingBox>, other: &BoundingBox) -> BoundingBox {
+    one.map_or(*other, |one| BoundingBox { low: one.low.inf(&other.low), high: one.high.sup(&other.high) })
+}
+
+/// Whether the corners are those of their bounding box, in order.
+fn is_rectangle(corners: &[Point], is_closed: bool, b: &BoundingBox, near: f64) -> bool {
+    let returns = corners.len() == 5 && (corners[0] - corners[4]).norm() <= near;
+    let at = |corner: &Point| {
+        let side = |value: f64, low: f64, high: f64| {
+            if (value - low).abs() <= near { Some(false) } else { ((value - high).abs() <= near).then_some(true) }
+        };
+        Some((side(corner.x, b.low.x, b.high.x)?, side(corner.y, b.low.y, b.high.y)?))
+    };
+    let sides: Option<Vec<(bool, bool)>> = corners.iter().take(4).map(at).collect();
+    (is_closed && corners.len() == 4 || returns)
+        && sides.is_some_and(|s| s.windows(2).all(|pair| (pair[0].0 != pair[1].0) != (pair[0].1 != pair[1].1)))
+}
+
+/// The share of the area `all` that strokes enclose, with openings like doors closed.
+fn floor_share(drawing: &Drawing, strokes: &[usize], all: &BoundingBox, longer: f64) -> Option<f64> {
+    let frame = RasterFrame::around(all, longer / CELLS, ceil(DOOR) + 2);
+    let mut canvas = RasterCanvas::new(frame.size);
+    for &index in strokes {
+        let stroke = &drawing.strokes[index];
+        let corners = drawing.corners(stroke);
+        let closing = stroke.is_closed.then(|| [corners.last(), corners.first()]);
+        let ends = corners.windows(2).map(|pair| [pair[0], pair[1]]);
+        let closing = closing.and_then(|[last, first]| Some([*last?, *first?]));
+        for [a, b] in ends.chain(closing) {
+            canvas.segment(frame.cells(a), frame.cells(b)).ok()?;
+        }
+    }
+    let outside = openings::part(&canvas.cells, [Cell::new(0, 0)], DOOR);
+    let inside = outside.cells.values().iter().zip(canvas.cells.values());
+    let inside = inside.filter(|&(&is_outside, &is_wall)| !is_outside && !is_wall).count();
+    Some(inside as f64 * frame.side * frame.side / area(all))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{DrawingLayer, Role, read};
+    use robovac_core::floor_plan::SourceFile;
+
+    type Rectangle = (&'static str, f64, f64, f64, f64);
+
+    /// A DXF with rectangles: layer, left, bottom, right, top.
+    fn layers(rectangles: &[Rectangle]) -> Vec<DrawingLayer> {
+        let polyline = |&(layer, l, b, r, t): &Rectangle| {
+            format!(
+                "0\nLWPOLYLINE\n8\n{layer}\n70\n1\n10\n{l}\n20\n{b}\n10\n{r}\n20\n{b}\n10\n{r}\n20\n{t}\n10\n{l}\n20\n{t}\n"
+            )
+        };
+        let entities: String = rectangles.iter().map(polyline).collect();
+        let bytes = format!("0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n").into_bytes();
+        read(&SourceFile { name: "a.dxf".into(), bytes }).unwrap().layers
+    }
+
+    fn walls(layers: &[DrawingLayer]) -> usize {
+        layers.iter().filter(|layer| layer.role == Role::Wall).map(|layer| layer.strokes).sum()
+    }
+
+    const PAGE: Rectangle = ("0", 0.0, 0.0, 420.0, 297.0);
+    const INNER: Rectangle = ("0", 20.0, 10.0, 410.0, 287.0);
+    const TITLE: Rectangle = ("0", 230.0, 10.0, 410.0, 60.0);
+    const HOUSE: [Rectangle; 2] = [("0", 60.0, 90.0, 200.0, 260.0), ("0", 200.0, 90.0, 330.0, 260.0)];
+
+    #[test]
+    fn a_frame_with_a_title_block_is_no_wall_by_default() {
+        let found = layers(&[PAGE, INNER, TITLE, ("0", 240.0, 20.0, 300.0, 40.0), HOUSE[0], HOUSE[1]]);
+        let names: Vec<(&str, usize)> = found.iter().map(|layer| (layer.name.as_str(), layer.strokes)).collect();
+        assert_eq!(names, [("0", 2), ("page frame", 2), ("title block", 2)]);
+        assert_eq!(walls(&found), 2);
+        // Frame and house on layers of their own: none is left empty.
+        let apart = layers(&[("sheet A3", 0.0, 0.0, 420.0, 297.0), HOUSE[0], HOUSE[1]]);
+        assert_eq!((apart.len(), walls(&apart)), (2, 2));
+    }
+
+    #[test]
+    fn a_room_is_no_frame() {
+        // Pillars, not a building.
+        let pillars = [("0", 90.0, 90.0, 110.0, 110.0), ("0", 300.0, 190.0, 320.0, 210.0)];
+        assert_eq!(walls(&layers(&[PAGE, pillars[0], pillars[1]])), 3);
+        // Called a wall.
+        assert_eq!(walls(&layers(&[("Aussenwand", 0.0, 0.0, 420.0, 297.0), HOUSE[0], HOUSE[1]])), 3);
+        // Partitions that reach the outer wall.
+        let partition = ("0", 0.0, 100.0, 420.0, 110.0);
+        assert_eq!(walls(&layers(&[PAGE, partition, HOUSE[0]])), 3);
+        // Another shape than a sheet.
+        assert_eq!(walls(&layers(&[("0", 0.0, 0.0, 420.0, 400.0), HOUSE[0], HOUSE[1]])), 3);
+    }
+}

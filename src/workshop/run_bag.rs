@@ -1,0 +1,54 @@
+//! Runs as MCAP bags with ROS 2 messages, simulated again in a worker.
+
+use robovac_app::{
+    explore::{Session, SessionSnapshot},
+    export::RunBag,
+    map::MapSession,
+};
+use robovac_core::geometry::Point;
+use robovac_playground::wire::message;
+use wasm_bindgen::prelude::*;
+
+/// What is missing, as a sentence for users.
+const MISFIT: &str =
+    "There is no run: the robot doesn't fit into this room. Move its start, or choose a smaller robot.";
+
+/// The run of a playground: `snapshot`, `corners`, `inputs` and the end of the run are the playground's. Blocks until it
+/// was simulated again; throws a sentence for users.
+#[wasm_bindgen]
+pub fn run_bag(
+    #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
+    corners: &[f64],
+    inputs: &[f64],
+    end_s: f64,
+) -> Result<Vec<u8>, JsValue> {
+    let line: Vec<Point> = corners.chunks_exact(2).map(|at| Point::new(at[0], at[1])).collect();
+    let bag = RunBag::of_session(&session(snapshot)?, line, RunBag::inputs_from_numbers(inputs), end_s);
+    finish(bag.map_err(message)?)
+}
+
+/// The same of the Map tab: `link` and `stored` are those of its session, `snapshot` is the playground's.
+#[wasm_bindgen]
+pub fn map_bag(
+    #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
+    link: &str,
+    stored: &str,
+) -> Result<Vec<u8>, JsValue> {
+    let mut mapping = MapSession::new();
+    mapping.take(&session(snapshot)?);
+    mapping.restore(link).map_err(message)?;
+    mapping.resume(stored).map_err(message)?;
+    finish(RunBag::of_mapping(&mapping).map_err(message)?)
+}
+
+fn session(snapshot: JsValue) -> Result<Session, JsValue> {
+    let snapshot: SessionSnapshot = serde_wasm_bindgen::from_value(snapshot).map_err(message)?;
+    let mut session = Session::new();
+    session.follow(&snapshot).map_err(message)?;
+    Ok(session)
+}
+
+fn finish(bag: Option<RunBag>) -> Result<Vec<u8>, JsValue> {
+    let (bytes, _) = bag.ok_or(MISFIT)?.finish().map_err(message)?;
+    Ok(bytes)
+}

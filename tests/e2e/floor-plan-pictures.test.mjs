@@ -1,0 +1,89 @@
+// Photographs and other pictures in the tab Floor plan: decoded by the browser, read as is best, turned and cut.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+import { anyFile } from "./maps.mjs";
+
+/** A picture of a house with two rooms and an open front door, turned on its sheet; as the browser encodes it. */
+const photograph = (page, name, type, degrees) =>
+  page.evaluate(
+    async ([type, degrees]) => {
+      const canvas = new OffscreenCanvas(520, 420);
+      const context = canvas.getContext("2d");
+      context.fillStyle = "#e8e4da";
+      context.fillRect(0, 0, 520, 420);
+      context.translate(260, 210);
+      context.rotate((-degrees * Math.PI) / 180);
+      context.fillStyle = "#222";
+      // 8 x 6 m at 2.5 cm a pixel, with walls of 20 cm.
+      context.fillRect(-168, -128, 336, 256);
+      context.fillStyle = "#e8e4da";
+      context.fillRect(-160, -120, 156, 240);
+      context.fillRect(4, -120, 156, 240);
+      context.fillRect(-4, 20, 8, 36);
+      context.fillRect(-168, -100, 8, 40);
+      const blob = await canvas.convertToBlob({ type, quality: 0.9 });
+      if (blob.type !== type) throw new Error(`this browser encodes no ${type}`);
+      return [...new Uint8Array(await blob.arrayBuffer())];
+    },
+    [type, degrees],
+  ).then((bytes) => ({ name, bytes: Buffer.from(bytes) }));
+
+const result = async (app) => {
+  await app.frames(2);
+  await app.page.waitForFunction(() => document.getElementById("panel-floor-plan").ariaBusy !== "true");
+  return (await app.page.locator("#floor-plan-result").textContent()) ?? "";
+};
+const floor = async (app) => Number(/([\d.]+) m² of floor/.exec(await result(app))?.[1]);
+/** 2 rooms of 3.9 x 6 m, and the doors in the walls. */
+const FLOOR = 2 * 3.9 * 6 + 0.2 * 0.9;
+
+test("a photograph becomes a floor plan: indoors, straightened, at its size", async (t) => {
+  const { page, app, screenshot } = await openApp(t);
+  assert.ok(await app.bring(await photograph(page, "flat.jpg", "image/jpeg", 7)));
+  assert.equal(await page.locator("#floor-plan-method").inputValue(), "level");
+  assert.equal(await page.locator("[data-part=indoors]").getAttribute("aria-pressed"), "true");
+  await page.locator("#floor-plan-pixel").fill("2.5");
+  await page.keyboard.press("Tab");
+  const askew = await app.poll(() => floor(app), (area) => area < 60);
+  assert.ok(Math.abs(askew / FLOOR - 1) < 0.05, `${askew} of ${FLOOR} m²`);
+  await screenshot("floor-plan-photograph");
+  const offered = await page.locator("#floor-plan-straighten").textContent();
+  assert.match(offered, /walls are (6\.[89]|7\.[0-2])° askew/);
+  await page.locator("#floor-plan-straighten").click();
+  await page.locator("#floor-plan-straighten").waitFor({ state: "hidden" });
+  assert.match(await result(app), /Room 8\.[0-5] × 6\.[0-5] m/);
+  // Whole has the paper around the house, too.
+  await page.locator("[data-part=whole]").click();
+  assert.ok((await app.poll(() => floor(app), (area) => area > FLOOR + 20)) > 0);
+  await page.locator("[data-part=indoors]").click();
+  await app.poll(() => floor(app), (area) => Math.abs(area / FLOOR - 1) < 0.05);
+  await screenshot("floor-plan-straightened");
+  await app.answered(() => page.locator("#floor-plan-use").click());
+  assert.equal(await app.room(), "flat");
+});
+
+test("WebP is read, an unusual size is asked about, and other files are told how to be converted", async (t) => {
+  const { page, app } = await openApp(t);
+  assert.ok(await app.bring(await photograph(page, "flat.webp", "image/webp", 0)));
+  await page.locator("#floor-plan-pixel").fill("50");
+  await page.keyboard.press("Tab");
+  await page.locator("#floor-plan-asks").waitFor();
+  assert.match(await page.locator("#floor-plan-asks-text").textContent(), /260\.0 × 210\.0 m\. Is that its size\?/);
+  await page.locator("#floor-plan-asks-yes").click();
+  await page.locator("#floor-plan-asks").waitFor({ state: "hidden" });
+  const before = await floor(app);
+  const heic = Buffer.concat([Buffer.from([0, 0, 0, 24]), Buffer.from("ftypheic")]);
+  for (const [file, remedy] of [
+    [anyFile("plan.pdf", "%PDF-1.7\n"), /plan\.pdf.*PDF document: export its page as SVG/],
+    [{ name: "plan.heic", bytes: heic }, /plan\.heic.*HEIC photograph: export it as JPEG/],
+    [anyFile("plan.zip", "PK\u0003\u0004"), /plan\.zip.*ZIP archive: unpack it/],
+    [{ name: "cut.jpg", bytes: Buffer.from([0xff, 0xd8, 0xff, 0xe0]) }, /cut\.jpg.*damaged/],
+  ]) {
+    assert.equal(await app.bring(file), false);
+    const message = await app.says(remedy);
+    assert.doesNotMatch(message, /Floor plan tab/);
+    if (!/damaged/.test(message)) for (const format of ["DXF", "SVG", "GeoJSON", "PNG", "JPEG", "WebP", "PGM", "YAML", "text", "JSON"]) assert.ok(message.includes(format), `${format}: ${message}`);
+    assert.equal(await floor(app), before, "what was open stays");
+  }
+});

@@ -1,0 +1,33 @@
+// Paths in metres: the best so far kept, driven and compared; and planning cells chosen for a coverage.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+
+test("lanes in metres are kept early, told above the least, and driven", async (t) => {
+  // A large room, in which it would search for minutes.
+  const { page, app } = await openApp(t, { address: "#room=office&planner=snake" });
+  await page.evaluate(() => {
+    const menu = document.getElementById("algorithm");
+    menu.value = "lanes";
+    menu.dispatchEvent(new Event("change", { bubbles: true }));
+  });
+  await page.locator("#planning-keep").waitFor();
+  await page.locator("#planning-keep").click();
+  await app.settled();
+  assert.equal(await app.message(), "");
+  await app.poll(() => app.metric("Excess length"), ({ plan }) => /^[\d.]+ % over [\d.,]+ m$/.test(plan));
+  const { plan: time } = await app.metric("Excess time");
+  assert.match(time, /^[\d.]+ % over [\d:]+$/);
+  assert.ok(await page.getByRole("rowheader", { name: "Cells visited" }).isHidden(), "there are no cells");
+  await app.poll(() => app.numbers(), ({ distance }) => distance > 0);
+});
+
+test("planning cells are chosen for a coverage", async (t) => {
+  const { app } = await openApp(t, { address: "#room=bedroom&planner=boustrophedon&cell=0.2" });
+  const swept = async () => Number(/[\d.]+/.exec((await app.metric("Coverage")).plan)?.[0]);
+  await app.poll(swept, (coverage) => coverage < 97);
+  await app.unfold();
+  await app.choose("cell-size", "98");
+  await app.poll(swept, (coverage) => coverage >= 98);
+  assert.equal(await app.message(), "");
+});

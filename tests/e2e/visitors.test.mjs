@@ -1,0 +1,214 @@
+// What new users stumbled on.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { App, openApp } from "./app.mjs";
+import { openPage } from "./harness.mjs";
+
+/** Coverage and time, once the run is this far. */
+const cleaned = (app, least) => app.numbersThat(({ coverage }) => coverage >= least);
+
+test("the end of a run is told, with what to try next", async (t) => {
+  const { page, app, screenshot } = await openApp(t, { address: "#room=empty&planner=snake&speed=0", viewport: { width: 1440, height: 900 } });
+  await app.until("finished");
+  const told = await app.poll(() => page.locator("#ending").innerText(), (text) => /above the minimum|proven optimal/.test(text));
+  const { coverage } = await app.numbers();
+  assert.match(told, new RegExp(`^Done: ${coverage.toFixed(1)} % of the reachable floor swept in \\d+:\\d\\d, driving [\\d.,]+ m\\.`));
+  await screenshot("ending-light");
+  // The room gives way, and what is told lets clicks through.
+  const [x, y] = await page.locator("#ending p").first().evaluate((p) => {
+    const { left, top, width, height } = p.getBoundingClientRect();
+    return [left + width / 2, top + height / 2];
+  });
+  assert.equal(await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.id, [x, y]), "floor");
+  await page.locator("#ending").getByRole("button", { name: /slip/ }).click();
+  await app.settled();
+  assert.equal((await app.link()).slip, "typical");
+  await app.until("finished");
+  await page.locator("#ending .sheet-close, #ending button[aria-label=Dismiss]").click();
+  await page.locator("#ending").waitFor({ state: "hidden" });
+  await app.choose("algorithm", "random_walk");
+  assert.ok(await page.locator("#ending").isHidden(), "another run");
+});
+
+test("drawing keeps what is clean, and back to the start begins anew", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty&speed=64" });
+  await cleaned(app, 30);
+  await app.pause();
+  const before = await app.numbers();
+  await app.tool("wall");
+  await app.drag([0.45, 0.5], [0.5, 0.5]);
+  const after = await app.numbersThat(({ time }) => time < before.time);
+  assert.ok(Math.abs(after.coverage - before.coverage) < 5, `${after.coverage} % after ${before.coverage} %`);
+  assert.match(await page.locator("#opening").textContent(), /^: \d+ % from before the change$/);
+  await app.press("Undo");
+  await app.settled();
+  assert.ok((await app.numbers()).coverage > before.coverage - 5);
+  await app.press("Back to the start");
+  await app.numbersThat(({ coverage }) => coverage < 5);
+  assert.equal(await page.locator("#opening").textContent(), "");
+});
+
+test("after choosing to drive by hand the keys drive, and don't go on in the menu", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty&start=2.5,2.0,0" });
+  await page.locator("#algorithm").focus();
+  await app.choose("algorithm", "manual");
+  await page.locator("#manual").waitFor();
+  await page.keyboard.down("ArrowUp");
+  await app.numbersThat(({ distance }) => distance > 0.2);
+  await page.keyboard.up("ArrowUp");
+  assert.equal(await page.locator("#algorithm").inputValue(), "manual");
+});
+
+test("a person fits beside a wall", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty&behaviour=random_walk" });
+  await app.pause();
+  await app.tool("place");
+  await page.locator('#kinds [data-kind="person"]').click();
+  const at = await page.evaluate(() => {
+    const { left, top, height } = document.getElementById("floor").getBoundingClientRect();
+    return [left, top + height / 2];
+  });
+  // The first click inside the room, from its left.
+  for (let dx = 4; dx < 400 && (await page.locator("#selected option").count()) < 2; dx += 12) {
+    await page.mouse.click(at[0] + dx, at[1]);
+    await app.settled();
+  }
+  assert.equal(await app.message(), "");
+  assert.match((await page.locator("#selected option").allTextContents()).join(), /Person/);
+});
+
+test("own rooms are a list: new by size, renamed, duplicated, deleted and brought back", async (t) => {
+  const { page, app, screenshot } = await openApp(t, { address: "#room=lshape" });
+  await page.locator("#rooms-open").click();
+  await page.locator("#new-room-name").fill("Attic");
+  await page.locator("#new-room-width").fill("6");
+  await page.locator("#new-room-depth").fill("2.5");
+  await screenshot("rooms");
+  await page.locator("#rooms").getByRole("button", { name: "Create" }).click();
+  await page.locator("#rooms").waitFor({ state: "hidden" });
+  assert.equal(await app.settled(), "playing");
+  assert.equal(await app.room(), "Attic");
+  const area = await app.reachableArea();
+  assert.ok(area > 12 && area <= 15, `${area} m² of 15 m²`);
+
+  await page.locator("#rooms-open").click();
+  const row = (name) => page.locator("#own-rooms li").filter({ has: page.getByRole("button", { name, exact: true }) });
+  await row("Attic").getByRole("button", { name: /^Rename/ }).click();
+  await page.locator("#own-rooms input").fill("Loft");
+  await page.locator("#own-rooms input").press("Enter");
+  await row("Loft").getByRole("button", { name: /^Duplicate/ }).click();
+  await row("Loft copy").waitFor();
+  await row("Loft").getByRole("button", { name: /^Delete/ }).click();
+  await row("Loft").waitFor({ state: "detached" });
+  await page.getByRole("button", { name: "Bring back Loft", exact: true }).click();
+  await row("Loft").waitFor();
+  await page.locator("#rooms").getByRole("button", { name: "Close" }).click();
+
+  // In the menu, after another room and a reload.
+  await app.choose("room", "empty");
+  await page.reload();
+  await app.settled();
+  await page.mouse.move(5, 5);
+  await page.locator("#room optgroup[label='Your rooms'] option", { hasText: "Loft copy" }).waitFor({ state: "attached" });
+  await page.locator("#room").selectOption({ label: "Loft copy" });
+  await app.poll(() => app.room(), (name) => name === "Loft copy");
+  await app.settled();
+  assert.equal(await app.reachableArea(), area);
+});
+
+test("back and forward go through tabs and rooms, and the run goes on", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty" });
+  await app.linked("planner");
+  await app.choose("room", "lshape");
+  await app.linked("room", (room) => room === "lshape");
+  await app.numbersThat(({ distance }) => distance > 1);
+  await page.locator("#tab-map").click();
+  await app.linked("tab", (tab) => tab === "map");
+  await page.goBack();
+  await page.locator("#panel-explore").waitFor();
+  assert.ok((await app.numbers()).distance > 1, "the run goes on");
+  await page.goBack();
+  await app.poll(() => app.room(), (name) => name === "Empty room");
+  await app.settled();
+  await page.goForward();
+  await app.poll(() => app.room(), (name) => name === "L-shaped room");
+  await page.goForward();
+  await page.locator("#panel-map").waitFor();
+});
+
+test("a link copied from an own room carries it, and what is shown of it", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty&planner=near_optimal&p.effort=0&search=1&speed=4", viewport: { width: 1366, height: 768 }, permissions: ["clipboard-read", "clipboard-write"] });
+  await app.settled();
+  await app.tool("wall");
+  await app.drag([0.5, 0.1], [0.5, 0.6]);
+  const area = await app.reachableArea();
+  await page.getByRole("button", { name: "Copy link" }).click();
+  const copied = await app.poll(() => page.evaluate(() => navigator.clipboard.readText()), (text) => /map=/.test(text));
+  assert.ok(copied.length < 4000, `${copied.length} characters`);
+  const elsewhere = await page.context().browser().newContext();
+  const other = new App(await elsewhere.newPage());
+  await other.page.goto(copied);
+  await other.linked("own");
+  await other.settled();
+  assert.equal(await other.reachableArea(), area);
+  assert.ok(await other.page.locator("#show-search").isChecked());
+  await elsewhere.close();
+});
+
+test("behaviours race, a planner races against its copy, and the user chooses the nine", async (t) => {
+  const { page, screenshot } = await openPage(t, { address: "#room=thesis8&robot=cell&cell=0.2&tab=compare&vs=snake,spiral&behaviours=random_walk", viewport: { width: 1440, height: 900 } });
+  const app = new App(page);
+  const lanes = (count) => app.poll(() => page.locator("#lanes figure").count(), (now) => now === count, `${count} lanes`);
+  await lanes(3);
+  await page.locator("#entrants li[data-id=snake] summary").click();
+  await page.locator("#entrants li[data-id=snake]").getByRole("button", { name: "Add a copy" }).click();
+  await lanes(4);
+  await page.locator("#in-snake-2-param-patience").fill("0");
+  await page.locator("#in-snake-2-param-patience").press("Enter");
+  await app.linked("vs", (vs) => vs === "snake,spiral,snake~patience:0");
+  await lanes(4);
+  await page.locator("#race-speed").selectOption("0");
+  await page.locator("#race-play").click();
+  await app.poll(() => page.locator("#lanes output").allTextContents(), (texts) => texts.filter((text) => / in \d/.test(text)).length >= 3);
+  assert.deepEqual((await page.locator("#lanes .rank").allTextContents()).filter((rank) => !/^#[1-4]$/.test(rank)), []);
+  assert.ok((await page.locator("#race-ticks span").count()) > 2, "the time has an axis");
+  await screenshot("race-light");
+  await page.locator("#lanes").getByRole("button", { name: "Take Random walk out of the race" }).click();
+  await lanes(3);
+  await page.locator("#bench").getByRole("button", { name: "Random walk" }).click();
+  await lanes(4);
+  await page.locator("#entrants li[data-id=snake-2]").getByRole("button", { name: "Remove this copy" }).click();
+  await lanes(3);
+});
+
+for (const [name, viewport] of Object.entries({ "200 %": { width: 720, height: 450 }, "a small window at 200 %": { width: 500, height: 320 }, "a phone on its side": { width: 844, height: 390 } })) {
+  test(`room and names fit at ${name}`, async (t) => {
+    const { page, screenshot } = await openApp(t, { viewport, address: "#room=empty" });
+    await screenshot(`small-${viewport.width}`);
+    const { sideways, stage, names, now } = await page.evaluate(() => ({
+      sideways: document.documentElement.scrollWidth - innerWidth,
+      stage: document.getElementById("stage").getBoundingClientRect(),
+      names: [...document.querySelectorAll("#tools button span")].filter((span) => span.checkVisibility() && span.getBoundingClientRect().width > 10).length,
+      now: document.getElementById("now").checkVisibility() && document.getElementById("now").textContent,
+    }));
+    assert.ok(sideways <= 0, `${sideways} px too wide`);
+    assert.ok(stage.width >= 400 && stage.height >= 170, `${stage.width} × ${stage.height}`);
+    assert.equal(names, 6, "all tools have names");
+    assert.match(now || "", /.+, .+/, "algorithm and robot have names");
+  });
+}
+
+test("a sheet closes when it is swiped down", async (t) => {
+  const { page } = await openApp(t, { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true, address: "#room=empty" });
+  await page.locator("button[data-sheet=setup]").tap();
+  const head = page.locator("#setup .sheet-head h2");
+  await head.waitFor();
+  const box = await head.boundingBox();
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, ...touchPoints) => client.send("Input.dispatchTouchEvent", { type, touchPoints });
+  await touch("touchStart", { x: box.x + 20, y: box.y + 5 });
+  for (const dy of [20, 50, 90]) await touch("touchMove", { x: box.x + 20, y: box.y + dy });
+  await touch("touchEnd");
+  await page.locator("#setup.open").waitFor({ state: "detached" });
+  assert.equal(await page.locator("button[data-sheet=setup]").getAttribute("aria-expanded"), "false");
+});

@@ -1,0 +1,210 @@
+//! Photographs, scans and drawings at an angle as floor plans: what is proposed, and what comes of it.
+
+use floor_drawing::ShadeMethod;
+use image::{GrayImage, ImageFormat, Luma};
+use robovac_app::floor_plan::{DrawingPart, DrawingSession, FloorPlanSettings};
+use robovac_core::{
+    floor_plan::{FloorPlan, SourceFile, generate::random_flat},
+    geometry::Point,
+    grid::Cell,
+};
+use std::{io::Cursor, ops::ControlFlow};
+
+/// Metres per pixel.
+const PIXEL: f64 = 0.025;
+/// White paper around the flat, pixels.
+const MARGIN: f64 = 40.0;
+
+/// A scan of a flat with a front door, turned by `degrees` on its sheet.
+fn scan(flat: &FloorPlan, degrees: f64) -> GrayImage {
+    let walls = flat.blocked();
+    let [width, height] = [flat.width_m(), flat.height_m()].map(|metres| metres / PIXEL);
+    let (sin, cos) = (-degrees).to_radians().sin_cos();
+    let wide = (width * cos.abs() + height * sin.abs() + 2.0 * MARGIN) as u32;
+    let high = (width * sin.abs() + height * cos.abs() + 2.0 * MARGIN) as u32;
+    GrayImage::from_fn(wide, high, |x, y| {
+        let (x, y) = (f64::from(x) + 0.5 - 0.5 * f64::from(wide), 0.5 * f64::from(high) - f64::from(y) - 0.5);
+        let (x, y) = ((x * cos - y * sin + 0.5 * width) * PIXEL, (x * sin + y * cos + 0.5 * height) * PIXEL);
+        let cell = Cell::new((x / flat.resolution).floor() as i32, (y / flat.resolution).floor() as i32);
+        // The front door, through the left wall.
+        let is_door = x < 0.2 && (0.5..1.4).contains(&y);
+        Luma([if walls.is_set(cell) && !is_door { 45 } else { 228 }])
+    })
+}
+
+fn file(image: &GrayImage, name: &str, format: ImageFormat) -> SourceFile {
+    let mut bytes = Cursor::new(Vec::new());
+    image.write_to(&mut bytes, format).unwrap();
+    SourceFile { name: name.to_owned(), bytes: bytes.into_inner() }
+}
+
+fn opened(image: &GrayImage) -> DrawingSession {
+    let mut session = DrawingSession::open(&[file(image, "scan.png", ImageFormat::Png)]).unwrap();
+    change(&mut session, |settings| settings.metre = Some(PIXEL));
+    session
+}
+
+fn change(session: &mut DrawingSession, what: impl FnOnce(&mut FloorPlanSettings)) {
+    let mut settings = session.settings().clone();
+    what(&mut settings);
+    session.set(settings).unwrap();
+}
+
+/// Free floor of the flat, m².
+fn floor(flat: &FloorPlan) -> f64 {
+    flat.occupancy.values().iter().filter(|cell| cell.is_free()).count() as f64 * flat.resolution * flat.resolution
+}
+
+#[test]
+fn a_scanned_flat_is_taken_indoors_whatever_lies_around_it() {
+    for seed in 0..3 {
+        let flat = random_flat(2, 2, seed);
+        let mut session = opened(&scan(&flat, 0.0));
+        let settings = session.settings();
+        assert_eq!((settings.method, &settings.part), (ShadeMethod::Level, &DrawingPart::Indoors), "{seed}");
+        let (found, true_floor) = (session.floor_m2(), floor(&flat));
+        assert!((found / true_floor - 1.0).abs() < 0.05, "seed {seed}: {found} for {true_floor} m²");
+        // The whole has the paper around the house, but the robot starts in it.
+        change(&mut session, |settings| settings.part = DrawingPart::Whole);
+        assert!(session.floor_m2() > true_floor + 5.0);
+        let plan = &session.room().unwrap().plan;
+        let start = plan.start.unwrap().position() - Point::new(MARGIN * PIXEL, MARGIN * PIXEL);
+        assert!(start.min() > 0.1 && start.x < flat.width_m() && start.y < flat.height_m(), "{seed}: {start}");
+        assert!(plan.occupancy.get(plan.cell_at(plan.start.unwrap().position())).unwrap().is_free());
+    }
+}
+
+#[test]
+fn askew_scans_are_straightened_as_proposed() {
+    for (seed, degrees) in [(1, 7.0), (2, -12.0)] {
+        let flat = random_flat(2, 2, seed);
+        let mut session = opened(&scan(&flat, degrees));
+        let askew = session.askew().unwrap();
+        assert!((askew - degrees).abs() < 0.2, "{askew} for {degrees}");
+        let before = session.room().unwrap().plan.clone();
+        session.turn_to(-askew).unwrap();
+        assert_eq!(session.askew(), None, "nothing more is proposed");
+        let after = &session.room().unwrap().plan;
+        assert!(after.width_m() < before.width_m() - 0.3, "its box is the flat's: {}", after.width_m());
+        let found = session.floor_m2();
+        assert!((found / floor(&flat) - 1.0).abs() < 0.06, "seed {seed}: {found} for {} m²", floor(&flat));
+        // All the way round is where it was.
+        session.turn_to(360.0).unwrap();
+        assert_eq!(session.room().unwrap().plan, before);
+    }
+}
+
+#[test]
+fn a_part_stays_where_it_is_on_a_picture_that_is_turned() {
+    let flat = random_flat(2, 2, 5);
+    let mut session = opened(&scan(&flat, 0.0));
+    let corners = [[MARGIN + 20.0, MARGIN + 20.0], [MARGIN + 120.0, MARGIN + 100.0]];
+    change(&mut session, |settings| settings.part = DrawingPart::Rectangle { corners });
+    let (before, size) = (session.floor_m2(), session.view().size);
+    for quarter in 1..4 {
+        session.turn_to(90.0 * f64::from(quarter)).unwrap();
+        assert!(matches!(session.settings().part, DrawingPart::Rectangle { .. }));
+        assert!((session.floor_m2() - before).abs() < 1e-9, "{quarter} quarters");
+    }
+    session.turn_to(10.0).unwrap();
+    assert!(matches!(session.settings().part, DrawingPart::Polygon { .. }));
+    assert!((session.floor_m2() / before - 1.0).abs() < 0.1, "{} for {before}", session.floor_m2());
+    assert_ne!(session.view().size, size);
+}
+
+#[test]
+fn photographs_are_read_natively_as_the_browser_reads_them() {
+    let image = scan(&random_flat(1, 2, 3), 0.0);
+    let of = |name: &str, format| DrawingSession::open(&[file(&image, name, format)]).unwrap();
+    let exact = of("scan.png", ImageFormat::Png).floor_m2();
+    assert_eq!(of("scan.webp", ImageFormat::WebP).floor_m2(), exact);
+    let lossy = of("scan.jpg", ImageFormat::Jpeg).floor_m2();
+    assert!((lossy / exact - 1.0).abs() < 0.02, "{lossy} for {exact} m²");
+}
+
+#[test]
+fn unusual_sizes_are_asked_about_until_they_are_confirmed() {
+    let flat = random_flat(2, 2, 1);
+    let mut session = opened(&scan(&flat, 0.0));
+    assert_eq!(session.view().asks, "");
+    for metre in [1.0, 0.002] {
+        change(&mut session, |settings| settings.metre = Some(metre));
+        assert!(session.view().asks.contains(" × "), "{metre}");
+    }
+    change(&mut session, |settings| settings.confirmed = settings.metre);
+    assert_eq!(session.view().asks, "");
+    change(&mut session, |settings| settings.metre = Some(0.5));
+    assert_ne!(session.view().asks, "", "another size is asked about again");
+}
+
+/// A rectangle of 4 x 3 m, askew by 7 degrees, in millimetres, as a closed polyline; `door` leaves a gap.
+fn askew_room(door: bool) -> SourceFile {
+    let (sin, cos) = 7.0_f64.to_radians().sin_cos();
+    let corners = [(900.0, 0.0), (4000.0, 0.0), (4000.0, 3000.0), (0.0, 3000.0), (0.0, 0.0), (100.0, 0.0)];
+    let count = if door { corners.len() } else { 5 };
+    let corners = corners[..count]
+        .iter()
+        .map(|(x, y)| format!("10\n{}\n20\n{}\n", 5000.0 + x * cos - y * sin, 2000.0 + x * sin + y * cos));
+    let corners: String = corners.collect();
+    let closed = u8::from(!door);
+    let text = format!(
+        "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n\
+         WALLS\n90\n{count}\n70\n{closed}\n{corners}0\nENDSEC\n0\nEOF\n"
+    );
+    SourceFile { name: "askew.dxf".to_owned(), bytes: text.into_bytes() }
+}
+
+#[test]
+fn a_straightened_drawing_is_swept_along_its_walls_and_exported_where_it_was() {
+    let mut session = DrawingSession::open(&[askew_room(false)]).unwrap();
+    let askew = session.askew().unwrap();
+    assert!((askew - 7.0).abs() < 0.01, "{askew}");
+    let (low, high) = (session.source().extent().0, session.source().extent().0 + session.source().extent().1);
+    session.turn_to(-askew).unwrap();
+    let room = session.room().unwrap();
+    assert!((room.plan.width_m() - 4.0).abs() < 0.2 && (room.plan.height_m() - 3.0).abs() < 0.2);
+    session.sweep(&mut |_| ControlFlow::Continue(())).unwrap();
+    let room = session.room().unwrap();
+    for &point in &session.planned().unwrap().path {
+        let at = room.to_drawing(point);
+        assert!(at.x > low.x && at.y > low.y && at.x < high.x && at.y < high.y, "{at} is outside of the drawing");
+        let in_metres = room.plan.origin.to_world(point) - at * 0.001;
+        assert!(in_metres.norm() < 1e-9, "the room's origin says the same");
+    }
+}
+
+#[test]
+fn a_leak_is_marked_where_it_is() {
+    let mut session = DrawingSession::open(&[askew_room(true)]).unwrap();
+    change(&mut session, |settings| settings.part = DrawingPart::Room { at: [6500.0, 3500.0] });
+    let mark = session.mark().unwrap();
+    // Before the opening, by half its width: the ring around it shows both.
+    assert!((mark.at - Point::new(5500.0, 2060.0)).norm() < 500.0, "{:?}", mark.at);
+    assert!((0.6..1.0).contains(&mark.width), "{}", mark.width);
+    assert!(session.fault().contains("opening about 0.") && !session.fault().contains('('), "{}", session.fault());
+    change(&mut session, |settings| settings.gap = 0.9);
+    assert!(session.mark().is_none() && session.room().is_some());
+    change(&mut session, |settings| settings.part = DrawingPart::Room { at: [-99.0, -99.0] });
+    assert_eq!(session.mark().unwrap().width, 0.0);
+}
+
+#[test]
+fn plans_on_paper_offer_its_scales() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="210mm" height="297mm" viewBox="0 0 210 297">
+        <rect width="210" height="297" fill="white"/>
+        <path id="Wand" d="M20 20 H140 V120 H20 Z" fill="none" stroke="black"/></svg>"#;
+    let svg = SourceFile { name: "paper.svg".to_owned(), bytes: svg.into() };
+    let mut session = DrawingSession::open(&[svg]).unwrap();
+    let ignored = session.view().layers.into_iter().find(|layer| layer.role == floor_drawing::Role::Ignored);
+    assert_eq!(ignored.unwrap().name, "background");
+    assert!(session.view().asks.contains("mm"), "a doll's house: {}", session.view().asks);
+    let paper = session.view().units.into_iter().find(|unit| unit.name == "on paper, 1:100").unwrap();
+    change(&mut session, |settings| settings.metre = Some(paper.metre));
+    let room = session.view().room.unwrap();
+    assert!((room.floor_m2 - 120.0).abs() < 4.0, "12 x 10 m: {}", room.floor_m2);
+    assert_eq!(session.view().asks, "");
+    // A scanned sheet.
+    let sheet = GrayImage::from_fn(424, 300, |x, y| Luma([if x % 100 < 4 || y % 100 < 4 { 0 } else { 255 }]));
+    let names: Vec<String> = opened(&sheet).view().units.into_iter().map(|unit| unit.name).collect();
+    assert!(names.contains(&"A4 sheet, 1:100".to_owned()) && names.contains(&"A3 sheet, 1:50".to_owned()), "{names:?}");
+}

@@ -1,0 +1,27 @@
+// @ts-check
+// What is told over the floor never lies on the room, when all of that is shown: the room gives way.
+import { byId, changed } from "../dom.js";
+
+/** Pixels between the text and the room. */
+const GAP = 10;
+
+/** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */
+export function startClear(app) {
+  const stage = byId("stage");
+  /** The lower end of the text about a search, which never moves up, so that the pictures of its film stay in place. */
+  let told = 0;
+  /** That of the palette: the room moves once, and not whenever another tool is chosen. */
+  let palette = 0;
+  addEventListener("resize", () => (told = palette = 0));
+  const below = (/** @type {string} */ id, gap = GAP) => {
+    const node = document.getElementById(id);
+    return node?.checkVisibility() ? node.getBoundingClientRect().bottom - stage.getBoundingClientRect().top + gap : 0;
+  };
+
+  return ({ search: { film, text } }) => {
+    told = film === null && !text ? 0 : Math.max(told, below("search-box"));
+    palette = Math.max(palette, below("kinds"));
+    const next = Math.max(told, palette, below("message"), below("ending"), below("tools", 2));
+    if (changed(stage, "clear", next)) app.playground.keep_clear(next);
+  };
+}

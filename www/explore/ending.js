@@ -1,0 +1,70 @@
+// @ts-check
+// The end of a run: what was reached, how good that is, and what to try next.
+import { byId, changed, make, setHidden } from "../dom.js";
+import { clock, metres, percent, shareAbove } from "../format.js";
+
+/**
+ * @typedef {import("../main.js").App} App
+ * @typedef {import("../types").PageView} View
+ */
+
+/** Coverage below which floor was left out. */
+const CLEAN = 0.95;
+/** Excess over the minimum from which another planner is worth a try. */
+const GOOD = 0.03;
+
+/** @param {App} app @returns {(view: View) => void} */
+export function startEnding(app) {
+  const words = make("p", { role: "status" });
+  const next = make("p", { className: "ending-next" });
+  const close = make("button", { type: "button", className: "quiet square", "aria-label": "Dismiss" });
+  close.append(/** @type {Node} */ (byId("message-close").firstElementChild).cloneNode(true));
+  const card = make("div", { className: "message ending", id: "ending", hidden: true }, make("div", {}, words, next), close);
+  byId("welcome").before(card);
+  /** The end that was put away. */
+  let dismissed = "";
+  close.addEventListener("click", () => {
+    dismissed = words.textContent ?? "";
+    byId("floor").focus();
+  });
+
+  return (view) => {
+    const text = view.state === "finished" ? told(app, view) : "";
+    if (text === "") dismissed = "";
+    setHidden(card, text === "" || text === dismissed || view.search.film !== null && view.search.film.at < view.search.film.pictures);
+    if (text === "" || !changed(card, "text", text)) return;
+    words.textContent = text;
+    const ways = suggestions(app, view);
+    next.replaceChildren("Try next: ", ...ways.flatMap((way, i) => [i > 0 ? (i === ways.length - 1 ? " or " : ", ") : "", way]), ".");
+  };
+}
+
+/** @param {App} app @param {View} view */
+function told({ catalogue }, { coverage, time_s, distance_m, plan, kind, activity, algorithm }) {
+  const reached = `${percent(coverage)} % of the reachable floor swept in ${clock(time_s)}, driving ${metres(distance_m)} m.`;
+  if (kind === "behaviour") {
+    const ends = catalogue.behaviours.find(({ id }) => id === algorithm)?.ends;
+    return `${ends ? "The robot has stopped by itself" : "The robot has stopped"}${activity && activity !== "done" ? ` (${activity})` : ""}: ${reached}`;
+  }
+  const above = plan?.above_bound ?? null;
+  const good = above === null ? "" : above <= 0 ? " No plan can need fewer steps and turns: this one is proven optimal." : ` The plan is ${shareAbove(above)} above the minimum for this room.`;
+  return `Done: ${reached}${good}`;
+}
+
+/** What to try next, the most useful first. @param {App} app @param {View} view @returns {HTMLElement[]} */
+function suggestions(app, view) {
+  const { catalogue, act } = app;
+  const link = (/** @type {string} */ text, /** @type {() => void} */ what) => make("button", { type: "button", className: "link", onclick: what }, text);
+  const ways = [];
+  const above = view.plan?.above_bound ?? null;
+  const better = catalogue.planners.find(({ anytime }) => anytime);
+  const isSearching = catalogue.planners.some(({ id, anytime }) => anytime && id === view.algorithm);
+  const usual = catalogue.planners[0];
+  if (view.kind === "behaviour" && usual) ways.push(link(`a plan: ${usual.title}`, () => act((p) => p.select_algorithm(usual.id))));
+  else if (above !== null && above > GOOD && better && !isSearching) ways.push(link(`${better.title}, which searches for a shorter plan`, () => act((p) => p.select_algorithm(better.id))));
+  const finer = [...catalogue.cell_sizes_m].reverse().find((size) => size < view.cell_size_m - 1e-9);
+  if (view.kind === "planner" && view.coverage < CLEAN && finer) ways.push(link(`smaller planning cells (${+(100 * finer).toFixed(1)} cm)`, () => act((p) => p.set_cell_size(finer))));
+  if (view.slip === "none" && view.kind === "planner") ways.push(link("wheels that slip", () => act((p) => p.set_slip("typical"))));
+  ways.push(link("a race of several algorithms", () => byId("tab-compare").click()));
+  return ways;
+}

@@ -1,0 +1,198 @@
+// @ts-check
+// Rooms that were drawn or loaded: kept in this browser under a name, each by itself, as scenarios.
+import { changed, make, select } from "../dom.js";
+import { toast } from "../messages.js";
+import { atMostEvery } from "../shared/frame-pacer.js";
+import { pack, unpack } from "./pack.js";
+
+/**
+ * @typedef {import("../main.js").App} App
+ * @typedef {{ id: string, name: string }} OwnRoom
+ */
+
+/** The list of rooms. */
+const LIST = "own-rooms";
+/** Where versions without a list kept the last room: as if its id were empty, and without the dash. */
+const OLD = "";
+/** Longest packed room in the address: some programs cut longer ones off. */
+export const MOST_PACKED = 8000;
+
+/** Id of the room of each lineage: undo and redo bring it back. @type {Map<number, string>} */
+const ids = new Map();
+/** Versions that are stored, and packed rooms. @type {Map<string, number>} */
+const stored = new Map();
+/** @type {Map<string, string>} */
+const packed = new Map();
+let warned = false;
+
+/** @param {string} id */
+const keyOf = (id) => (id === OLD ? "own-room" : `own-room-${id}`);
+
+/** The rooms, the latest last. @returns {OwnRoom[]} */
+export function list() {
+  try {
+    const found = JSON.parse(localStorage.getItem(LIST) ?? "[]");
+    return Array.isArray(found) ? found.filter((room) => typeof room?.id === "string" && typeof room.name === "string") : [];
+  } catch {
+    return [];
+  }
+}
+
+/** The scenario of a room. @param {string} id */
+export function scenarioOf(id) {
+  try {
+    return localStorage.getItem(keyOf(id));
+  } catch {
+    return null;
+  }
+}
+
+/** Keeps a room; a new one comes last. @param {OwnRoom} room @param {string} scenario */
+export function put({ id, name }, scenario) {
+  try {
+    localStorage.setItem(keyOf(id), scenario);
+    const rooms = list();
+    const known = rooms.find((room) => room.id === id);
+    if (known) known.name = name;
+    else rooms.push({ id, name });
+    localStorage.setItem(LIST, JSON.stringify(rooms));
+  } catch (error) {
+    // A private window has no storage at all, and the room isn't expected to stay.
+    if (warned || !(error instanceof DOMException) || error.name !== "QuotaExceededError") return;
+    warned = true;
+    toast("There is no space left to keep this room in this browser. Save it before you leave, or delete other rooms.");
+  }
+}
+
+/** @param {string} id */
+export function remove(id) {
+  try {
+    localStorage.removeItem(keyOf(id));
+    localStorage.setItem(LIST, JSON.stringify(list().filter((room) => room.id !== id)));
+  } catch {
+    // Without storage there is nothing to remove.
+  }
+}
+
+export const newId = () => Array.from(crypto.getRandomValues(new Uint8Array(5)), (n) => (n % 36).toString(36)).join("") + Date.now().toString(36).slice(-3);
+
+/** A name that no other room has. @param {string} name @param {string} [id] The room that may have it. */
+export function freeName(name, id) {
+  const taken = new Set(list().filter((room) => room.id !== id).map((room) => room.name));
+  let free = name;
+  for (let number = 2; taken.has(free); number += 1) free = `${name} ${number}`;
+  return free;
+}
+
+/** The room that is shown, if it is an own one. @param {App} app */
+export const currentId = (app) => (app.view.room.id ? undefined : ids.get(app.playground.room_lineage()));
+
+/** Shows a scenario as the room with that id. @param {App} app @param {string} id @param {string} name @param {string} scenario */
+async function show(app, id, name, scenario) {
+  const bytes = new TextEncoder().encode(scenario);
+  if (!(await app.takeFiles([{ name: `the room "${name}"`, bytes }]))) return false;
+  ids.set(app.playground.room_lineage(), id);
+  stored.set(id, app.playground.room_version());
+  void repack(id, scenario);
+  return true;
+}
+
+/** Shows a room of the list. @param {App} app @param {string} id */
+export async function openRoom(app, id) {
+  const [room, scenario] = [list().find((one) => one.id === id), scenarioOf(id)];
+  if (!room || !scenario) return false;
+  return show(app, id, room.name, scenario);
+}
+
+/** Adds a room and shows it. @param {App} app @param {string} name @param {string} scenario */
+export async function addRoom(app, name, scenario) {
+  const id = newId();
+  const free = freeName(name);
+  put({ id, name: free }, renamed(scenario, free));
+  return openRoom(app, id);
+}
+
+/** @param {string} scenario @param {string} name */
+export function renamed(scenario, name) {
+  try {
+    return JSON.stringify({ ...JSON.parse(scenario), name });
+  } catch {
+    return scenario;
+  }
+}
+
+/** Shows the own room of a link: one that is kept here, or the one that the link carries. @param {App} app @param {string} link @returns {Promise<string>} why not, if it can't be */
+export async function openLink(app, link) {
+  const pairs = new URLSearchParams(link);
+  const [id, map] = [pairs.get("own") ?? "", pairs.get("map")];
+  const here = id ? scenarioOf(id) : null;
+  const unread = "The room of this link could not be read.";
+  if (here && (!map || (await pack(here).catch(() => "")) === map)) return (await openRoom(app, id)) ? "" : unread;
+  if (map) {
+    try {
+      const scenario = await unpack(map);
+      const same = list().find((room) => scenarioOf(room.id) === scenario);
+      return (await (same ? openRoom(app, same.id) : addRoom(app, JSON.parse(scenario).name || "Room of a link", scenario))) ? "" : unread;
+    } catch (error) {
+      console.warn(error);
+      return "The room in this link is damaged, perhaps because the link was cut off. Ask its author for the whole link, or for the scenario file.";
+    }
+  }
+  const old = scenarioOf(OLD);
+  if (old) {
+    remove(OLD);
+    return (await addRoom(app, JSON.parse(old).name || "Own room", old)) ? "" : unread;
+  }
+  return "This link's room was drawn or loaded in another browser, and the link doesn't carry it. Ask its author to press Copy link, or for the scenario file.";
+}
+
+/** Keeps the shown room if it is an own one; returns the link with it. @param {App} app @param {string} link */
+export function keep(app, link) {
+  const { playground, view } = app;
+  const lineage = playground.room_lineage();
+  if (view.room.id) {
+    // All changes of a built-in room were undone.
+    const gone = ids.get(lineage);
+    if (gone) remove(gone);
+    ids.delete(lineage);
+    return link;
+  }
+  let id = ids.get(lineage);
+  if (!id) ids.set(lineage, (id = newId()));
+  const version = playground.room_version();
+  if (stored.get(id) !== version) {
+    stored.set(id, version);
+    const name = list().find((room) => room.id === id)?.name ?? freeName(view.room.title, id);
+    const scenario = renamed(playground.scenario_json(), name);
+    put({ id, name }, scenario);
+    packed.delete(id);
+    void repack(id, scenario);
+  }
+  const map = packed.get(id);
+  // Before other tabs' pairs, which may be cut off.
+  return link.replace("room=own", `room=own&own=${id}${map ? `&map=${map}` : ""}`);
+}
+
+/** @param {string} id @param {string} scenario */
+async function repack(id, scenario) {
+  const map = await pack(scenario).catch(() => "");
+  if (map && map.length <= MOST_PACKED && scenarioOf(id) === scenario) packed.set(id, map);
+}
+
+/** Lists the own rooms in the menu of rooms, but for the one that is shown. @param {App} app @returns {() => void} To be called in every frame. */
+export function startMenu(app) {
+  const menu = select("room");
+  const group = make("optgroup", { label: "Your rooms" });
+  const isDue = atMostEvery(500);
+  return () => {
+    if (!isDue()) return;
+    const id = currentId(app);
+    const others = list().filter((room) => room.id !== id);
+    if (!changed(group, "rooms", JSON.stringify(others))) return;
+    group.replaceChildren(...others.map((room) => make("option", { value: `:${room.id}` }, room.name)));
+    const shown = menu.value;
+    if (others.length === 0) group.remove();
+    else if (!group.isConnected) menu.append(group);
+    menu.value = shown;
+  };
+}

@@ -1,0 +1,30 @@
+// @ts-check
+// Copies the link of what is shown, with the room in it if that is an own one.
+import { complain, toast } from "../messages.js";
+import { MOST_PACKED } from "./own-rooms.js";
+import { pack } from "./pack.js";
+
+/** @param {import("../main.js").App} app */
+export async function copyLink(app) {
+  const link = new URL(location.href);
+  let hash = app.link();
+  if (/(^|&)room=own(&|$)/.test(hash)) {
+    const map = await pack(app.playground.scenario_json()).catch(() => "");
+    if (!map || map.length > MOST_PACKED) {
+      const why = map ? `takes ${Math.ceil(map.length / 1000)} KB in a link, more than the ${MOST_PACKED / 1000} KB that other programs are sure to pass on` : "can't be put into a link by this browser";
+      complain(`No link was copied: this room ${why}. Save it as a scenario file and send that.`);
+      const { openSave } = await import("../save.js");
+      await openSave(app);
+      return;
+    }
+    hash = hash.replace("room=own", `room=own&map=${map}`);
+  }
+  link.hash = hash;
+  try {
+    await navigator.clipboard.writeText(link.href);
+    toast("Link copied");
+  } catch {
+    history.replaceState(null, "", link.hash);
+    toast("The link is in the address bar");
+  }
+}

@@ -1,0 +1,41 @@
+// @ts-check
+// Planning for the page, loaded with the first request: the opening scene's plan is shipped.
+
+/** @typedef {import("./worker-types").PlanRequest} PlanRequest */
+
+/** @param {import("../page.js").Playground} playground @param {(what: () => void) => boolean} guard Runs what can fail. */
+export function startPlanning(playground, guard) {
+  /** @type {import("./planning.js").Planning | undefined} */
+  let planning;
+  /** Id of the latest request. */
+  let wanted = NaN;
+  /** @type {import("./planning.js").Listeners} */
+  const listeners = {
+    progress: (id, done, cells, proof, film) => guard(() => playground.plan_progress(id, done, cells, proof, film)),
+    finished: (id, cells, seconds, trace, proof, knots) => {
+      guard(() => playground.plan_finished(id, cells, seconds, trace, proof));
+      if (knots) guard(() => playground.plan_smoothed(id, knots));
+    },
+    smoothed: (id, knots) => guard(() => playground.plan_smoothed(id, knots)),
+    proven: (id, proof, least) => guard(() => playground.plan_proven(id, proof, least)),
+    failed: (id, message) => guard(() => playground.plan_failed(id, message)),
+  };
+  return {
+    /** @param {PlanRequest} request */
+    async start(request) {
+      wanted = request.id;
+      try {
+        const { Planning } = await import("./planning.js");
+        if (wanted === request.id) (planning ??= new Planning(listeners)).start(request);
+      } catch {
+        listeners.failed(request.id, "it could not be loaded. Check the connection, then press play");
+      }
+    },
+    cancel() {
+      wanted = NaN;
+      planning?.cancel();
+    },
+    /** Ends the search, whose best plan so far is to be kept. @returns {number | undefined} Seconds since it began, if it has. */
+    keep: () => planning?.keep(),
+  };
+}
