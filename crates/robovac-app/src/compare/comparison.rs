@@ -127,7 +127,7 @@ impl Comparison {
         Ok(())
     }
 
-    /// Includes an entrant once more, to be given other parameters. Does nothing beyond [`MOST_COPIES`].
+    /// Includes an entrant once more, to be given other parameters. Does nothing beyond the largest number of copies.
     pub fn copy(&mut self, entrant: usize) {
         let Some(original) = self.entrants.get(entrant).cloned() else { return };
         if let Some(index) = self.add_copy(original) {
