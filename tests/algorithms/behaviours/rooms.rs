@@ -10,13 +10,13 @@ use robovac_core::{
     floor_plan::{FloorPlan, Object, ROOMS, RoomInfo, RoomKind, room},
     geometry::Pose,
     math,
-    registry::Params,
+    registry::{Explainer, Params},
     rng::seeded,
     robot::{OdometryModel, model},
 };
 use robovac_sim::{
     NoiseLevel,
-    controller::{self, BEHAVIOURS, BehaviourInfo},
+    controller::{self, BEHAVIOURS, BehaviourInfo, explainer},
     experiment::{Algorithm, Entrant, planning::RoomSetup},
     montecarlo::{Lab, Terms, quantile},
 };
@@ -196,7 +196,7 @@ fn behaviours_work_well_and_poorly_where_they_say() {
     let mut wrong = String::new();
     for info in behaviours() {
         let standing = Standing { table: &table, info };
-        let [shines, fails] = [info.explainer.shines, info.explainer.fails];
+        let Explainer { shines, fails, .. } = explainer(info.id).expect("it is listed");
         let mut expect = |holds: Option<bool>, what: &str| {
             if holds != Some(true) {
                 let _ = writeln!(wrong, "{}: {what}", info.id);
