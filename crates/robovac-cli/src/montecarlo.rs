@@ -67,6 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let terms = Terms {
         conditions,
         odometry,
+        smooth: false,
         duration_s: 60.0 * arguments.minutes,
         plan_seed: arguments.plan_seed.unwrap_or(arguments.seed),
     };

@@ -148,7 +148,7 @@ impl Study {
         let prepared = RoomSetup::new(&plan, &robot, cell, None).map_err(|error| error.to_string())?;
         let StudyConditions { conditions, odometry, .. } = *run.conditions;
         let duration_s = 60.0 * self.spec.minutes;
-        Ok(Lab::on(prepared, Terms { conditions, odometry, duration_s, plan_seed: self.spec.plan_seed }))
+        Ok(Lab::on(prepared, Terms { conditions, odometry, smooth: false, duration_s, plan_seed: self.spec.plan_seed }))
     }
 
     /// Makes a run in its lab.
