@@ -27,7 +27,7 @@ impl Runner {
         if self.lab.as_ref().is_none_or(|(place, _)| *place != request.place) {
             self.lab = Some((request.place.clone(), request.lab()?));
         }
-        let Some((_, lab)) = &mut self.lab else { return Err("there is no room".into()) };
+        let Some((_, lab)) = &self.lab else { return Err("there is no room".into()) };
         let outcomes = request.run(lab, None)?;
         let numbers: Vec<f64> = outcomes.iter().flat_map(RunOutcome::to_numbers).collect();
         Ok(Float64Array::from(numbers.as_slice()))

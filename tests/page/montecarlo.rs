@@ -43,7 +43,7 @@ fn outcome(seed: u64, end: f64, reached_s: [f64; GOALS.len()]) -> RunOutcome {
 
 #[test]
 fn run_is_the_same_each_time_and_different_for_each_seed() {
-    let mut lab = lab(120.0);
+    let lab = lab(120.0);
     for name in ["bounce", "snake"] {
         let entrant = entrant(name);
         assert!(name == "bounce" || lab.run(&entrant, 7).is_none(), "nothing is driven before it is planned");
@@ -59,7 +59,7 @@ fn run_is_the_same_each_time_and_different_for_each_seed() {
 
 #[test]
 fn curve_and_times_tell_of_the_same_run() {
-    let mut lab = lab(1800.0);
+    let lab = lab(1800.0);
     let entrant = entrant("boustrophedon");
     lab.plan(&entrant, None).expect("there is a plan");
     let outcome = lab.run(&entrant, 1).expect("it runs");
@@ -185,7 +185,7 @@ fn work(study: &mut Study) -> Vec<(String, Vec<u64>)> {
     study.run();
     while let Some(request) = study.take_batch() {
         assert!(study.is_wanted(request.id));
-        let outcomes = request.lab().and_then(|mut lab| request.run(&mut lab, None));
+        let outcomes = request.lab().and_then(|lab| request.run(&lab, None));
         study.batch_finished(request.id, outcomes);
         asked.push((request.entrant, request.seeds));
     }

@@ -3,8 +3,11 @@
 use super::{drawing::DrawingOptions, failure::Failure, source::RoomSource};
 use floor_drawing::is_drawing;
 use robovac_app::export::{ExportError, Exported};
-use robovac_core::floor_plan::{OccupancyMode, Scenario};
-use std::{fs, path::PathBuf};
+use robovac_core::floor_plan::{FloorPlan, OccupancyMode, Scenario};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
 
 /// Write a map, or the room in a drawing, as text (.txt), scenario (.json), ROS map (.pgm or .png, and its YAML file beside it) or
 /// drawing (.dxf, .svg)
@@ -31,26 +34,46 @@ const ENDINGS: [(&str, &str); 6] =
 
 /// Writes the files; nothing is left to print.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
-    let out = &arguments.out;
-    let ending = out.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
-    let format = ENDINGS.iter().find(|(known, _)| *known == ending).map(|&(_, format)| format);
-    let (Some(format), Some(stem)) = (format, out.file_stem().and_then(|stem| stem.to_str())) else {
-        let endings = ENDINGS.map(|(ending, _)| format!(".{ending}")).join(", ");
-        return Err(Failure::usage(format!("--out {}: unknown file extension; use one of {endings}", out.display())));
-    };
+    let out = Output::of(&arguments.out)?;
     let drawing = arguments.source.file()?.filter(is_drawing);
     let plan = match &drawing {
         Some(file) => arguments.drawing.trace(file)?.plan,
         None => arguments.source.plan()?,
     };
-    let scenario = Scenario::of(&plan);
-    let mode = OccupancyMode::named(&arguments.mode).unwrap_or_default();
-    let exported = Exported { scenario: &scenario, plan: &plan, path: &[], stem, mode, negate: arguments.negate };
-    for file in exported.files(format)? {
-        let path = out.with_file_name(&file.name);
-        fs::write(&path, file.bytes).map_err(|error| Failure::io(path.display(), &error))?;
-    }
+    out.write(&plan, OccupancyMode::named(&arguments.mode).unwrap_or_default(), arguments.negate)?;
     Ok(String::new())
+}
+
+/// A file that a map is written to.
+pub struct Output<'a> {
+    path: &'a Path,
+    stem: &'a str,
+    format: &'static str,
+}
+
+impl<'a> Output<'a> {
+    /// The file with its format by its extension.
+    pub fn of(path: &'a Path) -> Result<Self, Failure> {
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
+        let format = ENDINGS.iter().find(|(known, _)| *known == ending).map(|&(_, format)| format);
+        let (Some(format), Some(stem)) = (format, path.file_stem().and_then(|stem| stem.to_str())) else {
+            let endings = ENDINGS.map(|(ending, _)| format!(".{ending}")).join(", ");
+            let path = path.display();
+            return Err(Failure::usage(format!("--out {path}: unknown file extension; use one of {endings}")));
+        };
+        Ok(Self { path, stem, format })
+    }
+
+    /// Writes the file, and what belongs to it beside it.
+    pub fn write(&self, plan: &FloorPlan, mode: OccupancyMode, negate: bool) -> Result<(), Failure> {
+        let scenario = Scenario::of(plan);
+        let exported = Exported { scenario: &scenario, plan, path: &[], stem: self.stem, mode, negate };
+        for file in exported.files(self.format)? {
+            let path = self.path.with_file_name(&file.name);
+            fs::write(&path, file.bytes).map_err(|error| Failure::io(path.display(), &error))?;
+        }
+        Ok(())
+    }
 }
 
 impl From<ExportError> for Failure {

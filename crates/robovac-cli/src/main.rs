@@ -11,6 +11,7 @@ mod conditions;
 mod convert;
 mod drawing;
 mod failure;
+mod generate;
 mod lanes;
 mod list;
 mod locate;
@@ -76,6 +77,7 @@ enum Command {
     Compare(compare::Arguments),
     Locate(locate::Arguments),
     Convert(convert::Arguments),
+    Generate(generate::Arguments),
     Bench(bench::Arguments),
     Bridge(bridge::Arguments),
     Map(map::Arguments),
@@ -111,6 +113,7 @@ fn main() -> ExitCode {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Locate(arguments) => locate::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
+        Command::Generate(arguments) => generate::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Bridge(arguments) => bridge::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),

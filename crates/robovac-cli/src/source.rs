@@ -1,15 +1,15 @@
-//! `--map` and `--room`: where a floor plan comes from.
+//! `--map`, `--room` and `--flat`: where a floor plan comes from.
 
 use super::failure::Failure;
 use robovac_app::Import;
-use robovac_core::floor_plan::{FloorPlan, SourceFile, image_of, room};
+use robovac_core::floor_plan::{FloorPlan, SourceFile, generate::FlatId, image_of, room};
 use std::{
     fs,
     io::ErrorKind,
     path::{Path, PathBuf},
 };
 
-/// One of the two must be given.
+/// One of them must be given.
 #[derive(clap::Args)]
 #[group(required = true, multiple = false)]
 pub struct RoomSource {
@@ -19,6 +19,9 @@ pub struct RoomSource {
     /// Built-in room, see "robovac rooms"
     #[arg(long, value_name = "ID")]
     room: Option<String>,
+    /// Generated flat: a seed, or more as in 7~area:40..60~furniture:0.5~rugs:no, see "robovac generate"
+    #[arg(long, value_name = "SEED")]
+    flat: Option<FlatId>,
 }
 
 impl RoomSource {
@@ -30,6 +33,9 @@ impl RoomSource {
     pub fn plan(&self) -> Result<FloorPlan, Failure> {
         if let Some(path) = &self.map {
             return load_with_image(path);
+        }
+        if let Some(flat) = self.flat {
+            return Ok(flat.build());
         }
         let id = self.room.as_deref().unwrap_or_default();
         room(id).map(|info| (info.build)()).ok_or_else(|| Failure::unknown("room", id, "rooms"))

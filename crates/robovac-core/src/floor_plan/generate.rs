@@ -1,5 +1,9 @@
 //! Random rooms from a seed, for tests and benchmarks.
 
+mod flat;
+
+pub use flat::{FlatId, FlatIdError, FlatSpec, FlatSpecError, generate_flat};
+
 use super::{FloorPlan, Rect, Sketch};
 use crate::{
     grid::{Cell, Grid, reachable},

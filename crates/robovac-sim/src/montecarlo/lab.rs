@@ -16,7 +16,7 @@ use robovac_core::{
 };
 use std::{
     collections::BTreeMap,
-    sync::{Arc, OnceLock},
+    sync::{Arc, Mutex, OnceLock, PoisonError},
 };
 
 use super::RunOutcome;
@@ -34,6 +34,9 @@ pub struct Terms {
     pub plan_seed: u64,
 }
 
+/// A line once it is planned, or the reason why there is none.
+type PlannedLine = Arc<OnceLock<Result<Arc<[Point]>, TrialError>>>;
+
 /// A room laid out for a robot, in which any number of runs are made.
 ///
 /// A planner plans once; its path is then driven with the slip of every seed. The seed of its plan is that of the
@@ -41,8 +44,8 @@ pub struct Terms {
 pub struct Lab {
     prepared: RoomSetup,
     terms: Terms,
-    /// Planned lines, by the names of the entrants.
-    lines: BTreeMap<String, Result<Arc<[Point]>, TrialError>>,
+    /// Planned lines, by the names of the entrants; each planner plans once, whichever thread asks first.
+    lines: Mutex<BTreeMap<String, PlannedLine>>,
     /// The boundary for exploring behaviours, once needed.
     boundary: OnceLock<Arc<Boundary>>,
 }
@@ -61,33 +64,55 @@ impl Lab {
 
     /// A lab in a room that is laid out already.
     pub fn on(prepared: RoomSetup, terms: Terms) -> Self {
-        Self { prepared, terms, lines: BTreeMap::new(), boundary: OnceLock::new() }
+        Self { prepared, terms, lines: Mutex::default(), boundary: OnceLock::new() }
+    }
+
+    /// The room laid out for the robot.
+    pub fn prepared(&self) -> &RoomSetup {
+        &self.prepared
     }
 
     /// Plans for an entrant, if it is a planner and hasn't planned yet. To be called before its runs.
-    pub fn plan(&mut self, entrant: &Entrant, observer: Option<Observer<'_>>) -> Result<(), TrialError> {
+    pub fn plan(&self, entrant: &Entrant, observer: Option<Observer<'_>>) -> Result<(), TrialError> {
         let Algorithm::Planner(planner) = entrant.algorithm else { return Ok(()) };
-        let name = entrant.to_string();
-        if !self.lines.contains_key(&name) {
+        let plan = || {
             let params = entrant.params.clone();
             let job = self.prepared.job.clone();
             let request = PlanRequest { id: 0, planner, params, seed: self.terms.plan_seed, job };
             let planned = request.serve(|| 0.0, observer).map_err(TrialError::from);
             let planned = planned.and_then(|answer| Ok(Planned::new(&self.prepared, &answer)?));
-            self.lines.insert(name.clone(), planned.map(|planned| planned.line));
-        }
-        self.lines[&name].clone().map(|_| ())
+            planned.map(|planned| planned.line)
+        };
+        self.line(entrant).get_or_init(plan).clone().map(|_| ())
+    }
+
+    fn line(&self, entrant: &Entrant) -> PlannedLine {
+        // A thread that panicked while it held the lock has at most left a line that isn't planned yet.
+        let mut lines = self.lines.lock().unwrap_or_else(PoisonError::into_inner);
+        Arc::clone(lines.entry(entrant.to_string()).or_default())
     }
 
     /// Makes a run; `None` for an entrant that has no plan or isn't in the registry.
     pub fn run(&self, entrant: &Entrant, seed: u64) -> Option<RunOutcome> {
+        let Terms { conditions, odometry, .. } = self.terms;
+        self.run_under(entrant, conditions, odometry, seed)
+    }
+
+    /// The same under other conditions than those of the terms.
+    pub fn run_under(
+        &self,
+        entrant: &Entrant,
+        conditions: Conditions,
+        odometry: OdometryModel,
+        seed: u64,
+    ) -> Option<RunOutcome> {
         let RoomSetup { floor, robot, .. } = &self.prepared;
-        let Self { prepared, terms: Terms { conditions, odometry, duration_s, .. }, .. } = self;
+        let Self { prepared, terms: Terms { duration_s, .. }, .. } = self;
         let run = match entrant.algorithm {
-            Algorithm::Behaviour(info) => prepared.run_behaviour(info, &entrant.params, *conditions, seed)?,
+            Algorithm::Behaviour(info) => prepared.run_behaviour(info, &entrant.params, conditions, seed)?,
             Algorithm::Planner(_) => {
-                let line = self.lines.get(&entrant.to_string())?.as_ref().ok()?;
-                prepared.run_along(line, *conditions, *odometry, seed)
+                let line = self.line(entrant);
+                prepared.run_along(line.get()?.as_ref().ok()?, conditions, odometry, seed)
             }
         };
         if entrant.explores() {

@@ -44,7 +44,7 @@ impl RunsRequest {
     }
 
     /// Makes the runs in `lab`. Errors are for users.
-    pub fn run(&self, lab: &mut Lab, observer: Option<Observer<'_>>) -> Result<Vec<RunOutcome>, String> {
+    pub fn run(&self, lab: &Lab, observer: Option<Observer<'_>>) -> Result<Vec<RunOutcome>, String> {
         let kind = if self.behaves { BEHAVIOUR } else { PLANNER };
         let entrant = Entrant::parse(kind, &self.entrant).map_err(|e| e.to_string())?;
         lab.plan(&entrant, observer).map_err(|e| e.to_string())?;
