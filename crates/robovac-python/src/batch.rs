@@ -14,6 +14,7 @@ use numpy::{
 use pyo3::prelude::*;
 use rand::RngExt;
 use robovac_core::{
+    floor_plan::generate::FlatSpec,
     rng::{Rng, seeded},
     robot::{Drive, RobotModel, model},
 };
@@ -40,6 +41,8 @@ pub struct BatchArguments {
     rooms: Option<Vec<Py<Room>>>,
     flats: usize,
     first_flat: u64,
+    area_m2: (f64, f64),
+    furniture: f64,
     robot: String,
     sim_steps: u32,
     most_steps: u32,
@@ -222,7 +225,9 @@ impl Batch {
         self.check_sizes(parts, &[actions.len() / 2])?;
         if let Some(index) = actions.iter().position(|number| !number.is_finite()) {
             let (row, number) = (index / 2, actions[index]);
-            return Err(Failure::usage(format!("the action of environment {row} has {number}; use numbers from -1 to 1")));
+            return Err(Failure::usage(format!(
+                "the action of environment {row} has {number}; use numbers from -1 to 1"
+            )));
         }
         if self.envs.iter().any(|env| env.episode.is_none()) {
             return Err(Failure::usage("call reset() before step()".to_owned()));
@@ -247,7 +252,9 @@ impl Batch {
                     && fits(seen.map.as_ref().map(|map| map.len()), PATCH_LEN)
                     && fits(seen.truth.as_ref().map(|truth| truth.len()), truth::VALUES)
             });
-        is_right.then_some(()).ok_or_else(|| Failure::usage(format!("give one action for each of {count} environments")))
+        is_right
+            .then_some(())
+            .ok_or_else(|| Failure::usage(format!("give one action for each of {count} environments")))
     }
 
     fn advance(&mut self, actions: &[f32], parts: Parts<'_>) -> Result<(), Failure> {
@@ -288,7 +295,9 @@ fn over_all(
         }
         let mut result = own.map_or(Ok(()), |(part, envs)| do_all(0, envs, part));
         for other in others {
-            let ended = other.join().unwrap_or_else(|_| Err(Failure::planner("a thread panicked; please report this".to_owned())));
+            let ended = other
+                .join()
+                .unwrap_or_else(|_| Err(Failure::planner("a thread panicked; please report this".to_owned())));
             result = result.and(ended);
         }
         result
@@ -378,7 +387,10 @@ impl BatchArguments {
         }
         let rooms = match &self.rooms {
             Some(rooms) => Rooms::given(rooms, robot)?,
-            None => Rooms::flats(self.flats, self.first_flat)?,
+            None => {
+                let spec = FlatSpec { area_m2: self.area_m2.into(), furniture: self.furniture, ..FlatSpec::default() };
+                Rooms::flats(self.flats, self.first_flat, spec)?
+            }
         };
         let charge = (charge(self.charge_percent.0)?, charge(self.charge_percent.1)?);
         let slip = self.slip.iter().map(|name| slip_level(name)).collect::<Result<Vec<_>, _>>()?;
@@ -412,9 +424,7 @@ impl BatchArguments {
                     _ => Autoreset::NextStep,
                 },
             },
-            envs: (0..self.num_envs)
-                .map(|_| Env { episode: None, rng: seeded(0, STREAM), is_done: false })
-                .collect(),
+            envs: (0..self.num_envs).map(|_| Env { episode: None, rng: seeded(0, STREAM), is_done: false }).collect(),
             threads: threads.max(1),
         })
     }
@@ -477,6 +487,7 @@ impl Seen<'_> {
 }
 
 /// Takes the first `count` values off a slice.
+#[allow(clippy::mut_mut, reason = "what is left of the slice is given back")]
 fn first<'a, T>(rest: &mut &'a mut [T], count: usize) -> &'a mut [T] {
     let (taken, left) = std::mem::take(rest).split_at_mut(count);
     *rest = left;

@@ -39,7 +39,8 @@ pub fn compare(
         let (robot, cell_size) = chosen.ok_or_else(|| Failure::unknown("robot", robot, "robots"))?;
         places.push((plan, robot, cell_size));
     }
-    let seeds_of = |entrant: usize| if entrants[entrant].0.is_deterministic() { &seeds[..seeds.len().min(1)] } else { &seeds };
+    let seeds_of =
+        |entrant: usize| if entrants[entrant].0.is_deterministic() { &seeds[..seeds.len().min(1)] } else { &seeds };
     let trials: Vec<Trial> = (0..places.len())
         .flat_map(|room| (0..entrants.len()).map(move |entrant| (room, entrant)))
         .flat_map(|(room, entrant)| seeds_of(entrant).iter().map(move |&seed| (room, entrant, seed)))

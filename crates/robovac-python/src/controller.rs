@@ -50,8 +50,6 @@ impl Sensed {
     /// Readings with given values, for trying a behaviour; the others are those of a robot on free floor.
     #[new]
     #[pyo3(signature = (*, bump_left=false, bump_right=false, wheel_drop=false, cliff=[false; 4], light_signal=[0; 6], left_counts=0, right_counts=0, charge_mah=2696))]
-    #[expect(clippy::too_many_arguments, reason = "keywords")]
-    #[expect(clippy::fn_params_excessive_bools, reason = "keywords")]
     fn new(
         bump_left: bool,
         bump_right: bool,
@@ -62,7 +60,15 @@ impl Sensed {
         right_counts: u16,
         charge_mah: u16,
     ) -> Self {
-        let mut sensed = SensorReadings { bump_left, bump_right, cliff, light_signal, left_counts, right_counts, ..SensorReadings::default() };
+        let mut sensed = SensorReadings {
+            bump_left,
+            bump_right,
+            cliff,
+            light_signal,
+            left_counts,
+            right_counts,
+            ..SensorReadings::default()
+        };
         (sensed.wheel_drop_left, sensed.wheel_drop_right) = (wheel_drop, wheel_drop);
         sensed.battery.charge_mah = charge_mah;
         sensed.battery.capacity_mah = 2696;
@@ -132,7 +138,8 @@ impl PythonController {
                 return Ok(None);
             }
             let broken = |what: String| {
-                let rule = "step(sensed, dt_s) must return the speeds of the left and right wheel in m/s, or None to end";
+                let rule =
+                    "step(sensed, dt_s) must return the speeds of the left and right wheel in m/s, or None to end";
                 PyErr::from(Failure::contract(format!("behaviour \"{}\": {rule}; it returned {what}", self.name)))
             };
             let repr = || answer.repr().map_or_else(|_| "something else".to_owned(), |text| text.to_string());

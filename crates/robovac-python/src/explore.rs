@@ -39,12 +39,12 @@ struct Explored {
 
 /// Drives and maps; the map is in the frame of the room.
 #[pyfunction]
-pub fn explore<'py>(
-    py: Python<'py>,
+pub fn explore(
+    py: Python<'_>,
     place: PlaceArguments,
     explorer: ExplorerArguments,
     conditions: ConditionsArguments,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<Bound<'_, PyDict>> {
     let mut watch = Watch::new();
     let explored = py.detach(|| explorer.run(&place, &conditions, &mut watch));
     watch.finish()?;

@@ -4,7 +4,12 @@
 //! Long work detaches from the interpreter, so that other threads go on, and asks at checkpoints for signals such as Ctrl-C.
 //! Errors are those of `python/robovac/_errors.py`, with the sentences of the command line.
 
-#![allow(clippy::needless_pass_by_value, reason = "arguments from Python come by value")]
+#![allow(
+    clippy::needless_pass_by_value,
+    clippy::struct_excessive_bools,
+    clippy::too_many_arguments,
+    reason = "arguments and fields are those of Python"
+)]
 
 mod batch;
 mod compare;

@@ -61,9 +61,7 @@ pub fn robots() -> String {
 /// Metrics of plans as JSON.
 #[pyfunction]
 pub fn metrics() -> String {
-    let entry = |metric: &coverage_planners::metrics::MetricInfo| {
-        json!({ "id": metric.id, "label": metric.label, "unit": metric.unit, "definition": metric.definition })
-    };
+    let entry = |metric: &coverage_planners::metrics::MetricInfo| json!({ "id": metric.id, "label": metric.label, "unit": metric.unit, "definition": metric.definition });
     Value::from_iter(METRICS.iter().map(entry)).to_string()
 }
 
@@ -82,7 +80,8 @@ pub fn truth_names() -> Vec<String> {
 
 fn params(specs: &[ParamSpec]) -> Value {
     let entry = |spec: &ParamSpec| {
-        let mut value = json!({ "id": spec.id, "label": spec.label, "help": spec.help, "values": spec.kind.to_string() });
+        let mut value =
+            json!({ "id": spec.id, "label": spec.label, "help": spec.help, "values": spec.kind.to_string() });
         value["default"] = match spec.kind {
             ParamKind::Number { default, .. } => json!(default),
             ParamKind::Choice { options } => json!(options.first().map(|option| option.0)),

@@ -1,9 +1,6 @@
 //! A picture of an episode, a pixel for each fine cell.
 
-use robovac_core::{
-    geometry::Point,
-    grid::Cell,
-};
+use robovac_core::{geometry::Point, grid::Cell};
 use robovac_sim::learning::Episode;
 
 /// Wall, floor that can't be reached, floor to be swept, swept floor, robot, its nose.

@@ -6,7 +6,11 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use robovac_app::{Import, export};
 use robovac_core::{
-    floor_plan::{self, FloorPlan, MAX_SIDE, Scenario, SourceFile, generate::random_flat, image_of, to_ascii},
+    floor_plan::{
+        self, FloorPlan, MAX_SIDE, Scenario, SourceFile,
+        generate::{FlatSpec, generate_flat},
+        image_of, to_ascii,
+    },
     geometry::{Point, Pose},
     grid::Occupancy,
 };
@@ -20,7 +24,7 @@ pub struct Room {
     pub plan: Arc<FloorPlan>,
 }
 
-/// Width of walls and gaps of a drawing, m, and side of a room's cells, m, as on the command line.
+/// Gaps between wall ends that are closed in a drawing, m, as on the command line.
 const GAP: f64 = 0.1;
 
 #[pymethods]
@@ -40,7 +44,7 @@ impl Room {
     /// A map, or the room in a drawing, whose unit is `metre` metres unless it states its own.
     #[staticmethod]
     fn open(path: &str, metre: Option<f64>, resolution_m: f64) -> PyResult<Self> {
-        let file = file(path)?.ok_or_else(|| Failure::io(path, &ErrorKind::NotFound.into()))?;
+        let file = read_file(path)?.ok_or_else(|| Failure::io(path, &ErrorKind::NotFound.into()))?;
         if is_drawing(&file) {
             return Ok(Self::of(drawn(&file, metre, resolution_m)?));
         }
@@ -48,7 +52,7 @@ impl Room {
         if let Some(image) = files.first().and_then(image_of) {
             let folder = Path::new(path).parent().unwrap_or(Path::new(""));
             // If it doesn't exist, the loader's error names it.
-            files.extend(self::file(&folder.join(image).to_string_lossy())?);
+            files.extend(read_file(&folder.join(image).to_string_lossy())?);
         }
         Ok(Self::of(Import::read(&files).map_err(Failure::from)?.plan))
     }
@@ -91,11 +95,10 @@ impl Room {
 
     /// A furnished flat by its seed.
     #[staticmethod]
-    fn flat(seed: u64, columns: u32, rows: u32) -> PyResult<Self> {
-        if !(1..=8).contains(&columns) || !(1..=8).contains(&rows) {
-            return Err(Failure::usage(format!("a flat has 1 to 8 columns and rows of rooms, not {columns} x {rows}")).into());
-        }
-        Ok(Self::of(random_flat(columns, rows, seed)))
+    fn flat(seed: u64, area_m2: (f64, f64), furniture: f64, rugs: bool) -> PyResult<Self> {
+        let spec = FlatSpec { area_m2: area_m2.into(), furniture, rugs };
+        spec.check().map_err(|error| Failure::usage(error.to_string()))?;
+        Ok(Self::of(generate_flat(seed, &spec)))
     }
 
     #[getter]
@@ -178,7 +181,7 @@ fn drawn(file: &SourceFile, metre: Option<f64>, resolution: f64) -> Result<Floor
 }
 
 /// A file, or `None` if there is none.
-fn file(path: &str) -> Result<Option<SourceFile>, Failure> {
+fn read_file(path: &str) -> Result<Option<SourceFile>, Failure> {
     match std::fs::read(path) {
         Ok(bytes) => Ok(Some(SourceFile { name: path.to_owned(), bytes })),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),

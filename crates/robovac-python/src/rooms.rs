@@ -4,26 +4,25 @@ use crate::{failure::Failure, room::Room};
 use pyo3::prelude::*;
 use rand::RngExt;
 use robovac_core::{
-    floor_plan::{FloorPlan, generate::random_flat},
-    rng::{Rng, seeded},
+    floor_plan::{
+        FloorPlan,
+        generate::{FlatSpec, generate_flat},
+    },
+    rng::Rng,
     robot::RobotModel,
 };
 use robovac_sim::learning::EpisodeRoom;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
-/// Stream of the random numbers that shape generated flats.
-const STREAM: u64 = 70;
 /// Rooms that stay laid out although no robot is in them: a large one takes megabytes.
 const KEPT: usize = 64;
-/// Flats that are tried, where the robot has no place in one.
-const TRIES: u64 = 20;
 
 /// Where rooms come from.
 pub enum Source {
     /// These.
     Given(Vec<Arc<FloorPlan>>),
-    /// Generated flats, from this number on.
-    Flats(u64),
+    /// Generated flats of a kind, from this seed on.
+    Flats(u64, FlatSpec),
 }
 
 /// Rooms, and those of them that are laid out.
@@ -48,12 +47,13 @@ impl Rooms {
         Ok(rooms)
     }
 
-    /// Generated flats.
-    pub fn flats(count: usize, first: u64) -> Result<Self, Failure> {
+    /// So many generated flats, from the seed `first` on.
+    pub fn flats(count: usize, first: u64, spec: FlatSpec) -> Result<Self, Failure> {
         if count == 0 {
             return Err(Failure::usage("flats can't be 0; use at least 1".to_owned()));
         }
-        Ok(Self::new(count, Source::Flats(first)))
+        spec.check().map_err(|error| Failure::usage(error.to_string()))?;
+        Ok(Self::new(count, Source::Flats(first, spec)))
     }
 
     fn new(count: usize, source: Source) -> Self {
@@ -81,22 +81,13 @@ impl Rooms {
     }
 
     fn make(&self, index: usize, robot: &RobotModel) -> Result<EpisodeRoom, Failure> {
+        let lay_out = |plan: &FloorPlan| {
+            let laid = EpisodeRoom::new(plan, robot);
+            laid.map_err(|error| Failure::misfit(format!("room \"{}\": {error}", plan.name)))
+        };
         match &self.source {
-            Source::Given(plans) => Ok(EpisodeRoom::new(&plans[index], robot)
-                .map_err(|error| Failure::misfit(format!("room \"{}\": {error}", plans[index].name)))?),
-            Source::Flats(first) => {
-                let number = first.wrapping_add(index as u64);
-                let attempt = |attempt: u64| EpisodeRoom::new(&flat(number, attempt), robot);
-                let found = (0..TRIES).find_map(|number| attempt(number).ok());
-                found.ok_or_else(|| Failure::misfit(format!("the robot doesn't fit into flat {number}")))
-            }
+            Source::Given(plans) => lay_out(&plans[index]),
+            Source::Flats(first, spec) => lay_out(&generate_flat(first.wrapping_add(index as u64), spec)),
         }
     }
-}
-
-/// Flat number `number`, of one to six rooms.
-fn flat(number: u64, attempt: u64) -> FloorPlan {
-    let mut rng = seeded(number, STREAM + attempt);
-    let (columns, rows) = (rng.random_range(1..=3), rng.random_range(1..=2));
-    random_flat(columns, rows, rng.random())
 }

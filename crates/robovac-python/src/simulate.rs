@@ -66,12 +66,12 @@ struct Outcome {
 
 /// Drives to the end.
 #[pyfunction]
-pub fn simulate<'py>(
-    py: Python<'py>,
+pub fn simulate(
+    py: Python<'_>,
     place: PlaceArguments,
     driver: DriverArguments,
     conditions: ConditionsArguments,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<Bound<'_, PyDict>> {
     let mut watch = Watch::new();
     let outcome = py.detach(|| driver.run(&place, &conditions, &mut watch));
     watch.finish()?;
@@ -106,7 +106,9 @@ impl DriverArguments {
     ) -> Result<Outcome, Failure> {
         for (name, seconds) in [("sample_s", Some(self.sample_s)), ("max_time_s", self.max_time_s)] {
             if let Some(seconds) = seconds.filter(|seconds| !(seconds.is_finite() && *seconds > 0.0)) {
-                return Err(Failure::usage(format!("{name} can't be {seconds}; use a number of seconds greater than 0")));
+                return Err(Failure::usage(format!(
+                    "{name} can't be {seconds}; use a number of seconds greater than 0"
+                )));
             }
         }
         let odometry = conditions.odometry()?;
@@ -115,7 +117,8 @@ impl DriverArguments {
         let (placement, prepared, mut run) = match (&self.planner, &self.behaviour, &self.cells, &self.object) {
             (Some(planner), ..) => {
                 let Self { params, coverage_percent, seed, .. } = self;
-                let arguments = PlanArguments { place, planner, params, coverage_percent: *coverage_percent, seed: *seed };
+                let arguments =
+                    PlanArguments { place, planner, params, coverage_percent: *coverage_percent, seed: *seed };
                 let (task, solution) = arguments.solve(watch)?;
                 let mut planned = solution.planned;
                 if self.smooth {

@@ -150,12 +150,12 @@ def test_errors_are_the_command_lines_sentences():
 
 
 def test_a_comparison_has_a_row_for_each_trial():
-    compared = robovac.compare(["bedroom", TEXT], ["snake", ("snake", {"patience": 5}), "genetic", depth_first], seeds=2)
+    compared = robovac.compare(["thesis8", TEXT], ["snake", ("snake", {"patience": 5}), "genetic", depth_first], seeds=2)
     assert len(compared) == 2 * (1 + 1 + 2 + 1)
     assert all(trial.error is None and trial.metrics["coverage"] == 100.0 for trial in compared)
-    table = compared.table("steps")
-    assert set(table) == {"snake", "genetic", "depth_first"} and table["depth_first"]["Bedroom"] > table["snake"]["Bedroom"]
-    assert compared.records()[0]["room"] == "Bedroom"
+    table, name = compared.table("steps"), robovac.rooms()["thesis8"]["title"]
+    assert set(table) == {"snake", "genetic", "depth_first"} and table["depth_first"][name] > table["snake"][name]
+    assert compared.records()[0]["room"] == name
     assert robovac.compare(TEXT, ["snake"], robot="roomba600").trials[0].error is not None
 
 

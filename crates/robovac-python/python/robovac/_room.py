@@ -84,9 +84,20 @@ class Room:
         return cls(_Native.open(os.fspath(path), units, float(resolution_m)))
 
     @classmethod
-    def flat(cls, seed: int, *, columns: int = 2, rows: int = 1) -> Room:
-        """A furnished flat of ``columns`` x ``rows`` rooms, determined by its seed."""
-        return cls(_Native.flat(seed, columns, rows))
+    def flat(
+        cls,
+        seed: int,
+        *,
+        area_m2: tuple[float, float] = (25.0, 120.0),
+        furniture: float = 0.7,
+        rugs: bool = True,
+    ) -> Room:
+        """A furnished flat, determined by its seed; ``robovac generate`` on the command line makes the same.
+
+        ``area_m2`` is the least and the greatest area between the outer walls, from 25 to 120 m²; ``furniture`` goes from 0
+        (empty) to 1 (crammed).
+        """
+        return cls(_Native.flat(seed, area_m2, furniture, rugs))
 
     @property
     def name(self) -> str:

@@ -86,7 +86,9 @@ class CleanVectorEnv(VectorEnv):
         rooms: "generated" flats, "shipped" rooms, or a room or rooms (names, paths, arrays, :class:`robovac.Room`). Each
             episode takes one by chance.
         flats: Number of different generated flats.
-        first_flat: Number of the first; others give flats that were never seen.
+        first_flat: Seed of the first; others give flats that were never seen.
+        area_m2: Least and greatest area of generated flats, from 25 to 120 m².
+        furniture: How much of the furniture that a flat can have is in it, from 0 (empty) to 1 (crammed).
         robot: Id of the robot, see :func:`robovac.robots`.
         step_s: Time of a step, s; rounded to whole simulation steps of 15 ms.
         time_limit_s: Simulated time after which an episode is truncated, s.
@@ -114,6 +116,8 @@ class CleanVectorEnv(VectorEnv):
         rooms: str | RoomLike | Sequence[RoomLike] = "generated",
         flats: int = 1000,
         first_flat: int = 0,
+        area_m2: tuple[float, float] = (25.0, 120.0),
+        furniture: float = 0.7,
         robot: str = "roomba600",
         step_s: float = 0.105,
         time_limit_s: float = 1200.0,
@@ -153,6 +157,8 @@ class CleanVectorEnv(VectorEnv):
                 "rooms": _rooms(rooms),
                 "flats": flats,
                 "first_flat": first_flat,
+                "area_m2": area_m2,
+                "furniture": float(furniture),
                 "robot": robot,
                 "sim_steps": sim_steps,
                 "most_steps": max(1, round(time_limit_s / (sim_steps * _SIM_STEP_S))),

@@ -107,7 +107,7 @@ impl EgoMap {
         for (level, (sums, patch)) in self.levels.iter().zip(out.chunks_exact_mut(SIDE * SIDE)).enumerate() {
             let size = CELL_M * f64::from(1_u32 << level);
             let bits = self.bits - level as u32;
-            let (mask, shift) = ((1_usize << bits) - 1, 7 - 2 * level as i32);
+            let (mask, shift) = ((1_usize << bits) - 1, 7 - 2 * level);
             let mut row_x = fixed(pose.x / size + FIRST * (cos - sin));
             let mut row_y = fixed(pose.y / size + FIRST * (sin + cos));
             for row in patch.chunks_exact_mut(SIDE) {
@@ -115,8 +115,7 @@ impl EgoMap {
                 for pixel in row {
                     let index = (((y >> FRACTION) as usize & mask) << bits) | ((x >> FRACTION) as usize & mask);
                     let sum = sums.get(index).copied().unwrap_or(0);
-                    let shade = if shift >= 0 { i32::from(sum) << shift } else { i32::from(sum) >> -shift };
-                    *pixel = (shade + 128).min(255) as u8;
+                    *pixel = ((i32::from(sum) << shift) + 128).min(255) as u8;
                     (x, y) = (x.wrapping_add(across), y.wrapping_sub(down));
                 }
                 (row_x, row_y) = (row_x.wrapping_sub(down), row_y.wrapping_sub(across));

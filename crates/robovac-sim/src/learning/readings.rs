@@ -61,8 +61,7 @@ impl Readings {
     ) {
         let counts = [sensed.left_counts, sensed.right_counts];
         let last = self.counts.replace(counts).unwrap_or(counts);
-        let [left, right] =
-            [0, 1].map(|i| f64::from(counts[i].wrapping_sub(last[i]) as i16) / robot.counts_per_metre);
+        let [left, right] = [0, 1].map(|i| f64::from(counts[i].wrapping_sub(last[i]) as i16) / robot.counts_per_metre);
         let farthest = robot.max_wheel_speed * step_s;
         let flag = |on: bool| f64::from(u8::from(on));
         let cliff = sensed.cliff.map(flag);
