@@ -69,7 +69,7 @@ need_node() {
 need_drivers() { need_packages tests/drivers/requirements.txt "$DRIVERS"; }
 
 # One with what builds and tests the Python package.
-need_python() { need_packages crates/robovac-python/requirements.txt "$VENV"; }
+need_python() { need_packages python/requirements.txt "$VENV"; }
 
 # need_packages LIST PLACE: a Python in PLACE with the packages of LIST.
 need_packages() {

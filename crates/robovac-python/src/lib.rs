@@ -1,5 +1,5 @@
 //! `robovac._native`: what the Python package `robovac` calls. Its API for users, with documentation and types, is in
-//! `python/robovac`; names here follow it.
+//! `python/robovac` of the repository; names here follow it.
 //!
 //! Long work detaches from the interpreter, so that other threads go on, and asks at checkpoints for signals such as Ctrl-C.
 //! Errors are those of `python/robovac/_errors.py`, with the sentences of the command line.
