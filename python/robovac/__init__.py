@@ -13,9 +13,12 @@ from ._api import Behaviour, compare, explore, plan, simulate
 from ._errors import ContractError, FileError, MapError, PlacementError, PlannerError, RobovacError, UsageError
 from ._lists import behaviours, metrics, planners, robots, rooms
 from ._native import Sensed
+from ._register import register_with_gymnasium
 from ._results import Comparison, Exploration, Job, Plan, Simulation, Trial
 from ._room import Room
 from ._version import __version__
+
+register_with_gymnasium()
 
 __all__ = [
     "Behaviour",

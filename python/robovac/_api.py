@@ -55,7 +55,7 @@ def plan(
         if coverage_percent is not None:
             raise UsageError("coverage_percent: only planners of the list choose their cells; give cell_m")
         found = _planned_by(planner, place, room, params, seed)
-        task = {"cells": found["cells"].tolist()}
+        task = {"cells": _pairs(found["cells"])}
     else:
         given = _params(params)
         found = _native.plan(place, planner, given, coverage_percent, seed)
@@ -145,7 +145,7 @@ def simulate(
             name = planner if isinstance(planner, str) else str(behaviour)
         elif planner is not None:
             found = _planned_by(planner, place, room, params, seed)
-            driver["cells"], name = found["cells"].tolist(), _name(planner)
+            driver["cells"], name = _pairs(found["cells"]), _name(planner)
         else:
             made_behaviour = behaviour_of(behaviour, params)
             name = _name(behaviour)
@@ -206,7 +206,7 @@ def compare(
 
 def explore(
     room: RoomLike,
-    behaviour: str = "frontier",
+    behaviour: str = "explore_edge",
     *,
     robot: str = "roomba600",
     cell_m: float | None = None,
@@ -277,6 +277,10 @@ def _planned_by(
         rule = "a planner must return cells (x, y) of whole numbers"
         raise ContractError(f'planner "{_name(function)}": {rule}; {error}') from None
     return _native.plan_given(place, _name(function), cells, seconds)
+
+
+def _pairs(cells: Any) -> list[tuple[int, int]]:
+    return list(map(tuple, cells.tolist()))
 
 
 def _whole(number: Any) -> int:

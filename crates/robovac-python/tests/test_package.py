@@ -24,6 +24,12 @@ def test_the_lines_of_the_documentation_work(tmp_path):
         subprocess.run([sys.executable, "-c", code], check=True, cwd=tmp_path)
 
 
+def test_the_environment_is_there_whichever_is_imported_first():
+    for imports in ("import robovac, gymnasium", "import gymnasium, robovac", "import gymnasium, robovac.gym"):
+        code = f"{imports}; assert gymnasium.spec('robovac/Clean-v0').vector_entry_point"
+        subprocess.run([sys.executable, "-c", code], check=True)
+
+
 def test_importing_loads_neither_numpy_nor_gymnasium():
     code = "import sys, robovac; assert not {'numpy', 'gymnasium'} & set(sys.modules), 'loaded'"
     subprocess.run([sys.executable, "-c", code], check=True)

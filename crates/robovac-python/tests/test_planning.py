@@ -136,7 +136,7 @@ def test_errors_are_the_command_lines_sentences():
         (lambda: robovac.plan("bedroom", "snail"), robovac.UsageError, r'there is no planner "snail"'),
         (lambda: robovac.plan("bedroom", robot="r2d2"), robovac.UsageError, r'there is no robot "r2d2"'),
         (lambda: robovac.plan(TEXT, start=(2, 1)), robovac.PlacementError, r"the start cell \(2, 1\) is inside a wall"),
-        (lambda: robovac.plan(TEXT, robot="roomba600"), robovac.PlacementError, "robot"),
+        (lambda: robovac.plan("...\n...", robot="roomba600"), robovac.PlacementError, "robot"),
         (lambda: robovac.plan("..x\n..."), robovac.MapError, "x"),
         (lambda: robovac.Room.open("nowhere.txt"), robovac.FileError, "nowhere.txt: .*; check the path"),
         (lambda: robovac.Room.from_array(np.zeros(3)), robovac.UsageError, "rows and columns"),
@@ -156,7 +156,7 @@ def test_a_comparison_has_a_row_for_each_trial():
     table, name = compared.table("steps"), robovac.rooms()["thesis8"]["title"]
     assert set(table) == {"snake", "genetic", "depth_first"} and table["depth_first"][name] > table["snake"][name]
     assert compared.records()[0]["room"] == name
-    assert robovac.compare(TEXT, ["snake"], robot="roomba600").trials[0].error is not None
+    assert robovac.compare("...\n...", ["snake"], robot="roomba600").trials[0].error is not None
 
 
 def test_rooms_and_paths_draw_themselves():

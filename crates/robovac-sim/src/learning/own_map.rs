@@ -5,7 +5,7 @@
 
 use super::{EgoMap, Mark};
 use robovac_core::{
-    geometry::{Point, Pose},
+    geometry::{Point, Pose, Vector},
     math,
     robot::{Odometry, OdometryModel, RobotModel, SensorReadings},
 };
@@ -26,6 +26,8 @@ const INSIDE: f64 = 0.025;
 #[derive(Debug, Clone)]
 pub struct OwnMap {
     odometry: Odometry,
+    /// What the wheels rolled without moving the robot, m.
+    pushed: Vector,
     map: EgoMap,
     last: Option<Point>,
 }
@@ -34,14 +36,19 @@ impl OwnMap {
     /// An unknown map for rooms up to `extent_m` metres wide.
     pub fn new(robot: &RobotModel, extent_m: f64) -> Self {
         let odometry = Odometry::new(robot, OdometryModel::Arc, Pose::new(0.0, 0.0, 0.0));
-        Self { odometry, map: EgoMap::new(extent_m), last: None }
+        Self { odometry, pushed: Vector::zeros(), map: EgoMap::new(extent_m), last: None }
     }
 
     /// Takes every reading.
     #[inline]
     pub fn update(&mut self, robot: &RobotModel, sensed: &SensorReadings) {
+        let before = self.odometry.pose().position();
         self.odometry.update(sensed);
-        let pose = self.odometry.pose();
+        // Against a wall the castor stands still while the wheels slip.
+        if sensed.bumped() && !sensed.stasis {
+            self.pushed += self.odometry.pose().position() - before;
+        }
+        let pose = self.pose();
         let moved = self.last.is_none_or(|last| (pose.position() - last).norm_squared() > SPACING * SPACING);
         if moved && !sensed.wheel_dropped() {
             self.last = Some(pose.position());
@@ -66,7 +73,7 @@ impl OwnMap {
 
     /// Marks what light bumper and cliff sensors see; once for each observation is enough.
     pub fn look(&mut self, robot: &RobotModel, sensed: &SensorReadings) {
-        let pose = self.odometry.pose();
+        let pose = self.pose();
         if let Some(light) = robot.sensors.light_bumper {
             for (angle, &signal) in light.angles.into_iter().zip(&sensed.light_signal) {
                 let echo = f64::from(signal) - IDLE;
@@ -92,12 +99,13 @@ impl OwnMap {
 
     /// Writes the patches around the robot, see [`EgoMap::patches`].
     pub fn patches(&self, out: &mut [u8]) {
-        self.map.patches(self.odometry.pose(), out);
+        self.map.patches(self.pose(), out);
     }
 
     /// The estimated pose in the map's frame.
     pub fn pose(&self) -> Pose {
-        self.odometry.pose()
+        let Pose { x, y, heading } = self.odometry.pose();
+        Pose { x: x - self.pushed.x, y: y - self.pushed.y, heading }
     }
 
     /// The map.
