@@ -26,6 +26,7 @@ mod ros2;
 mod signals;
 mod simulate;
 mod source;
+mod study;
 mod sweep;
 mod task;
 mod twin;
@@ -83,6 +84,7 @@ enum Command {
     Map(map::Arguments),
     Monitor(monitor::Arguments),
     Recording(recording::Arguments),
+    Study(study::Arguments),
     #[cfg(feature = "ros2")]
     Ros2(ros2::Arguments),
     /// A node of ROS 2. This program was built without it: see docs/ros2.md
@@ -119,6 +121,7 @@ fn main() -> ExitCode {
         Command::Map(arguments) => map::run(&arguments),
         Command::Monitor(arguments) => monitor::run(&arguments),
         Command::Recording(arguments) => recording::run(&arguments),
+        Command::Study(arguments) => study::run(&arguments),
         #[cfg(feature = "ros2")]
         Command::Ros2(arguments) => ros2::run(&arguments),
         #[cfg(not(feature = "ros2"))]

@@ -25,9 +25,12 @@ pub struct Arguments {
     /// Number of runs of each algorithm, one seed per run
     #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=100_000))]
     seeds: u64,
-    /// First seed; planners plan once, with this seed
+    /// First seed
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
+    /// Seed of planners, which plan once [default: the first seed]
+    #[arg(long, value_name = "N")]
+    plan_seed: Option<u64>,
     /// Simulated time of each run
     #[arg(long, value_name = "MINUTES", default_value_t = 30.0, value_parser = parse_minutes, allow_hyphen_values = true)]
     minutes: f64,
@@ -61,7 +64,13 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let entrants = arguments.entrants.find()?;
     let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
     let (conditions, odometry) = (arguments.conditions.conditions(), arguments.conditions.odometry);
-    let terms = Terms { conditions, odometry, duration_s: 60.0 * arguments.minutes, plan_seed: arguments.seed };
+    let terms = Terms {
+        conditions,
+        odometry,
+        smooth: false,
+        duration_s: 60.0 * arguments.minutes,
+        plan_seed: arguments.plan_seed.unwrap_or(arguments.seed),
+    };
     let lab = Lab::on(placement.prepare()?, terms);
     // That an algorithm has no plan here is a result too.
     let failures: Vec<Option<String>> =

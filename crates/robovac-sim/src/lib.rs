@@ -51,6 +51,7 @@ pub mod learning;
 pub mod mapping;
 pub mod montecarlo;
 mod recording;
+pub mod study;
 
 pub use dirt::Spot;
 pub use docking::{berth, dock_at};

@@ -185,7 +185,7 @@ const STRUCTURE: &[Case] = &[
     (
         "\"name\": \"Nook\"",
         "\"title\": \"Nook\"",
-        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `own_robot`, `planner`, `behaviour`, `params`, `path`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`; fix that line or export the file again",
+        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `own_robot`, `planner`, `behaviour`, `params`, `path`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`, `smooth`; fix that line or export the file again",
     ),
     (
         "\"radius\": 0.02",
@@ -502,6 +502,7 @@ fn version_1_has_no_keys_of_version_2() {
         ("quantised", "false"),
         ("start_charge_percent", "50"),
         ("odometry", "\"arc\""),
+        ("smooth", "true"),
         ("own_robot", "{}"),
         ("path", "[[1, 1]]"),
     ] {
@@ -608,5 +609,30 @@ proptest! {
             prop_assert_eq!(schema_complains(&written), None);
             prop_assert!(read(&written).is_ok(), "{}", written);
         }
+    }
+}
+
+/// The example of docs/studies.md is read and agrees with its schema; what the reader refuses, the schema does too.
+#[test]
+fn studies_agree_with_their_schema() {
+    let page = include_str!("../../../docs/studies.md");
+    let (_, example) = page.split_once("```json\n").unwrap();
+    let (example, _) = example.split_once("```").unwrap();
+    let schema: Value = serde_json::from_str(include_str!("../../../docs/study.schema.json")).unwrap();
+    let complaint = |text: &str| schema::complaint(&schema, &schema, &serde_json::from_str(text).unwrap());
+    assert_eq!(complaint(example), None);
+    let study = robovac_sim::study::Study::read("study.json", example.as_bytes()).unwrap();
+    assert!(study.runs() > 100);
+    for (from, to) in [
+        ("\"version\": 1", "\"version\": 2"),
+        ("\"robots\"", "\"robot\""),
+        ("\"count\": 10", "\"count\": 0"),
+        ("\"minutes\": 20", "\"minutes\": 0"),
+        ("\"slip\": \"typical\"", "\"slip\": \"icy\""),
+    ] {
+        assert!(example.contains(from), "{from}");
+        let text = example.replacen(from, to, 1);
+        assert!(complaint(&text).is_some(), "{to}");
+        assert!(robovac_sim::study::Study::read("study.json", text.as_bytes()).is_err(), "{to}");
     }
 }

@@ -4,14 +4,14 @@ use crate::{
     Conditions, STEP_S,
     experiment::{
         Algorithm, Entrant, TrialError,
-        planning::{PlanRequest, Planned, RoomSetup},
+        planning::{Driven, PlanRequest, Planned, RoomSetup},
     },
 };
 use coverage_planners::Observer;
 use robovac_core::{
     coverage::{Boundary, BoundaryTracker, FloorError},
     floor_plan::FloorPlan,
-    geometry::{Point, Pose},
+    geometry::Pose,
     robot::{OdometryModel, RobotModel},
 };
 use std::{
@@ -28,6 +28,8 @@ pub struct Terms {
     pub conditions: Conditions,
     /// How followers of planned paths compute their poses.
     pub odometry: OdometryModel,
+    /// Whether corners of planned paths are rounded.
+    pub smooth: bool,
     /// Simulated time of each run, s.
     pub duration_s: f64,
     /// Seed of the planners, which plan once; the runs have seeds of their own.
@@ -35,7 +37,7 @@ pub struct Terms {
 }
 
 /// A line once it is planned, or the reason why there is none.
-type PlannedLine = Arc<OnceLock<Result<Arc<[Point]>, TrialError>>>;
+type PlannedLine = Arc<OnceLock<Result<Driven, TrialError>>>;
 
 /// A room laid out for a robot, in which any number of runs are made.
 ///
@@ -80,8 +82,11 @@ impl Lab {
             let job = self.prepared.job.clone();
             let request = PlanRequest { id: 0, planner, params, seed: self.terms.plan_seed, job };
             let planned = request.serve(|| 0.0, observer).map_err(TrialError::from);
-            let planned = planned.and_then(|answer| Ok(Planned::new(&self.prepared, &answer)?));
-            planned.map(|planned| planned.line)
+            let planned = planned.and_then(|answer| {
+                let planned = Planned::new(&self.prepared, &answer)?;
+                Ok(if self.terms.smooth { planned.rounded(&self.prepared)? } else { planned })
+            });
+            planned.map(|planned| planned.driven())
         };
         self.line(entrant).get_or_init(plan).clone().map(|_| ())
     }
@@ -112,7 +117,7 @@ impl Lab {
             Algorithm::Behaviour(info) => prepared.run_behaviour(info, &entrant.params, conditions, seed)?,
             Algorithm::Planner(_) => {
                 let line = self.line(entrant);
-                prepared.run_along(line.get()?.as_ref().ok()?, conditions, odometry, seed)
+                prepared.run_driven(line.get()?.as_ref().ok()?, conditions, odometry, seed)
             }
         };
         if entrant.explores() {

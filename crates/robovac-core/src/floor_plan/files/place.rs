@@ -14,7 +14,7 @@ pub struct JsonPlace {
 
 impl JsonPlace {
     /// The place of the value with that path; for a missing value, that of the one that should contain it.
-    pub(super) fn of(path: &str, bytes: &[u8]) -> Self {
+    pub fn of(path: &str, bytes: &[u8]) -> Self {
         let steps: Vec<&str> =
             path.split(['.', '[']).map(|step| step.trim_end_matches(']')).filter(|step| !step.is_empty()).collect();
         let at = (0..=steps.len()).rev().find_map(|count| {

@@ -166,7 +166,8 @@ impl Fitting {
         let lies = piece.parts.iter().all(|part| matches!(part, Part::Rug(_)));
         let is_free = |area: &Area| !self.claimed.iter().any(|other| other.overlaps(area));
         let is_clear = !self.clear.iter().any(|other| other.overlaps(&stand.area));
-        if !lies && !(self.room.holds(&front) && is_clear && is_free(&stand.area) && is_free(&front)) {
+        let stands = self.room.holds(&front) && is_clear && is_free(&stand.area) && is_free(&front);
+        if !lies && !stands {
             return false;
         }
         let taken: Vec<Area> = piece.parts.iter().filter_map(|part| stand.taken(part)).collect();
@@ -174,7 +175,9 @@ impl Fitting {
             return false;
         }
         let mut mask = self.mask.clone();
-        taken.iter().for_each(|cells| mask.take(cells));
+        for cells in &taken {
+            mask.take(cells);
+        }
         if !mask.is_passable(&self.doors) {
             return false;
         }

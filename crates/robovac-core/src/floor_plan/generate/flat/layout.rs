@@ -126,7 +126,7 @@ impl Layout {
             self.each(|area| area.flipped(width));
         }
         if rng.random_bool(0.5) {
-            self.each(|area| area.transposed());
+            self.each(Area::transposed);
             std::mem::swap(&mut self.width, &mut self.height);
         }
         if rng.random_bool(0.5) {

@@ -1,0 +1,66 @@
+"""A study on a Ray cluster of two nodes, one of which is killed while it works: the results are those of one machine.
+
+    python3 -m venv target/ray && target/ray/bin/pip install -r tests/ray/requirements.txt
+    PYTHONPATH=python target/ray/bin/python tests/ray/study_test.py target/debug/robovac
+"""
+
+import os
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+import ray
+from ray.cluster_utils import Cluster
+
+from robovac import study
+
+STUDY = {
+    "format": "robovac-study",
+    "version": 1,
+    "rooms": [{"flats": {"first": 1, "count": 2, "area_m2": [25, 30]}}],
+    "robots": [{"robot": "roomba600"}],
+    "algorithms": [{"behaviour": "bounce"}, {"behaviour": "random_walk"}],
+    "conditions": [{"name": "typical", "slip": "typical", "noise": "typical"}],
+    "seeds": {"first": 1, "count": 250},
+    "minutes": 4,
+}
+
+
+def main(program):
+    program = os.path.abspath(program)
+    with tempfile.TemporaryDirectory(prefix="robovac-") as folder:
+        one, many = Path(folder, "one.parquet"), Path(folder, "many.parquet")
+        study.run(STUDY, one, program=program)
+        cluster = Cluster(initialize_head=True, head_node_args={"num_cpus": 1, "include_dashboard": False})
+        worker = cluster.add_node(num_cpus=1)
+        ray.init(address=cluster.address, log_to_driver=False)
+        assert ray.cluster_resources()["CPU"] == 2, ray.cluster_resources()
+        failed = []
+
+        def work():
+            try:
+                study.run(STUDY, many, engine="ray", program=program)
+            except Exception as error:
+                failed.append(error)
+
+        # With a runtime of its own, as the test goes on meanwhile.
+        thread = threading.Thread(target=work)
+        thread.start()
+        shards = Path(f"{many}.shards")
+        while len(list(shards.glob("*.jsonl"))) < 3 and thread.is_alive():
+            time.sleep(0.01)
+        left = len(list(shards.glob("*.jsonl")))
+        cluster.remove_node(worker, allow_graceful=False)
+        assert left < 20, "the node was killed too late"
+        thread.join()
+        assert not failed, failed
+        assert ray.cluster_resources()["CPU"] == 1, ray.cluster_resources()
+        assert one.read_bytes() == many.read_bytes(), "other results"
+        ray.shutdown()
+        cluster.shutdown()
+    print(f"    ray: a node was killed after {left} of 20 shards; the results are the same bytes")
+
+
+main(sys.argv[1])
