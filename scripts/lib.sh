@@ -10,6 +10,9 @@ TOOLS=${ROBOVAC_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/robovac-playground}
 # Independent drivers, for the tests alone.
 DRIVERS=$ROOT/target/drivers
 
+# A Python with what builds and tests the Python package, and the package.
+VENV=$ROOT/target/python
+
 # The native program as tests build it.
 ROBOVAC=$(realpath -m "${CARGO_TARGET_DIR:-$ROOT/target}")/debug/robovac
 

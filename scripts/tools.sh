@@ -66,19 +66,24 @@ need_node() {
 }
 
 # A Python with the drivers of tests/drivers/requirements.txt, in target/.
-need_drivers() {
-    local list=tests/drivers/requirements.txt
-    cmp -s $list "$DRIVERS/.installed" && return
+need_drivers() { need_packages tests/drivers/requirements.txt "$DRIVERS"; }
+
+# One with what builds and tests the Python package.
+need_python() { need_packages python/requirements.txt "$VENV"; }
+
+# need_packages LIST PLACE: a Python in PLACE with the packages of LIST.
+need_packages() {
+    cmp -s "$1" "$2/.installed" && return
     { have python3 && python3 -c 'import ensurepip, venv'; } 2>/dev/null ||
         step "Installing Python" apt_install python3 python3-venv
-    step "Installing the drivers of $list" install_drivers "$list"
+    step "Installing the Python packages of $1" install_packages "$@"
 }
 
-install_drivers() {
-    rm -rf "$DRIVERS"
-    python3 -m venv "$DRIVERS"
-    "$DRIVERS/bin/pip" install --quiet --disable-pip-version-check --requirement "$1"
-    cp "$1" "$DRIVERS/.installed"
+install_packages() {
+    rm -rf "$2"
+    python3 -m venv "$2"
+    "$2/bin/pip" install --quiet --disable-pip-version-check --requirement "$1"
+    cp "$1" "$2/.installed"
 }
 
 # Chromium for all tests; Firefox and WebKit, the engine of Safari, for those of what must work everywhere.

@@ -22,6 +22,7 @@
 //!   robot
 //! - [`controller`]: behaviours and followers of plans
 //! - [`mapping`]: mapping and localisation from bumps and odometry
+//! - [`learning`]: cleaning as a task for reinforcement learning
 //! - [`experiment`], [`montecarlo`]: from room and robot to a run, and many runs with their statistics
 //!
 //! Time advances in fixed steps of [`STEP_S`], whatever the speed of the display, so that a run is the same on every
@@ -46,6 +47,7 @@ mod world;
 
 pub mod controller;
 pub mod experiment;
+pub mod learning;
 pub mod mapping;
 pub mod montecarlo;
 mod recording;
