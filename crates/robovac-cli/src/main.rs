@@ -11,6 +11,7 @@ mod conditions;
 mod convert;
 mod drawing;
 mod failure;
+mod grade;
 mod lanes;
 mod list;
 mod locate;
@@ -74,6 +75,7 @@ enum Command {
     Montecarlo(montecarlo::Arguments),
     Clean(clean::Arguments),
     Compare(compare::Arguments),
+    Grade(grade::Arguments),
     Locate(locate::Arguments),
     Convert(convert::Arguments),
     Bench(bench::Arguments),
@@ -109,6 +111,7 @@ fn main() -> ExitCode {
         Command::Montecarlo(arguments) => montecarlo::run(&arguments),
         Command::Clean(arguments) => clean::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Grade(arguments) => grade::run(&arguments),
         Command::Locate(arguments) => locate::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
