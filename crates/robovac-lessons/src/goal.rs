@@ -150,9 +150,14 @@ impl Goal {
             .copied()
             .collect();
         let may = |key: &str| keys.iter().any(|known| *known == key || *known == "p." && key.starts_with("p."));
+        let algorithm = |link: &Link| ["planner", "behaviour"].map(|key| link.get(key).map(str::to_owned));
+        let names_one = algorithm(&answer).iter().any(Option::is_some);
         // Parameters belong to the algorithm of the task unless that is the learner's choice.
-        let is_same = ["planner", "behaviour"].iter().all(|key| start.get(key) == answer.get(key));
-        let takes = |key: &str| may(key) && (is_same || may("planner") || !key.starts_with("p."));
+        let is_same = names_one && (algorithm(&start) == algorithm(&answer) || may("planner"));
+        let takes = |key: &str| may(key) && (is_same || !key.starts_with("p."));
+        // Links leave defaults out: what the answer may change and doesn't name has its default.
+        let stays =
+            |key: &str| matches!(key, "planner" | "behaviour" | "robot" | "own" | "twin" | "cell") || !takes(key);
         let over: Vec<String> =
             answer.pairs().filter(|(key, _)| takes(key)).map(|(key, value)| format!("{key}={value}")).collect();
         let fixed = ["room", "robot", "planner", "behaviour", "slip", "charge", "quantised", "odometry"];
@@ -160,7 +165,7 @@ impl Goal {
             !may(key) && answer.get(key).is_some_and(|value| start.get(key).unwrap_or_else(|| usual(key)) != value)
         };
         let ignored = fixed.into_iter().filter(|key| differs(key)).map(str::to_owned).collect();
-        (start.with(&Link::parse(&over.join("&"))), ignored)
+        (start.keeping(stays).with(&Link::parse(&over.join("&"))), ignored)
     }
 
     /// The runs that check an answer. `scenario` is that of the goal's scene.
@@ -248,5 +253,42 @@ impl Need {
         let value = value.filter(|value| value.is_finite());
         let passed = value.is_some_and(|value| if self.at_least { value >= self.value } else { value <= self.value });
         Judged { text: self.text.clone(), value, unit: self.number.unit(), passed }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Lesson;
+
+    fn goal(lines: &str) -> Goal {
+        let text = format!("# T\n```goal\n{lines}\nneed: median coverage >= 5\n```\n");
+        Lesson::parse(&text).unwrap().goals().next().unwrap().clone()
+    }
+
+    #[test]
+    fn an_answer_changes_what_it_may_and_nothing_else() {
+        let of = |change: &str| {
+            goal(&format!("in: room=living&robot=roomba600&behaviour=bounce&p.least=170&slip=harsh\nchange: {change}"))
+        };
+        let settle = |change: &str, link: &str| {
+            let (link, ignored) = of(change).settings(link);
+            (link.to_string(), ignored)
+        };
+        let page = "room=flat&behaviour=bounce&robot=dvr1&cell=0.1";
+        let (link, ignored) = settle("params", page);
+        assert_eq!(link, "room=living&robot=roomba600&behaviour=bounce&slip=harsh", "defaults aren't in links");
+        assert_eq!(ignored, ["room", "robot", "slip"]);
+        assert_eq!(
+            settle("cell", page).0,
+            "room=living&robot=roomba600&behaviour=bounce&slip=harsh&cell=0.1&p.least=170"
+        );
+        let plan = "room=living&planner=snake&p.patience=3&robot=roomba600&cell=0.12&slip=harsh";
+        assert_eq!(
+            settle("algorithm", plan),
+            ("room=living&robot=roomba600&planner=snake&slip=harsh&p.patience=3".to_owned(), vec![])
+        );
+        assert_eq!(settle("params", plan).0, "room=living&robot=roomba600&behaviour=bounce&slip=harsh&p.least=170");
+        assert_eq!(settle("params", plan).1, ["planner"]);
     }
 }

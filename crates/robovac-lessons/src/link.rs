@@ -27,6 +27,12 @@ impl Link {
         self.0.iter().map(|(key, value)| (key.as_str(), value.as_str()))
     }
 
+    /// The pairs whose keys `stay`.
+    #[must_use]
+    pub fn keeping(&self, stays: impl Fn(&str) -> bool) -> Self {
+        Self(self.0.iter().filter(|(key, _)| stays(key)).cloned().collect())
+    }
+
     /// This link with the choices of `over` in front of its own. Another algorithm comes with its own parameters, another
     /// robot with its own planning cells.
     #[must_use]

@@ -1,7 +1,7 @@
 //! Every lesson of the page: it is in order, its scenes are ones that the page takes, and every goal is reached by its
 //! answer and missed by its start.
 
-use robovac_lessons::{Answer, GradedAnswer, Lesson, check};
+use robovac_lessons::{Answer, GradedAnswer, Lesson, Quiz, QuizAnswer, check};
 use std::{fs, path::PathBuf};
 
 /// Runs of a goal in the short test; all of them in the long one.
@@ -41,12 +41,25 @@ fn every_lesson_is_in_order_and_in_the_index() {
     assert_eq!(texts, lessons.len(), "a lesson isn't in lessons/index.json");
 }
 
+/// The answer file of a lesson. With `UPDATE=1` its answers to quizzes are written again.
+fn answer_of(file: &str, lesson: &Lesson) -> Answer {
+    let path = root().join("lessons/answers").join(file.replace(".md", ".json"));
+    let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let mut answer = Answer::parse(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    if std::env::var_os("UPDATE").is_some() {
+        let right = |quiz: &Quiz| QuizAnswer {
+            answers: (1..=quiz.rounds).map(|seed| (seed, quiz.about.question(seed).right())).collect(),
+        };
+        answer.quizzes = lesson.quizzes().map(|quiz| (quiz.id.clone(), right(quiz))).collect();
+        fs::write(&path, serde_json::to_string_pretty(&answer).unwrap() + "\n").unwrap();
+    }
+    answer
+}
+
 /// The answer passes and the start misses, with the first `runs` seeds of each goal.
 fn answers_pass_and_starts_miss(runs: usize) {
     for (_, file, lesson) in lessons() {
-        let path = root().join("lessons/answers").join(file.replace(".md", ".json"));
-        let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let answer = Answer::parse(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let answer = answer_of(&file, &lesson);
         let mut idle = answer.clone();
         for goal in lesson.goals() {
             let given = idle.goals.get_mut(&goal.id);
