@@ -2,6 +2,7 @@
 // The simple parts of a lesson: text, scenes, predictions, buttons, hints, programs.
 import { make } from "../dom.js";
 import { toast } from "../messages.js";
+import { pack } from "../explore/pack.js";
 import { applyLink, applyScenario } from "./scene.js";
 
 /**
@@ -85,7 +86,7 @@ export function hint({ done, changed }, { html }, index) {
 }
 
 /** @param {Context} context @param {Extract<Block, { kind: "code" }>} block */
-export function code(_, { language, text }) {
+export function code({ app, lesson }, { language, text }) {
   const copy = press("Copy", () => {
     navigator.clipboard.writeText(text).then(
       () => toast("Program copied"),
@@ -93,6 +94,10 @@ export function code(_, { language, text }) {
     );
   });
   const row = make("p", { className: "act" }, copy);
-  if (document.getElementById("tab-program")) row.append(press("Open Program", () => document.getElementById("tab-program")?.click()));
+  const open = async () => {
+    const packed = await pack(JSON.stringify({ name: lesson.id, language, source: text }));
+    location.hash = `${app.playground.link()}&tab=program&code=${packed}`;
+  };
+  if (document.getElementById("tab-program")) row.append(press("Open in Program", open, "primary"));
   return make("div", { className: "part" }, make("pre", { tabIndex: 0, "aria-label": `Program in ${language === "python" ? "Python" : "JavaScript"}` }, make("code", {}, text)), row);
 }

@@ -54,7 +54,7 @@ export function startLecture(panel, body, again) {
       isOn = false;
       panel.classList.remove("lecture");
       document.body.classList.remove("lecturing");
-      panel.dataset.page = "";
+      show();
     },
     /** A lesson was rendered. */
     began() {

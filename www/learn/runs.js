@@ -20,6 +20,7 @@ export async function makeRuns(requests, told, signal) {
   const work = async () => {
     const worker = await hire();
     workers.push(worker);
+    if (signal.aborted) return worker.terminate();
     while (next < requests.length && !signal.aborted) {
       const id = next++;
       told(id, await one(worker, { .../** @type {{ id: number }} */ (requests[id]), id }, signal));
