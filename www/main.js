@@ -168,7 +168,7 @@ async function start() {
       }
       const view = (app.view = playground.view());
       // Only the opening scene doesn't begin with its beginning.
-      if (isFirst && view.time_s > 60) tellOpening(app);
+      if (isFirst && view.time_s > 60) tellOpening();
       else if (view.time_s < 60) endOpening();
       tellBefore(view.swept_before);
       isFirst = false;

@@ -195,6 +195,7 @@ test("a lesson from elsewhere is fetched only after the reader agreed; what can'
 
 test("the page shows itself around in four steps, once", async (t) => {
   const { page } = await openApp(t, { viewport: { width: 1300, height: 800 } });
+  await page.mouse.move(400, 300);
   await page.locator(".tagline").getByRole("button", { name: "Show me" }).click();
   const card = page.getByRole("dialog", { name: "Show me" });
   for (const head of ["What the robot does", "Change the room", "Compare", "Go on from here"]) {
@@ -204,5 +205,7 @@ test("the page shows itself around in four steps, once", async (t) => {
   await card.waitFor({ state: "detached" });
   await page.reload();
   await page.locator("#play").waitFor();
+  await page.mouse.move(420, 300);
+  await page.waitForFunction(() => performance.getEntriesByType("resource").some(({ name }) => name.includes("learn/offer.js")));
   assert.equal(await page.getByRole("button", { name: "Show me", exact: true }).count(), 0);
 });

@@ -5,12 +5,11 @@ import { percent } from "../format.js";
 
 const OPENED = ": started ten minutes ago";
 
-/** Explains for a while why the robot has already cleaned; and, until the first input, what the page is. @param {import("../main.js").App} app */
-export function tellOpening(app) {
+/** Explains for a while why the robot has already cleaned; and, until the first input, what the page is. */
+export function tellOpening() {
   setText(byId("opening"), OPENED);
   setTimeout(endOpening, 15_000);
   byId("welcome").hidden = false;
-  import("../learn/offer.js").then(({ offerTour }) => offerTour(app)).catch(console.warn);
   for (const sign of ["pointerdown", "keydown"]) addEventListener(sign, () => (byId("welcome").hidden = true), { once: true, capture: true });
 }
 

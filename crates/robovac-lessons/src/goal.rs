@@ -162,7 +162,8 @@ impl Goal {
             answer.pairs().filter(|(key, _)| takes(key)).map(|(key, value)| format!("{key}={value}")).collect();
         let fixed = ["room", "robot", "planner", "behaviour", "slip", "charge", "quantised", "odometry"];
         let differs = |key: &str| {
-            !may(key) && answer.get(key).is_some_and(|value| start.get(key).unwrap_or_else(|| usual(key)) != value)
+            let given = answer.get(key).unwrap_or_else(|| usual(key));
+            !may(key) && !given.is_empty() && start.get(key).unwrap_or_else(|| usual(key)) != given
         };
         let ignored = fixed.into_iter().filter(|key| differs(key)).map(str::to_owned).collect();
         (start.keeping(stays).with(&Link::parse(&over.join("&"))), ignored)
