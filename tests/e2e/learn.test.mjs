@@ -173,7 +173,7 @@ test("a lesson from elsewhere is fetched only after the reader agreed; what can'
   await page.route("https://teacher.example/*", (route) => {
     asked += 1;
     const forbids = route.request().url().endsWith("closed.md");
-    return route.fulfill({ body: LESSON, headers: forbids ? {} : { "access-control-allow-origin": "*" } });
+    return route.fulfill({ body: LESSON, headers: { "access-control-allow-origin": forbids ? "https://other.example" : "*" } });
   });
   const go = (lesson) => page.evaluate((address) => (location.hash = `room=thesis8&behaviour=bounce&lesson=${address}`), lesson);
   const panel = page.locator("#learn");
