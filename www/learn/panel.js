@@ -18,8 +18,7 @@ export function startPanel(app) {
   const icon = (/** @type {string} */ sign, /** @type {string} */ name, /** @type {() => void} */ what) => make("button", { type: "button", className: "quiet square", "aria-label": name, title: name, onclick: what }, sign);
   const back = icon("‹", "All lessons", () => void show(""));
   const large = icon("A", "Lecture mode: large type, arrow keys", () => lecture.toggle());
-  const print = icon("⎙", "Print this lesson", () => window.print());
-  const panel = make("aside", { id: "learn", className: "learn", "aria-labelledby": "learn-title" }, make("header", { className: "learn-head" }, back, title, large, print, icon("✕", "Close Learn", () => setOpen(false))), body);
+  const panel = make("aside", { id: "learn", className: "learn", "aria-labelledby": "learn-title" }, make("header", { className: "learn-head" }, back, title, large, icon("✕", "Close Learn", () => setOpen(false))), body);
   document.body.append(panel);
 
   /** Ends what belongs to the lesson that is shown. */
@@ -59,7 +58,7 @@ export function startPanel(app) {
     title.textContent = read.title;
     body.replaceChildren(...read.parts);
     source = lesson;
-    back.hidden = large.hidden = print.hidden = false;
+    back.hidden = large.hidden = false;
     app.lesson = lesson.place;
     lecture.began();
     body.focus();
@@ -97,7 +96,7 @@ export function startPanel(app) {
       source = undefined;
       app.lesson = "";
       lecture.stop();
-      back.hidden = large.hidden = print.hidden = true;
+      back.hidden = large.hidden = true;
       fill("Learn", await showList(app, (next) => (next instanceof File ? take(next) : void show(next)), () => void show("")));
     } catch (error) {
       failed(error, place ? "This lesson" : "The list of lessons");

@@ -71,7 +71,7 @@ function foot(source, lesson, state) {
     ...sources,
     make("h3", {}, "Hand in"),
     make("p", { className: "note" }, "Saves a file with your settings, the numbers of the runs and their digests. Anybody can repeat it with robovac grade."),
-    make("p", { className: "act" }, name, press("Hand in", () => handIn(lesson, state, name.value)), press("Get a link to send", () => void send(source))),
+    make("p", { className: "act" }, name, press("Hand in", () => handIn(lesson, state, name.value)), press("Get a link to send", () => void send(source)), press("Print", () => window.print())),
   );
 }
 
