@@ -17,20 +17,20 @@ pub struct Field {
 pub struct Fields {
     kind: &'static str,
     line: usize,
-    fields: Vec<Field>,
+    lines: Vec<Field>,
     known: Vec<&'static str>,
 }
 
 impl Fields {
     /// Reads the lines of the block `kind`, whose fence is on `line`. An indented line continues the one before.
     pub fn parse(kind: &'static str, line: usize, text: &str) -> Result<Self, LessonFault> {
-        let mut fields: Vec<Field> = Vec::new();
+        let mut lines: Vec<Field> = Vec::new();
         for (index, row) in text.lines().enumerate() {
             let at = line + 1 + index;
             if row.trim().is_empty() {
                 continue;
             }
-            if let Some(last) = fields.last_mut().filter(|_| row.starts_with("  ")) {
+            if let Some(last) = lines.last_mut().filter(|_| row.starts_with("  ")) {
                 last.value.push(' ');
                 last.value.push_str(row.trim());
                 continue;
@@ -45,9 +45,9 @@ impl Fields {
                     "write e.g. \"minutes: 12\", or indent a line that continues another",
                 ));
             };
-            fields.push(Field { line: at, key: key.trim().to_owned(), value: value.trim().to_owned() });
+            lines.push(Field { line: at, key: key.trim().to_owned(), value: value.trim().to_owned() });
         }
-        Ok(Self { kind, line, fields, known: Vec::new() })
+        Ok(Self { kind, line, lines, known: Vec::new() })
     }
 
     /// Line of the fence.
@@ -58,15 +58,15 @@ impl Fields {
     /// Takes the field `key`, if there is one; a second one is a fault of [`Fields::finish`].
     pub fn take(&mut self, key: &'static str) -> Option<Field> {
         self.known.push(key);
-        let at = self.fields.iter().position(|field| field.key == key)?;
-        Some(self.fields.remove(at))
+        let at = self.lines.iter().position(|field| field.key == key)?;
+        Some(self.lines.remove(at))
     }
 
     /// Takes all fields `key`.
     pub fn take_all(&mut self, key: &'static str) -> Vec<Field> {
         self.known.push(key);
-        let (taken, left) = self.fields.drain(..).partition(|field| field.key == key);
-        self.fields = left;
+        let (taken, left) = self.lines.drain(..).partition(|field| field.key == key);
+        self.lines = left;
         taken
     }
 
@@ -103,7 +103,7 @@ impl Fields {
 
     /// Fails if a field is left over.
     pub fn finish(self) -> Result<(), LessonFault> {
-        let Some(field) = self.fields.first() else { return Ok(()) };
+        let Some(field) = self.lines.first() else { return Ok(()) };
         let what = if self.known.contains(&field.key.as_str()) {
             format!("the block \"{}\" has a second line \"{}\"", self.kind, field.key)
         } else {

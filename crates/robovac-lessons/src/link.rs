@@ -42,7 +42,7 @@ impl Link {
         let stays = |key: &str| match key {
             "planner" | "behaviour" => !algorithm,
             "cell" | "own" | "twin" => !replaces(key) && !replaces("robot"),
-            _ => !replaces(key) && !(algorithm && key.starts_with("p.")),
+            _ => !(replaces(key) || algorithm && key.starts_with("p.")),
         };
         let kept = self.0.iter().filter(|(key, _)| stays(key)).cloned();
         // The algorithm before its parameters, the robot before its cells.
@@ -65,7 +65,7 @@ impl Link {
         let behaviour = self.0.iter().rev().find(|(key, _)| matches!(key.as_str(), "planner" | "behaviour"));
         let (behaves, id) = behaviour.map_or((false, "boustrophedon"), |(key, id)| (key == "behaviour", id.as_str()));
         let params = self.pairs().filter_map(|(key, value)| Some((key.strip_prefix("p.")?, value)));
-        let params: String = params.map(|(id, value)| format!("~{id}:{value}")).collect();
+        let params = params.fold(String::new(), |text, (id, value)| text + "~" + id + ":" + value);
         let room = self.get("room").filter(|_| scenario.is_none()).unwrap_or("flat");
         let plan_seed = self.get("seed").and_then(|seed| seed.parse().ok()).unwrap_or(1);
         let settings = settings.join("&");
