@@ -34,6 +34,7 @@ import { compile, missing } from "./wasm.js";
  * @property {() => void} cancelPlanning
  * @property {() => void} keepPlan Ends planning with the best plan so far.
  * @property {() => string} link The link of the current state, after `#`.
+ * @property {string} lesson What leads to the open lesson; empty for none.
  * @property {(key: string) => boolean} tabKey A single key in another tab; says whether it was used.
  */
 
@@ -89,7 +90,11 @@ async function start() {
       }
       return app.act((p) => p.take_map(map));
     },
-    bring: (files) => void tabs.bring(files),
+    bring: (files) => {
+      const lesson = files.find(({ name }) => /\.md$/i.test(name));
+      void (lesson ? learn(lesson) : tabs.bring(files));
+    },
+    lesson: "",
     cancelPlanning: () => {
       planning.cancel();
       app.act((p) => p.cancel_plan());
@@ -98,12 +103,18 @@ async function start() {
       const seconds = planning.keep();
       if (seconds !== undefined) app.act((p) => p.keep_plan(seconds));
     },
-    link: () => [playground.link(), ...(tabs.shown ? [tabs.shown.link()] : [])].join("&"),
+    link: () => [playground.link(), ...(tabs.shown ? [tabs.shown.link()] : []), ...(app.lesson ? [`lesson=${encodeURIComponent(app.lesson)}`] : [])].join("&"),
     tabKey: (key) => tabs.shown?.key(key) ?? false,
   };
   const planning = startPlanning(playground, guard);
 
   const tabs = new TabLoader(app, guard);
+  /** Opens or closes Learn. @param {string | File} [lesson] */
+  const learn = (lesson) =>
+    import("./learn/enter.js")
+      .then(({ enterLearn }) => enterLearn(app, lesson))
+      .catch((error) => complain(`Learn could not be loaded (${textOf(error)}). Check the connection, then try again.`));
+  byId("learn-open").addEventListener("click", () => void learn());
   /** Links that are still being followed: until then, the address is theirs. */
   let following = 0;
   /** @param {string} address */
@@ -111,7 +122,10 @@ async function start() {
     const { hash } = new URL(address);
     // Other fragments are positions on the page, such as that of the skip link.
     if (!hash.includes("=")) return;
-    const link = hash.slice(1);
+    // A lesson is last: its address can have an & of its own.
+    const [, link = "", lesson] = /^(.*?)(?:(?:^|&)lesson=(.*))?$/.exec(hash.slice(1)) ?? [];
+    if (lesson) void learn(lesson);
+    if (!link) return;
     following += 1;
     await restoreLink(app, link);
     await tabs.enter(tabOf(link));

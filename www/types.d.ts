@@ -1,5 +1,22 @@
 // Generated from the Rust types by `cargo test --test page types`: change them there.
 
+/** An answer file. */
+export type Answer = {
+/** Version of the format; 1. */
+robovac_answer: number,
+/** Id of the lesson. */
+lesson: string,
+/** [`digest`] of the lesson's text; empty if unknown. */
+lesson_digest: string,
+/** Who hands it in; can be empty. */
+name: string,
+/** Answers to goals, by the ids of these. */
+goals: { [key in string]: GoalAnswer },
+/** Answers to quizzes, by the ids of these. */
+quizzes: { [key in string]: QuizAnswer },
+/** Predictions, by the ids of these: the number of the option, from 0. */
+predictions: { [key in string]: number }, };
+
 /** Median and central 80 % of values; see [`quantile`] for the definition. */
 export type Band = {
 /** A tenth of the values is lower. */
@@ -42,6 +59,21 @@ memory_mb: number | null, };
 
 /** Which values of a metric are better. */
 export type Better = "lower" | "higher";
+
+/** A part of a lesson. */
+export type Block = { "kind": "prose",
+/** Safe HTML. */
+html: string, } | { "kind": "scene" } & Scene | { "kind": "predict" } & Choice | { "kind": "do",
+/** What is on it. */
+label: string,
+/** Settings, as in links; can be empty. */
+link: string, } | { "kind": "goal" } & Goal | { "kind": "hint",
+/** Safe HTML. */
+html: string, } | { "kind": "code",
+/** `python` or `javascript`. */
+language: string,
+/** Its text. */
+text: string, } | { "kind": "measure" } & Measure | { "kind": "quiz" } & Quiz;
 
 /** An outline by its dimensions, m. */
 export type BodyChoice = { "kind": "model",
@@ -112,6 +144,19 @@ metrics: Array<MetricInfo>, cell_sizes_m: [number, number, number, number, numbe
 export type CatalogueEntry = { id: string, title: string, summary: string,
 /** `planner` or `behaviour`. */
 kind: "planner" | "behaviour", mark: Mark, complete: boolean, deterministic: boolean, fast: boolean, anytime: boolean, ends: boolean, cleans: boolean, manual: boolean, params: Array<Param>, };
+
+/** A question with options. */
+export type Choice = {
+/** Its name in answers. */
+id: string,
+/** The question. */
+question: string,
+/** The options. */
+options: Array<string>,
+/** Index of the right one. */
+right: number,
+/** Why, as safe HTML. */
+because: string, };
 
 /** Snapshot of a comparison, one per frame. */
 export type ComparisonView = { version: number, set: string, sets: Array<[string, string]>, seeds: number, rooms: Array<string>,
@@ -402,6 +447,45 @@ words: string, };
 /** Tools of the pointer on the floor. */
 export type FloorTool = "view" | "wall" | "erase" | "start" | "place";
 
+/** A task: settings to start from, what may be changed, and the condition. */
+export type Goal = {
+/** Its name in answers. */
+id: string,
+/** What to achieve, in a sentence; empty if the condition says it all. */
+title: string,
+/** The settings to start from, as in links; they miss the goal. */
+start: string,
+/** The room, if `start` names none: the id of a scene with a scenario. */
+scene: string | null,
+/** Names of what may be changed. */
+changes: Array<string>,
+/** The seeds: the first, and how many. */
+first_seed: number,
+/** Number of runs. */
+runs: number,
+/** Simulated time of each run, min. */
+minutes: number,
+/** All must hold. */
+needs: Array<Need>, };
+
+/** The answer to a goal. */
+export type GoalAnswer = {
+/** The settings, as in links. */
+link: string,
+/** The runs that the page made; grading makes them again. */
+runs: Array<RunRecord>, };
+
+/** A condition and what was measured. */
+export type Judged = {
+/** The condition. */
+text: string,
+/** The measured value, in the number's unit; `None` if too few runs got there. */
+value: number | null,
+/** Its unit. */
+unit: string,
+/** Whether it holds. */
+passed: boolean, };
+
 export type LaneView = {
 /** Its number in `entrants`. */
 entrant: number,
@@ -420,6 +504,25 @@ colour: string,
 strokes: number,
 /** Its role. */
 role: Role, };
+
+/** A lesson. */
+export type Lesson = {
+/** Its name in links and answers: small letters, digits, dashes. */
+id: string,
+/** Its heading. */
+title: string,
+/** How long it takes, min; 0 if unknown. */
+minutes: number,
+/** For whom it is; can be empty. */
+audience: string,
+/** What one can do afterwards. */
+outcomes: Array<string>,
+/** Sources, as safe HTML. */
+sources: Array<string>,
+/** Digest of the text. */
+digest: string,
+/** Its content, in order. */
+blocks: Array<Block>, };
 
 /** Lights that are on by command; all dark while the robot has them for itself. */
 export type LightsView = {
@@ -559,6 +662,28 @@ is_carried: boolean, };
 /** A mark that no other algorithm has. */
 export type Mark = { colour: number, shape: number, };
 
+/** A table: one row for each setting, one column for each number, medians over the runs. */
+export type Measure = {
+/** What it shows; can be empty. */
+title: string,
+/** The rows. */
+rows: Array<MeasureRow>,
+/** The columns: name with unit. */
+columns: Array<string>,
+/** The columns' numbers. */
+numbers: Array<Number>,
+/** Number of runs of each row; seeds from 1. */
+runs: number,
+/** Simulated time of each run, min. */
+minutes: number, };
+
+/** A row. */
+export type MeasureRow = {
+/** Its name. */
+title: string,
+/** Its settings, as in links. */
+link: string, };
+
 /** Median and range of a number over several seeds. */
 export type MedianAndRange = {
 /** The median. */
@@ -585,6 +710,19 @@ decimals: number,
 /** How the value is rounded to them. */
 rounding: Rounding, };
 
+/** One condition. */
+export type Need = {
+/** As it was written. */
+text: string,
+/** Over the runs. */
+statistic: Statistic,
+/** What is measured. */
+number: Number,
+/** Whether at least `value` is needed; else at most. */
+at_least: boolean,
+/** The limit, in the number's unit. */
+value: number, };
+
 /** A message. */
 export type Notice = {
 /** Number of the message, which increases. */
@@ -593,6 +731,9 @@ number: number,
 kind: "notice" | "error",
 /** The message for users. */
 text: string, };
+
+/** A number of a run. */
+export type Number = "coverage" | "time" | "time_to90" | "time_to99" | "distance" | "bumps" | "falls" | "dirt_left" | "excess_distance" | "excess_time";
 
 /** Models that convert the rolling of wheels to a change of pose: the source of the measurement, and the assumed line. */
 export type OdometryModel = "arc" | "straight" | "packet_arc" | "packet_straight";
@@ -777,6 +918,34 @@ how: string, };
 /** Buttons of the robot on the page. */
 export type PressedButton = "clean" | "spot" | "max" | "dock" | "power";
 
+/** A question. */
+export type Question = {
+/** The question. */
+text: string,
+/** A room: `#` wall, `.` floor, `S` start; rows from top to bottom. Empty if there is none. */
+room: Array<string>,
+/** The options to choose from; empty for a number or bytes. */
+options: Array<string>,
+/** What a written answer looks like. */
+example: string, };
+
+/** A quiz of a lesson: questions of one kind. */
+export type Quiz = {
+/** Its name in answers. */
+id: string,
+/** The kind of its questions. */
+about: QuizKind,
+/** How many must be answered well. */
+rounds: number, };
+
+/** The answers to the questions of a quiz. */
+export type QuizAnswer = {
+/** Seed and text of each answer. */
+answers: Array<[number, string]>, };
+
+/** A kind of question. */
+export type QuizKind = "reachable" | "lanes" | "parity" | "median" | "odometry" | "logodds" | "bytes";
+
 export type RaceView = { state: SessionState, time_s: number, end_s: number, planned_s: number, speed: number, lanes: Array<LaneView>, };
 
 /** User requests to a robot. In JavaScript, `{ do: "arm", full: false }` and the like. */
@@ -923,6 +1092,19 @@ best: Array<boolean>,
 /** What a paper prints in the place of each value. */
 printed: Array<number | null>, };
 
+/** A run in an answer. */
+export type RunRecord = {
+/** Its seed. */
+seed: number,
+/** Swept share of the reachable floor, %. */
+coverage_percent: number,
+/** Simulated time, s. */
+time_s: number,
+/** Distance driven, m. */
+distance_m: number,
+/** Digest of its final state, hexadecimal. */
+digest: string, };
+
 /** The choices of a scenario besides its room, as text that settings check. Missing ones stay unchanged. */
 export type ScenarioChoices = {
 /** Id of the robot. */
@@ -955,6 +1137,17 @@ start_charge_percent: number | null,
 odometry: string | null,
 /** Whether the corners of plans are rounded. */
 smooth: boolean | null, };
+
+/** A scene. */
+export type Scene = {
+/** Its name for goals; can be empty. */
+id: string,
+/** What is on its button. */
+title: string,
+/** Settings, as in links; empty for a scenario. */
+link: string,
+/** The text of a scenario file; empty for a link. */
+scenario: string, };
 
 /** The planner's search in words. */
 export type SearchView = {
@@ -1056,6 +1249,9 @@ dirt: boolean,
 sensors: boolean,
 /** The robot's estimated trail. */
 estimate: boolean, };
+
+/** How the numbers of several runs become one. */
+export type Statistic = "median" | "every" | "best";
 
 /** Statistics of the line. */
 export type Statistics = {
@@ -1317,6 +1513,15 @@ name: string,
 metre: number,
 /** The size that the drawing would have. */
 size: string, };
+
+/** Whether a goal is reached, and by what numbers. */
+export type Verdict = {
+/** Whether all conditions hold. */
+passed: boolean,
+/** Each condition. */
+needs: Array<Judged>,
+/** Each run. */
+runs: Array<RunRecord>, };
 
 /** Visible and audible state of the virtual robot. Bit sets are encoded as on the line. */
 export type VirtualView = {

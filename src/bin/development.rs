@@ -4,6 +4,8 @@
 
 #[path = "../floor_plan/mod.rs"]
 mod floor_plan;
+#[path = "../learn/mod.rs"]
+mod learn;
 #[path = "../page/mod.rs"]
 mod page;
 #[path = "../workshop/mod.rs"]

@@ -60,7 +60,7 @@ export async function startLater(app) {
       () => import("./film.js").then(({ startFilm }) => startFilm(app)),
     ),
   ];
-  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips()), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe())])).catch(console.warn);
+  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips()), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), import("../learn/offer.js").then(({ offerTour }) => offerTour(app))])).catch(console.warn);
   const view = app.playground.view();
   updateFolds(view);
   // A part that loads slowly doesn't delay the page.

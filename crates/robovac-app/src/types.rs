@@ -8,6 +8,7 @@ use crate::{
     floor_plan::FloorPlanView,
     map::MapView,
 };
+use robovac_lessons::{Answer, Lesson, Question, Verdict};
 use robovac_link::{
     connection::{ConnectionView, LineRequest, Request, Traffic},
     emulator::{PersonalityView, VirtualView},
@@ -45,6 +46,7 @@ impl TypeVisitor for Declarations {
 pub fn declarations() -> String {
     // All whole numbers in these objects fit JavaScript's number type.
     let mut all = Declarations { config: Config::new().with_large_int("number"), texts: BTreeMap::new() };
+    all.visit::<Answer>();
     all.visit::<BenchResult>();
     all.visit::<Catalogue>();
     all.visit::<CatalogueEntry>();
@@ -52,11 +54,13 @@ pub fn declarations() -> String {
     all.visit::<ConnectionView>();
     all.visit::<ExplainerEntry>();
     all.visit::<FloorPlanView>();
+    all.visit::<Lesson>();
     all.visit::<LineRequest>();
     all.visit::<MapView>();
     all.visit::<PageView>();
     all.visit::<PersonalityView>();
     all.visit::<Prediction>();
+    all.visit::<Question>();
     all.visit::<Request>();
     all.visit::<SessionSnapshot>();
     all.visit::<StudyOffer>();
@@ -67,6 +71,7 @@ pub fn declarations() -> String {
     all.visit::<Timeline>();
     all.visit::<Traffic>();
     all.visit::<TwinFigure>();
+    all.visit::<Verdict>();
     all.visit::<VirtualView>();
     let texts: Vec<String> = all.texts.into_values().collect();
     // Single-line comments on one line.

@@ -12,6 +12,7 @@ mod convert;
 mod drawing;
 mod failure;
 mod generate;
+mod grade;
 mod lanes;
 mod list;
 mod locate;
@@ -76,6 +77,7 @@ enum Command {
     Montecarlo(montecarlo::Arguments),
     Clean(clean::Arguments),
     Compare(compare::Arguments),
+    Grade(grade::Arguments),
     Locate(locate::Arguments),
     Convert(convert::Arguments),
     Generate(generate::Arguments),
@@ -113,6 +115,7 @@ fn main() -> ExitCode {
         Command::Montecarlo(arguments) => montecarlo::run(&arguments),
         Command::Clean(arguments) => clean::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Grade(arguments) => grade::run(&arguments),
         Command::Locate(arguments) => locate::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),

@@ -3,6 +3,7 @@
 mod bridge;
 mod cli;
 mod examples;
+mod grade;
 mod monitor;
 mod study;
 mod twin;

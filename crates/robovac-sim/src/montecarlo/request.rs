@@ -45,10 +45,17 @@ impl RunsRequest {
 
     /// Makes the runs in `lab`. Errors are for users.
     pub fn run(&self, lab: &Lab, observer: Option<Observer<'_>>) -> Result<Vec<RunOutcome>, String> {
+        lab.plan(&self.entrant()?, observer).map_err(|e| e.to_string())?;
+        self.seeds.iter().map(|&seed| self.run_one(lab, seed)).collect()
+    }
+
+    /// Makes one run, in a lab in which [`RunsRequest::run`] was called for the same entrant. Errors are for users.
+    pub fn run_one(&self, lab: &Lab, seed: u64) -> Result<RunOutcome, String> {
+        lab.run(&self.entrant()?, seed).ok_or_else(|| "this algorithm can't be run".to_owned())
+    }
+
+    fn entrant(&self) -> Result<Entrant, String> {
         let kind = if self.behaves { BEHAVIOUR } else { PLANNER };
-        let entrant = Entrant::parse(kind, &self.entrant).map_err(|e| e.to_string())?;
-        lab.plan(&entrant, observer).map_err(|e| e.to_string())?;
-        let run = |&seed: &u64| lab.run(&entrant, seed).ok_or_else(|| "this algorithm can't be run".to_owned());
-        self.seeds.iter().map(run).collect()
+        Entrant::parse(kind, &self.entrant).map_err(|e| e.to_string())
     }
 }

@@ -1,0 +1,204 @@
+//! `grade`: runs the answers to a lesson again and marks them.
+
+mod report;
+
+use super::{failure::Failure, output};
+use report::{csv, html, table};
+use robovac_lessons::{Answer, GradedAnswer, Job, Lesson, check};
+use robovac_sim::montecarlo::{Lab, RunOutcome, RunsRequest};
+use std::{
+    collections::BTreeMap,
+    fs,
+    path::{Path, PathBuf},
+    sync::{
+        Mutex,
+        atomic::{AtomicUsize, Ordering},
+    },
+    thread,
+};
+
+/// Largest answer file, bytes.
+const MOST_BYTES: u64 = 20_000_000;
+
+/// Run the answers to a lesson again, and mark them
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The lesson
+    #[arg(value_name = "LESSON.md")]
+    lesson: PathBuf,
+    /// Answers: files that "Hand in" of the page has saved. Without any, only the lesson is checked
+    #[arg(value_name = "ANSWER.json")]
+    answers: Vec<PathBuf>,
+    /// Seeds to use in place of the lesson's: whole numbers, one a line; "#" begins a comment
+    #[arg(long, value_name = "FILE")]
+    seeds_file: Option<PathBuf>,
+    /// Runs in parallel [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: Option<u16>,
+    /// Write one JSON object with all numbers
+    #[arg(long, conflicts_with_all = ["csv", "html"])]
+    json: bool,
+    /// Write one line of CSV for each condition
+    #[arg(long, conflicts_with = "html")]
+    csv: bool,
+    /// Write a page with the table
+    #[arg(long)]
+    html: bool,
+}
+
+/// One answer's runs for one goal with one seed.
+struct Piece<'a> {
+    /// Index of the answer and of the job.
+    at: (usize, usize),
+    request: &'a RunsRequest,
+    seed: u64,
+}
+
+/// Marks the answers and returns the report.
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    let text = read(&arguments.lesson)?;
+    let named = |error: &dyn std::fmt::Display| Failure::usage(format!("{}: {error}", arguments.lesson.display()));
+    let lesson = Lesson::parse(&text).map_err(|fault| named(&fault))?;
+    check(&lesson).map_err(|error| named(&error))?;
+    if arguments.answers.is_empty() {
+        let (goals, quizzes) = (lesson.goals().count(), lesson.quizzes().count());
+        return Ok(format!(
+            "{}: \"{}\" is in order; goals: {goals}, quizzes: {quizzes}\n",
+            arguments.lesson.display(),
+            lesson.title
+        ));
+    }
+    let seeds = arguments.seeds_file.as_deref().map(read_seeds).transpose()?;
+    // A broken file is a mark, not the end: the others were handed in, too.
+    let answers: Vec<(String, Result<Answer, String>)> = arguments
+        .answers
+        .iter()
+        .map(|path| (name_of(path), read(path).map_err(|e| e.to_string()).and_then(|text| Answer::parse(&text))))
+        .collect();
+    let jobs: Vec<Vec<Job>> = answers
+        .iter()
+        .map(|(_, answer)| {
+            answer.as_ref().map_or_else(|_| Vec::new(), |answer| GradedAnswer::jobs(&lesson, answer, seeds.as_deref()))
+        })
+        .collect();
+    let threads = arguments.jobs.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
+    let mut results = make(&jobs, threads);
+    let graded: Vec<GradedAnswer> = answers
+        .into_iter()
+        .zip(&mut results)
+        .map(|((file, answer), results)| match answer {
+            Ok(answer) => GradedAnswer::new(&lesson, &answer, &file, std::mem::take(results)),
+            Err(fault) => {
+                GradedAnswer { name: file, passed: false, remarks: vec![fault], goals: Vec::new(), quizzes: Vec::new() }
+            }
+        })
+        .collect();
+    Ok(match (arguments.json, arguments.csv, arguments.html) {
+        (true, ..) => output::json(&graded),
+        (_, true, _) => csv(&graded),
+        (.., true) => html(&lesson, &graded),
+        _ => table(&lesson, &graded),
+    })
+}
+
+type Results = Vec<(usize, Result<Vec<RunOutcome>, String>)>;
+
+/// Makes all runs, `threads` at a time: plans first, as the runs of an answer share its plan.
+fn make(jobs: &[Vec<Job>], threads: usize) -> Vec<Results> {
+    let all: Vec<((usize, usize), &Job)> = jobs
+        .iter()
+        .enumerate()
+        .flat_map(|(who, jobs)| jobs.iter().enumerate().map(move |(which, job)| ((who, which), job)))
+        .collect();
+    let labs = parallel(&all, threads, |(_, job)| {
+        let mut lab = job.request.lab()?;
+        let plan_only = RunsRequest { seeds: Vec::new(), ..job.request.clone() };
+        plan_only.run(&mut lab, None)?;
+        Ok::<Lab, String>(lab)
+    });
+    let labs: BTreeMap<(usize, usize), Result<Lab, String>> = all.iter().map(|(at, _)| *at).zip(labs).collect();
+    let able = all.iter().filter(|(at, _)| labs.get(at).is_some_and(Result::is_ok));
+    let pieces: Vec<Piece<'_>> = able
+        .flat_map(|(at, job)| job.request.seeds.iter().map(|&seed| Piece { at: *at, request: &job.request, seed }))
+        .collect();
+    let outcomes = parallel(&pieces, threads, |piece| match labs.get(&piece.at) {
+        Some(Ok(lab)) => piece.request.run_one(lab, piece.seed),
+        _ => Err("it has no room".to_owned()),
+    });
+    let mut results: Vec<Results> =
+        jobs.iter().map(|jobs| jobs.iter().map(|job| (job.goal, Ok(Vec::new()))).collect()).collect();
+    for (at, lab) in &labs {
+        if let Err(fault) = lab {
+            results[at.0][at.1].1 = Err(fault.clone());
+        }
+    }
+    for (piece, outcome) in pieces.iter().zip(outcomes) {
+        let result = &mut results[piece.at.0][piece.at.1].1;
+        match (&mut *result, outcome) {
+            (Ok(runs), Ok(outcome)) => runs.push(outcome),
+            (_, Err(fault)) => *result = Err(fault),
+            _ => {}
+        }
+    }
+    results
+}
+
+/// Does work on several threads; results are in the order of the items.
+fn parallel<T: Sync, R: Send>(items: &[T], threads: usize, work: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let next = AtomicUsize::new(0);
+    let done = Mutex::new(Vec::with_capacity(items.len()));
+    thread::scope(|scope| {
+        for _ in 0..threads.clamp(1, items.len().max(1)) {
+            scope.spawn(|| {
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(item) = items.get(index) else { break };
+                    let result = work(item);
+                    if let Ok(mut done) = done.lock() {
+                        done.push((index, result));
+                    }
+                }
+            });
+        }
+    });
+    let mut done = done.into_inner().unwrap_or_default();
+    done.sort_by_key(|(index, _)| *index);
+    done.into_iter().map(|(_, result)| result).collect()
+}
+
+fn read(path: &Path) -> Result<String, Failure> {
+    let size = fs::metadata(path).map_err(|error| Failure::io(path.display(), &error))?.len();
+    if size > MOST_BYTES {
+        return Err(Failure::usage(format!(
+            "{}: it is too large for a lesson or an answer; check the path",
+            path.display()
+        )));
+    }
+    fs::read_to_string(path).map_err(|error| Failure::io(path.display(), &error))
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_stem().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}
+
+fn read_seeds(path: &Path) -> Result<Vec<u64>, Failure> {
+    let text = read(path)?;
+    let lines = text.lines().map(|line| line.split('#').next().unwrap_or_default().trim()).enumerate();
+    let seeds: Vec<u64> = lines
+        .filter(|(_, line)| !line.is_empty())
+        .map(|(index, line)| {
+            let seed = line.parse::<u32>().map(u64::from);
+            seed.map_err(|_| {
+                Failure::usage(format!(
+                    "{}, line {}: \"{line}\" isn't a seed; use whole numbers from 0 to 4294967295",
+                    path.display(),
+                    index + 1
+                ))
+            })
+        })
+        .collect::<Result<_, _>>()?;
+    if seeds.is_empty() {
+        return Err(Failure::usage(format!("{}: there is no seed in it; write one a line", path.display())));
+    }
+    Ok(seeds)
+}

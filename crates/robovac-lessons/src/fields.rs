@@ -1,0 +1,116 @@
+//! The `key: value` lines of a fenced block.
+
+use crate::LessonFault;
+
+/// One line of a block.
+#[derive(Debug, Clone)]
+pub struct Field {
+    /// Line of the file, from 1.
+    pub line: usize,
+    key: String,
+    /// What stands behind the colon.
+    pub value: String,
+}
+
+/// The lines of one block; they are taken out by their keys.
+#[derive(Debug)]
+pub struct Fields {
+    kind: &'static str,
+    line: usize,
+    lines: Vec<Field>,
+    known: Vec<&'static str>,
+}
+
+impl Fields {
+    /// Reads the lines of the block `kind`, whose fence is on `line`. An indented line continues the one before.
+    pub fn parse(kind: &'static str, line: usize, text: &str) -> Result<Self, LessonFault> {
+        let mut lines: Vec<Field> = Vec::new();
+        for (index, row) in text.lines().enumerate() {
+            let at = line + 1 + index;
+            if row.trim().is_empty() {
+                continue;
+            }
+            if let Some(last) = lines.last_mut().filter(|_| row.starts_with("  ")) {
+                last.value.push(' ');
+                last.value.push_str(row.trim());
+                continue;
+            }
+            let pair = row.split_once(':').filter(|(key, _)| !key.trim().is_empty());
+            let Some((key, value)) = pair else {
+                let what =
+                    format!("\"{}\" in the block \"{kind}\" is not a line of the form \"key: value\"", row.trim());
+                return Err(LessonFault::new(
+                    at,
+                    what,
+                    "write e.g. \"minutes: 12\", or indent a line that continues another",
+                ));
+            };
+            lines.push(Field { line: at, key: key.trim().to_owned(), value: value.trim().to_owned() });
+        }
+        Ok(Self { kind, line, lines, known: Vec::new() })
+    }
+
+    /// Line of the fence.
+    pub fn line(&self) -> usize {
+        self.line
+    }
+
+    /// Takes the field `key`, if there is one; a second one is a fault of [`Fields::finish`].
+    pub fn take(&mut self, key: &'static str) -> Option<Field> {
+        self.known.push(key);
+        let at = self.lines.iter().position(|field| field.key == key)?;
+        Some(self.lines.remove(at))
+    }
+
+    /// Takes all fields `key`.
+    pub fn take_all(&mut self, key: &'static str) -> Vec<Field> {
+        self.known.push(key);
+        let (taken, left) = self.lines.drain(..).partition(|field| field.key == key);
+        self.lines = left;
+        taken
+    }
+
+    /// Takes the text of `key`, or nothing.
+    pub fn text(&mut self, key: &'static str) -> String {
+        self.take(key).map(|field| field.value).unwrap_or_default()
+    }
+
+    /// Takes a field that must be there.
+    pub fn need(&mut self, key: &'static str, example: &str) -> Result<Field, LessonFault> {
+        self.take(key).ok_or_else(|| self.lack(key, example))
+    }
+
+    /// The fault that `key` is missing.
+    pub fn lack(&self, key: &str, example: &str) -> LessonFault {
+        let what = format!("the block \"{}\" has no line \"{key}\"", self.kind);
+        LessonFault::new(self.line, what, format!("add e.g. \"{key}: {example}\""))
+    }
+
+    /// Takes a number within a range, or the default.
+    pub fn number(
+        &mut self,
+        key: &'static str,
+        default: f64,
+        range: std::ops::RangeInclusive<f64>,
+    ) -> Result<f64, LessonFault> {
+        let Some(field) = self.take(key) else { return Ok(default) };
+        let number = field.value.parse().ok().filter(|number| range.contains(number));
+        number.ok_or_else(|| {
+            let what = format!("\"{key}\" can't be \"{}\"", field.value);
+            LessonFault::new(field.line, what, format!("use a number from {} to {}", range.start(), range.end()))
+        })
+    }
+
+    /// Fails if a field is left over.
+    pub fn finish(self) -> Result<(), LessonFault> {
+        let Some(field) = self.lines.first() else { return Ok(()) };
+        let what = if self.known.contains(&field.key.as_str()) {
+            format!("the block \"{}\" has a second line \"{}\"", self.kind, field.key)
+        } else {
+            format!("the block \"{}\" knows no \"{}\"", self.kind, field.key)
+        };
+        let mut known = self.known.clone();
+        known.sort_unstable();
+        Err(LessonFault::new(field.line, what, format!("it takes: {}", known.join(", "))))
+    }
+}

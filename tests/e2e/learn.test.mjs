@@ -1,0 +1,211 @@
+// Learn: lessons beside the live floor, their goals and quizzes, exercises from files and by link, and handing in.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { openApp, taken } from "./app.mjs";
+import { ROOT } from "./harness.mjs";
+import { robovac } from "./serial/robot.mjs";
+
+const LESSON = `# Small
+
+\`\`\`lesson
+id: small
+\`\`\`
+
+<script>window.hacked = 1</script> <img src=x onerror="window.hacked = 2"> [bad](javascript:window.hacked=3)
+
+\`\`\`goal
+id: more
+in: room=thesis8&robot=roomba600&behaviour=bounce&p.least=180&p.most=180
+change: algorithm, params
+runs: 3
+minutes: 2
+need: median coverage >= 40 %
+\`\`\`
+
+\`\`\`hint
+Turn by another angle.
+\`\`\`
+
+\`\`\`measure
+in: room=thesis8&robot=roomba600
+row: Bounce | behaviour=bounce
+runs: 2
+minutes: 2
+show: coverage, time to 99 %
+\`\`\`
+`;
+
+const INDEX = JSON.parse(fs.readFileSync(path.join(ROOT, "lessons/index.json"), "utf8"));
+
+/** Cells that are reached from S, by the description of the picture. */
+function reached(description) {
+  const rows = /rows from the top: ([#.S ]+);/.exec(description)[1].trim().split(" ");
+  const open = rows.flatMap((row, y) => [...row].flatMap((sign, x) => (sign === "S" ? [[x, y]] : [])));
+  const seen = new Set(open.map(String));
+  while (open.length > 0) {
+    const [x, y] = open.pop();
+    for (const [a, b] of [[x + 1, y], [x - 1, y], [x, y + 1], [x, y - 1]]) {
+      if (!".S".includes(rows[b]?.[a] ?? "#") || seen.has(`${a},${b}`)) continue;
+      seen.add(`${a},${b}`);
+      open.push([a, b]);
+    }
+  }
+  return seen.size;
+}
+
+/** Drops a file on the page. */
+const drop = (page, name, text) =>
+  page.evaluate(
+    ([name, text]) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], name));
+      for (const kind of ["dragenter", "drop"]) document.body.dispatchEvent(new DragEvent(kind, { dataTransfer, bubbles: true, cancelable: true }));
+    },
+    [name, text],
+  );
+
+test("a lesson stands beside the floor, takes predictions, and marks right and wrong answers", async (t) => {
+  const { page, app, screenshot } = await openApp(t, { address: "#room=thesis8&behaviour=bounce" });
+  await page.getByRole("button", { name: "Learn", exact: true }).click();
+  await page.getByRole("button", { name: /Who wins\?/ }).click();
+  const panel = page.locator("#learn");
+  await panel.getByRole("heading", { name: "Who wins?" }).waitFor();
+  const [floor, lesson] = [await page.locator("#floor").boundingBox(), await panel.boundingBox()];
+  assert.ok(floor.width > 250 && floor.x + floor.width <= lesson.x + 1, "the floor is beside the lesson");
+  await screenshot("learn");
+
+  await panel.getByRole("button", { name: "Commit" }).first().click();
+  await panel.getByText("Choose one first").waitFor();
+  await panel.getByRole("radio").first().check();
+  await panel.getByRole("button", { name: "Commit" }).first().click();
+  assert.ok(await panel.getByRole("radio").nth(1).isDisabled(), "what was committed stays");
+  await panel.getByRole("button", { name: "Compare with what happened" }).first().click();
+  await panel.getByText(/As you predicted|It is:/).waitFor();
+
+  const quiz = panel.getByRole("region", { name: "Quiz" }).first();
+  const answer = async (by) => {
+    const right = reached(await quiz.getByRole("img").getAttribute("aria-label"));
+    await quiz.getByRole("textbox").fill(String(right + by));
+    await quiz.getByRole("button", { name: "Answer" }).click();
+  };
+  await answer(1);
+  await quiz.getByText("Not so.").waitFor();
+  await quiz.getByRole("button", { name: "Next question" }).click();
+  await answer(0);
+  await quiz.getByText("Right: 1 of 2").waitFor();
+
+  // A scene sets the page, and the lesson stays, also over a reload.
+  await panel.getByRole("button", { name: /Set the scene/ }).click();
+  await app.settled();
+  assert.equal(await page.locator("#room").inputValue(), "living");
+  await page.waitForFunction(() => /lesson=who-wins$/.test(location.hash));
+  await page.reload();
+  await app.until("ready", "paused", "playing", "finished");
+  await panel.getByRole("heading", { name: "Who wins?" }).waitFor();
+  assert.ok(await panel.getByRole("radio").first().isDisabled(), "progress is kept");
+
+  await page.setViewportSize({ width: 390, height: 844 });
+  const [small, sheet] = [await page.locator("#floor").boundingBox(), await panel.boundingBox()];
+  assert.ok(small.height > 120 && small.y + small.height <= sheet.y + 1, "on a phone the floor is above the lesson");
+  await screenshot("learn-phone");
+});
+
+test("all lessons open, and lecture mode turns their pages", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=thesis8&behaviour=bounce&lesson=who-wins" });
+  const panel = page.locator("#learn");
+  for (const { id, title } of INDEX) {
+    await page.evaluate((lesson) => (location.hash = `room=thesis8&behaviour=bounce&lesson=${lesson}`), id);
+    await panel.getByRole("heading", { name: title, exact: true }).waitFor();
+    assert.ok((await panel.locator(".learn-body > *").count()) > 5, id);
+  }
+  await panel.getByRole("button", { name: /Lecture mode/ }).click();
+  await page.waitForFunction(() => /^1 of \d+$/.test(document.getElementById("learn").dataset.page));
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() => /^2 of/.test(document.getElementById("learn").dataset.page));
+  assert.equal(await panel.getByText("Compare with what happened").filter({ visible: true }).count(), 0);
+  await page.keyboard.press("Escape");
+  await page.waitForFunction(() => document.getElementById("learn").dataset.page === "");
+  assert.equal(await app.message(), "");
+});
+
+test("an exercise from a file is safe, checked, handed in, and graded natively with the same digests", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=thesis8&behaviour=bounce" });
+  await drop(page, "small.md", LESSON);
+  const panel = page.locator("#learn");
+  await panel.getByRole("heading", { name: "Small" }).waitFor();
+  assert.equal(await page.evaluate(() => window.hacked), undefined);
+  assert.equal(await panel.locator("script, img, a[href^=javascript]").count(), 0);
+
+  await panel.getByRole("button", { name: "Set up the task" }).click();
+  await app.settled();
+  await panel.getByRole("button", { name: "Check my settings" }).click();
+  await panel.getByText("Not yet.").waitFor();
+  await panel.getByText(/median coverage >= 40 %: [\d.]+ %, missed/).waitFor();
+  await app.choose("algorithm", "boustrophedon");
+  await panel.getByRole("button", { name: "Check my settings" }).click();
+  await panel.getByText("Goal reached.").waitFor();
+  await panel.getByRole("button", { name: "Measure" }).click();
+  await page.waitForFunction(() => /^\d/.test(document.querySelector("#learn .measure tbody td")?.textContent ?? ""));
+
+  await panel.getByRole("textbox", { name: "Your name" }).fill("Ada");
+  const [download] = await taken(page, 1, () => panel.getByRole("button", { name: "Hand in" }).click());
+  assert.equal(download.suggestedFilename(), "small-ada.json");
+  const folder = fs.mkdtempSync(path.join(ROOT, "target/learn-"));
+  t.after(() => fs.rmSync(folder, { recursive: true }));
+  const [lesson, answer] = [path.join(folder, "small.md"), path.join(folder, "ada.json")];
+  fs.writeFileSync(lesson, LESSON);
+  await download.saveAs(answer);
+  const grade = () => JSON.parse(execFileSync(robovac(), ["grade", lesson, answer, "--json"], { encoding: "utf8" }))[0];
+  const { name, passed, goals } = grade();
+  assert.deepEqual({ name, passed, misfits: goals[0].misfits }, { name: "Ada", passed: true, misfits: [] });
+  const cheat = JSON.parse(fs.readFileSync(answer, "utf8"));
+  cheat.goals.more.runs[0].digest = "0123456789abcdef";
+  fs.writeFileSync(answer, JSON.stringify(cheat));
+  assert.equal(grade().goals[0].misfits.length, 1);
+});
+
+test("a lesson from elsewhere is fetched only after the reader agreed; what can't be opened says why", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=thesis8&behaviour=bounce", allow: [/CORS|ERR_FAILED|failed: https:/] });
+  let asked = 0;
+  await page.route("https://teacher.example/*", (route) => {
+    asked += 1;
+    const forbids = route.request().url().endsWith("closed.md");
+    return route.fulfill({ body: LESSON, headers: { "access-control-allow-origin": forbids ? "https://other.example" : "*" } });
+  });
+  const go = (lesson) => page.evaluate((address) => (location.hash = `room=thesis8&behaviour=bounce&lesson=${address}`), lesson);
+  const panel = page.locator("#learn");
+  await go("https://teacher.example/small.md");
+  await panel.getByText("teacher.example", { exact: true }).waitFor();
+  assert.equal(asked, 0);
+  await panel.getByRole("button", { name: "Fetch the lesson" }).click();
+  await panel.getByRole("heading", { name: "Small" }).waitFor();
+  assert.equal(asked, 1);
+  await go("https://teacher.example/closed.md");
+  await panel.getByRole("button", { name: "Fetch the lesson" }).click();
+  await panel.getByText(/forbids other sites to read the file/).waitFor();
+  await go("http://teacher.example/small.md");
+  await panel.getByText(/by https only/).waitFor();
+  await drop(page, "broken.md", "# T\n```goal\nin: room=flat&robot=roomba600\n```\n");
+  await panel.getByText(/line 2: the block "goal" has no line "need"/).waitFor();
+  assert.equal(await app.message(), "");
+});
+
+test("the page shows itself around in four steps, once", async (t) => {
+  const { page } = await openApp(t, { viewport: { width: 1300, height: 800 } });
+  await page.mouse.move(400, 300);
+  await page.locator(".tagline").getByRole("button", { name: "Show me" }).click();
+  const card = page.getByRole("dialog", { name: "Show me" });
+  for (const head of ["What the robot does", "Change the room", "Compare", "Go on from here"]) {
+    await card.getByRole("heading", { name: head }).waitFor();
+    await card.getByRole("button", { name: /Next|Done/ }).click();
+  }
+  await card.waitFor({ state: "detached" });
+  await page.reload();
+  await page.locator("#play").waitFor();
+  await page.mouse.move(420, 300);
+  await page.waitForFunction(() => performance.getEntriesByType("resource").some(({ name }) => name.includes("learn/offer.js")));
+  assert.equal(await page.getByRole("button", { name: "Show me", exact: true }).count(), 0);
+});

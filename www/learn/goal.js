@@ -1,0 +1,106 @@
+// @ts-check
+// A task: its start, what the present run has of it, and the check by many runs.
+import { make, setText } from "../dom.js";
+import { clock, percent } from "../format.js";
+import { press } from "./blocks.js";
+import { joined, makeRuns } from "./runs.js";
+import { applyLink, applyScenario } from "./scene.js";
+
+/** @param {import("./blocks.js").Context} context @param {Extract<import("../types").Block, { kind: "goal" }>} goal */
+export function goal(context, goal) {
+  const { app, text, lesson, done, changed, signal, ticks } = context;
+  const box = make("section", { className: "part goal", "aria-label": "Goal" }, make("h4", {}, "Goal"));
+  if (goal.title) box.append(make("p", {}, goal.title));
+  const list = make("ul", { className: "needs" }, ...goal.needs.map((need) => make("li", {}, words(need, goal))));
+  const allowed = make("p", { className: "note" }, `You may change: ${goal.changes.join(", ")}. ${count(goal.runs)} of ${goal.minutes} min, seeds ${goal.first_seed} to ${goal.first_seed + goal.runs - 1}.`);
+  const live = make("p", { className: "note live" });
+  const outcome = make("div", { className: "outcome", role: "status" });
+  const bar = make("progress", { max: 1, value: 0, hidden: true, "aria-label": "Runs" });
+
+  const begin = press("Set up the task", async () => {
+    const scenario = lesson.blocks.find((block) => block.kind === "scene" && block.id === goal.scene && block.scenario);
+    if (scenario?.kind === "scene") await applyScenario(app, scenario.scenario);
+    applyLink(app, goal.start, false);
+  });
+  /** @type {AbortController | undefined} */
+  let running;
+  const check = press("Check my settings", () => (running ? running.abort() : void test()), "primary");
+
+  async function test() {
+    const link = app.playground.link();
+    const ignored = text.ignored(goal.id, link);
+    running = new AbortController();
+    const ends = AbortSignal.any([signal, running.signal]);
+    const pieces = Math.min(goal.runs, 2 * (navigator.hardwareConcurrency || 2));
+    const requests = Array.from({ length: pieces }, (_, first) => text.request(goal.id, link, first, pieces));
+    /** @type {Float64Array[]} */
+    const parts = [];
+    check.textContent = "Cancel";
+    bar.hidden = false;
+    bar.value = 0;
+    outcome.textContent = "";
+    try {
+      await makeRuns(requests, (_, outcomes) => (bar.value = parts.push(outcomes) / pieces), ends);
+      const verdict = text.judge(goal.id, joined(parts));
+      done.goals[goal.id] = { link, passed: verdict.passed, runs: verdict.runs };
+      changed();
+      show(verdict, ignored);
+    } catch (error) {
+      if (!ends.aborted) outcome.textContent = `The runs could not be made: ${error instanceof Error ? error.message : String(error)}.`;
+    } finally {
+      running = undefined;
+      check.textContent = "Check my settings";
+      bar.hidden = true;
+    }
+  }
+
+  /** @param {import("../types").Verdict} verdict @param {string[]} ignored */
+  function show(verdict, ignored) {
+    const rows = verdict.needs.map(({ text, value, unit, passed }) => make("li", { className: passed ? "right" : "wrong" }, `${text}: ${value === null ? "not reached" : `${value.toFixed(1)} ${unit}`.trim()}${passed ? "" : ", missed"}`));
+    outcome.replaceChildren(make("b", {}, verdict.passed ? "Goal reached." : "Not yet."), make("ul", {}, ...rows));
+    if (ignored.length > 0) outcome.append(make("p", {}, `Not yours to change here, so it was checked as the task has it: ${ignored.join(", ")}.`));
+  }
+
+  const before = done.goals[goal.id];
+  if (before) outcome.append(make("b", {}, before.passed ? "Goal reached." : "Not yet."));
+  // What the run on the floor has so far; the check makes its own runs.
+  ticks.push(() => {
+    const { coverage, time_s, distance_m, bumps } = app.view;
+    const isOver = time_s > 60 * goal.minutes;
+    setText(live, time_s > 0 ? `The run on the floor: ${percent(coverage)} % after ${clock(time_s)}${isOver ? ` (the goal's ${goal.minutes} min are over)` : ""}, ${distance_m.toFixed(0)} m, bumps: ${bumps}` : "");
+  });
+  box.append(list, allowed, make("p", { className: "act" }, begin, check), bar, live, outcome);
+  return box;
+}
+
+/** @param {number} runs */
+const count = (runs) => (runs === 1 ? "One run" : `${runs} runs`);
+
+/** @param {import("../types").Need} need @param {import("../types").Goal} goal */
+const words = ({ text }, { minutes }) => `${text.replace(">=", "≥").replace("<=", "≤")} within ${minutes} min`;
+
+/** A table that fills itself. @param {import("./blocks.js").Context} context @param {Extract<import("../types").Block, { kind: "measure" }>} table @param {number} at Index of the block. */
+export function measure({ text, signal, app }, table, at) {
+  const cells = table.rows.map(() => table.columns.map(() => make("td", {}, "–")));
+  const body = make("tbody", {}, ...table.rows.map(({ title, link }, row) => make("tr", {}, make("th", { scope: "row" }, press(title, () => applyLink(app, link, true), "link")), .../** @type {HTMLElement[]} */ (cells[row]))));
+  const head = make("tr", {}, make("td"), ...table.columns.map((column) => make("th", { scope: "col" }, column)));
+  const told = make("p", { className: "note", role: "status" }, `${count(table.runs)} of ${table.minutes} min in each row; medians. A name shows its run.`);
+  const go = press("Measure", async () => {
+    go.disabled = true;
+    try {
+      const requests = table.rows.map((_, row) => /** @type {{ id: number }} */ (text.measure(at, row)));
+      await makeRuns(requests, (row, outcomes) => {
+        text.cells(at, outcomes).forEach((value, column) => {
+          const cell = cells[row]?.[column];
+          if (cell) cell.textContent = value === null ? "not reached" : value.toFixed(1);
+        });
+      }, signal);
+    } catch (error) {
+      if (!signal.aborted) told.textContent = `The runs could not be made: ${error instanceof Error ? error.message : String(error)}.`;
+    }
+    go.disabled = false;
+  });
+  const title = table.title ? [make("caption", {}, table.title)] : [];
+  return make("div", { className: "part measure" }, make("div", { className: "scroll" }, make("table", {}, ...title, make("thead", {}, head), body)), make("p", { className: "act" }, go), told);
+}
+

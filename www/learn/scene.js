@@ -1,0 +1,32 @@
+// @ts-check
+// Applies the settings of a lesson to the page.
+
+/** What links of lessons don't name is as on a new page. */
+const DEFAULTS = "seed=1&slip=none&noise=off&quantised=false&charge=100&odometry=arc";
+
+/**
+ * @param {import("../main.js").App} app
+ * @param {string} link Settings, as in links; `tab=...` in it opens that tab.
+ * @param {boolean} plays Whether it starts at once.
+ */
+export function applyLink(app, link, plays) {
+  const tab = /(?:^|&)tab=([\w-]+)/.exec(link)?.[1] ?? "explore";
+  const hasSettings = /(?:^|&)(room|robot|planner|behaviour)=/.test(link);
+  if (tab !== "explore") {
+    // The tab reads the rest of its link.
+    location.hash = hasSettings ? `${DEFAULTS}&${link}` : `${app.playground.link()}&${link}`;
+    return;
+  }
+  document.getElementById("tab-explore")?.click();
+  if (hasSettings && !app.act((p) => p.restore(`${DEFAULTS}&${link}`))) return;
+  app.act((p) => {
+    if (!plays) p.reset();
+    else p.play();
+  });
+}
+
+/** @param {import("../main.js").App} app @param {string} scenario */
+export async function applyScenario(app, scenario) {
+  document.getElementById("tab-explore")?.click();
+  await app.takeFiles([{ name: "scene.json", bytes: new TextEncoder().encode(scenario) }]);
+}
