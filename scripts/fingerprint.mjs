@@ -5,6 +5,7 @@ import { createHash } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
 import { minify } from "terser";
+import { writeWorker } from "./offline.mjs";
 import { filesBelow, rewriteReferences } from "./references.mjs";
 
 const page = path.resolve(process.env.TRUNK_STAGING_DIR ?? "dist");
@@ -36,3 +37,6 @@ for (const file of filesBelow(page).filter((name) => /\.(html|js|css)$/.test(nam
   const lean = file.endsWith(".js") ? (await minify(text, { module: true })).code : text.replace(file.endsWith(".css") ? CSS_SPARE : HTML_SPARE, "");
   fs.writeFileSync(file, lean);
 }
+
+// Last, as it knows all files.
+await writeWorker(page, version);

@@ -12,11 +12,24 @@ const SESSION = /^(room|planner|behaviour|p\..*|robot|twin|cell|seed|slip|noise.
 let own;
 /** Whether the address was just followed: it may be written in another way, and is still the same place. */
 let wasFollowed = true;
+/** The fragment that was followed or written last. Another one in the address is on its way: back and forward change the
+ * address before the page hears of it, and what is written in between would take the place of an entry of the history. */
+let known = location.hash;
 /** Whether the session on the page has been kept: before, it isn't anybody's. */
 let hasKept = false;
 
 const pairsOf = (/** @type {string} */ link) => link.replace(/^#/, "").split("&");
 const ownRooms = async () => (own ??= await import("./explore/own-rooms.js"));
+
+/** The page has heard of this fragment. @param {string} hash */
+export const follow = (hash) => void (known = hash);
+
+/** Writes the fragment of the address, which leads to what is shown. @param {string} hash @param {boolean} isElsewhere Whether that is another entry of the history. */
+export function write(hash, isElsewhere = false) {
+  history[isElsewhere ? "pushState" : "replaceState"](null, "", hash);
+  // As the browser writes it.
+  known = location.hash;
+}
 
 /**
  * Restores the state of the address; an own room is read in a worker.
@@ -37,6 +50,7 @@ export async function restoreLink(app, link) {
 
 /** Keeps the state if it has changed. @param {App} app */
 export function keepState(app) {
+  if (location.hash !== known) return;
   let link = app.link();
   if (own) link = own.keep(app, link);
   else if (pairsOf(link).includes(OWN)) return void ownRooms();
@@ -44,7 +58,7 @@ export function keepState(app) {
   const hash = link.startsWith("#") ? link : `#${link}`;
   const isElsewhere = !wasFollowed && place(hash) !== place(location.hash);
   wasFollowed = false;
-  if (hash !== location.hash) history[isElsewhere ? "pushState" : "replaceState"](null, "", hash);
+  if (hash !== location.hash) write(hash, isElsewhere);
 }
 
 /** Tab and room of a link. @param {string} hash */

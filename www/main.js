@@ -3,7 +3,7 @@
 import init, { Playground } from "../page.js";
 import { byId } from "./dom.js";
 import { startFiles } from "./files.js";
-import { keepState, restoreLink } from "./keep.js";
+import { follow, keepState, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
 import { startLater } from "./explore/later.js";
 import { startNumbers } from "./explore/numbers.js";
@@ -109,6 +109,7 @@ async function start() {
   /** @param {string} address */
   const restore = async (address) => {
     const { hash } = new URL(address);
+    follow(hash);
     // Other fragments are positions on the page, such as that of the skip link.
     if (!hash.includes("=")) return;
     const link = hash.slice(1);

@@ -60,7 +60,7 @@ export async function startLater(app) {
       () => import("./film.js").then(({ startFilm }) => startFilm(app)),
     ),
   ];
-  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips()), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe())])).catch(console.warn);
+  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips()), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe())])).then(whenIdle).catch(console.warn);
   const view = app.playground.view();
   updateFolds(view);
   // A part that loads slowly doesn't delay the page.
@@ -68,6 +68,9 @@ export async function startLater(app) {
   await Promise.race([Promise.all(parts.map((part) => part.begin(view))), patience]);
   return (now) => parts.forEach((part) => part.update(now));
 }
+
+/** What nobody waits for. */
+const whenIdle = () => (window.requestIdleCallback ?? setTimeout)(() => void import("../offline/register.js").then(({ startOffline }) => startOffline()).catch(console.warn));
 
 const help = () => import("../help.js").then(({ fillHelp }) => fillHelp(byId("help-text")));
 
