@@ -7,7 +7,7 @@
 /** The value in links of a room that isn't built in. */
 const OWN = "room=own";
 /** Keys in links that the session has; tabs have others. */
-const SESSION = /^(room|planner|behaviour|p\..*|robot|twin|cell|seed|slip|noise.*|quantised|odometry|start|speed|show|search)=/;
+const SESSION = /^(room|planner|behaviour|p\..*|robot|twin|own|path|cell|seed|slip|noise.*|quantised|charge|odometry|start|speed|show|search)=/;
 /** Own rooms, once there are any. @type {typeof import("./explore/own-rooms.js") | undefined} */
 let own;
 /** Whether the address was just followed: it may be written in another way, and is still the same place. */
@@ -41,7 +41,7 @@ export async function restoreLink(app, link) {
   const isOwn = asked.includes(OWN);
   const isSame = now.every((pair) => asked.includes(pair)) && asked.every((pair) => now.includes(pair) || !SESSION.test(pair));
   // Back from another tab: the run goes on.
-  if (hasKept && isSame && (!isOwn || asked.includes(`own=${own?.currentId(app)}`))) return;
+  if (hasKept && isSame && (!isOwn || asked.includes(`kept=${own?.currentId(app)}`))) return;
   const refusal = isOwn ? await (await ownRooms()).openLink(app, link) : "";
   // Robot and algorithm hold without it, too.
   app.act((p) => p.restore(link));
@@ -64,5 +64,5 @@ export function keepState(app) {
 /** Tab and room of a link. @param {string} hash */
 function place(hash) {
   const pairs = new URLSearchParams(hash.slice(1));
-  return ["tab", "room", "own"].map((key) => pairs.get(key) ?? "").join();
+  return ["tab", "room", "kept"].map((key) => pairs.get(key) ?? "").join();
 }

@@ -33,6 +33,7 @@ import { compile, missing } from "./wasm.js";
  * @property {(files: File[]) => void} bring Shows files as a floor plan, before they become the room.
  * @property {() => void} cancelPlanning
  * @property {() => void} keepPlan Ends planning with the best plan so far.
+ * @property {string} extra What a part of Explore adds to the link; empty for nothing.
  * @property {() => string} link The link of the current state, after `#`.
  * @property {(key: string) => boolean} tabKey A single key in another tab; says whether it was used.
  */
@@ -98,7 +99,8 @@ async function start() {
       const seconds = planning.keep();
       if (seconds !== undefined) app.act((p) => p.keep_plan(seconds));
     },
-    link: () => [playground.link(), ...(tabs.shown ? [tabs.shown.link()] : [])].join("&"),
+    extra: "",
+    link: () => [playground.link(), tabs.shown ? tabs.shown.link() : app.extra].filter(Boolean).join("&"),
     tabKey: (key) => tabs.shown?.key(key) ?? false,
   };
   const planning = startPlanning(playground, guard);

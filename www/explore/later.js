@@ -26,7 +26,13 @@ export async function startLater(app) {
   const layers = button("layers-open");
   layers.disabled = false;
   layers.addEventListener("click", () => (wantsLayers = true), { once: true });
+  /** The address with a game in it. */
+  let game = "";
   const parts = [
+    later(
+      () => (game ||= /[#&](versus|worst)=/.test(location.hash) ? location.hash : "") !== "",
+      () => import("./games.js").then(({ startGames }) => startGames(app, game)),
+    ),
     later(
       () => typed("senses-fold", HTMLDetailsElement).open,
       () => import("./senses.js").then(({ startSenses }) => startSenses(app)),
@@ -60,7 +66,7 @@ export async function startLater(app) {
       () => import("./film.js").then(({ startFilm }) => startFilm(app)),
     ),
   ];
-  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips()), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe())])).then(whenIdle).catch(console.warn);
+  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips()), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), import("./try.js").then(({ startTry }) => startTry(app))])).then(whenIdle).catch(console.warn);
   const view = app.playground.view();
   updateFolds(view);
   // A part that loads slowly doesn't delay the page.
