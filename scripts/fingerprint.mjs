@@ -26,7 +26,17 @@ const version = digest.digest("hex").slice(0, 12);
 
 // trunk leaves its own link in the page when it injects no script.
 const index = path.join(page, "index.html");
-fs.writeFileSync(index, fs.readFileSync(index, "utf8").replace(/\s*<link data-trunk[^>]*>/g, ""));
+let document = fs.readFileSync(index, "utf8").replace(/\s*<link data-trunk[^>]*>/g, "");
+// Whoever shows a preview of a link needs the whole address of its picture.
+const { PAGE_URL, SOURCE_URL } = process.env;
+if (PAGE_URL) document = document.replace('content="screenshot.png"', `content="${new URL("screenshot.png", PAGE_URL)}"`);
+fs.writeFileSync(index, document);
+
+// What the page tells about itself.
+const release = /^version = "(.*)"$/m.exec(fs.readFileSync("Cargo.toml", "utf8"))?.[1] ?? "";
+const about = path.join(page, "www/help.html");
+const source = SOURCE_URL ? `<a href="${new URL(SOURCE_URL)}" target="_blank" rel="noopener">Source code</a>` : "Source code";
+fs.writeFileSync(about, fs.readFileSync(about, "utf8").replace("@RELEASE@", release).replace("@BUILD@", version).replace("@SOURCE@", source));
 
 /** Comments and indentation are for whoever reads the sources. */
 const HTML_SPARE = /<!--(?:(?!-->)[^])*-->\n*|^[ \t]+/gm;

@@ -19,7 +19,7 @@ addEventListener("activate", (event) => event.waitUntil((async () => {
 `;
 
 /** What the page itself never asks for: trunk's own files, and the picture for those who show links to it. */
-const isLeftOut = (name) => /(^|\/)\.|^sw\.js$|^www\/preview\.png$/.test(name);
+const isLeftOut = (name) => /(^|\/)\.|^sw\.js$|^screenshot\.png$/.test(name);
 
 /** Writes the service worker of the page in `folder`, the last step of a build. @param {string} folder @param {string} build Digest of the build. */
 export async function writeWorker(folder, build) {

@@ -1,5 +1,7 @@
 // @ts-check
 // The text of the dialog Help, loaded when that is first opened.
+import { Playground } from "../page.js";
+import { make } from "./dom.js";
 import { text } from "./parts.js";
 
 /** @type {Promise<string> | undefined} */
@@ -14,4 +16,10 @@ export async function fillHelp(into) {
     told = undefined;
     throw error;
   }
+  const { planners, behaviours } = Playground.catalogue();
+  into.querySelector("#authors")?.append(
+    ...[...planners, ...behaviours].map(({ title, source, link }) =>
+      make("li", {}, make("b", {}, title), ": ", link ? make("a", { href: link, target: "_blank", rel: "noopener" }, source) : source),
+    ),
+  );
 }

@@ -34,6 +34,7 @@ import { compile, missing } from "./wasm.js";
  * @property {() => void} cancelPlanning
  * @property {() => void} keepPlan Ends planning with the best plan so far.
  * @property {string} extra What a part of Explore adds to the link; empty for nothing.
+ * @property {string} followed The link that was followed last, without `#`.
  * @property {() => string} link The link of the current state, after `#`.
  * @property {(key: string) => boolean} tabKey A single key in another tab; says whether it was used.
  */
@@ -100,6 +101,7 @@ async function start() {
       if (seconds !== undefined) app.act((p) => p.keep_plan(seconds));
     },
     extra: "",
+    followed: "",
     link: () => [playground.link(), tabs.shown ? tabs.shown.link() : app.extra].filter(Boolean).join("&"),
     tabKey: (key) => tabs.shown?.key(key) ?? false,
   };
@@ -120,6 +122,7 @@ async function start() {
     await tabs.enter(tabOf(link));
     following -= 1;
     tabs.shown?.restore(link);
+    app.followed = link;
   };
   startTheme((dark) =>
     guard(() => {

@@ -1,6 +1,6 @@
 // @ts-check
 // Games on the floor: the card that they share, and what begins them: a link, or the list of things to try.
-import { byId, make, setHidden } from "../dom.js";
+import { byId, make, setHidden, setText } from "../dom.js";
 import { style } from "../parts.js";
 import { startVersus } from "./versus.js";
 import { startWorst } from "./worst.js";
@@ -39,12 +39,8 @@ export async function offerWorst(app) {
   begin(/** @type {Game} */ (all[1]));
 }
 
-/** Begins the games that links ask for. @param {App} app @param {string} link The fragment of the address when that was found. @returns {Promise<(view: View) => void>} */
-export async function startGames(app, link) {
-  const { update, followed } = await games(app);
-  followed(link);
-  return update;
-}
+/** Begins the games that links ask for. @param {App} app @returns {Promise<(view: View) => void>} */
+export const startGames = (app) => games(app).then(({ update }) => update);
 
 /** @param {App} app */
 async function start(app) {
@@ -71,37 +67,33 @@ async function start(app) {
   const card = {
     node,
     show: (text, ...parts) => {
-      title.textContent = text;
+      setText(title, text);
       inside.replaceChildren(...parts);
       setHidden(node, false);
     },
     close: end,
   };
   const all = [startVersus(app, card), startWorst(app, card)];
-  /** @param {Game} game */
-  const begin = (game) => {
+  /** @param {Game} game @param {() => void} how */
+  const begin = (game, how = game.offer) => {
     end();
     now = game;
-    game.offer();
+    how();
     title.focus();
   };
   let seen = "";
-  /** Begins the game of a link, unless that is the one that is played. @param {string} hash */
-  const followed = (hash) => {
-    seen = hash;
-    const pairs = new URLSearchParams(hash.slice(1));
+  /** Begins the game of the link that was followed. */
+  const follow = () => {
+    seen = app.followed;
+    const pairs = new URLSearchParams(seen);
     const asked = all.find(({ key }) => pairs.has(key));
-    const value = pairs.get(asked?.key ?? "") ?? "";
-    if (!asked || (asked === now && value === now.link())) return;
-    begin(asked);
-    asked.follow(value);
+    if (asked) begin(asked, () => asked.follow(pairs.get(asked.key) ?? ""));
   };
   return {
     games: all,
     begin,
-    followed,
     update: (/** @type {View} */ view) => {
-      if (location.hash !== seen) followed(location.hash);
+      if (app.followed !== seen) follow();
       if (!now) return;
       now.update(view);
       const link = now?.link() ?? "";

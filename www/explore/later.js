@@ -26,12 +26,14 @@ export async function startLater(app) {
   const layers = button("layers-open");
   layers.disabled = false;
   layers.addEventListener("click", () => (wantsLayers = true), { once: true });
-  /** The address with a game in it. */
-  let game = "";
   const parts = [
     later(
-      () => (game ||= /[#&](versus|worst)=/.test(location.hash) ? location.hash : "") !== "",
-      () => import("./games.js").then(({ startGames }) => startGames(app, game)),
+      () => document.documentElement.classList.contains("embed"),
+      () => import("../frame.js").then(({ startFrame }) => startFrame(app)),
+    ),
+    later(
+      () => /(^|&)(versus|worst)=/.test(app.followed),
+      () => import("./games.js").then(({ startGames }) => startGames(app)),
     ),
     later(
       () => typed("senses-fold", HTMLDetailsElement).open,

@@ -1,6 +1,7 @@
 // @ts-check
 // Copies the link of what is shown, with the room in it if that is an own one.
 import { complain, toast } from "../messages.js";
+import { write } from "../keep.js";
 import { MOST_PACKED } from "./own-rooms.js";
 import { pack } from "./pack.js";
 
@@ -24,7 +25,9 @@ export async function copyLink(app) {
     await navigator.clipboard.writeText(link.href);
     toast("Link copied");
   } catch {
-    history.replaceState(null, "", link.hash);
+    write(link.hash);
     toast("The link is in the address bar");
   }
+  const { showWays } = await import("../send.js");
+  await showWays(app, link);
 }

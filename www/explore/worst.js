@@ -50,6 +50,7 @@ export function startWorst(app, card) {
       show();
     },
     follow(value) {
+      best = undefined;
       const excess = Number(value);
       toBeat = value !== "" && excess >= 0 ? excess / 100 : null;
       show();
