@@ -36,7 +36,7 @@ test("after one visit everything works with the network cut: opening, every tab,
   await app.until("playing");
   for (const tab of ["compare", "map", "floor-plan", "connection"]) {
     await page.locator(`#tab-${tab}`).click();
-    await page.locator(`#panel-${tab} button`).first().waitFor();
+    await page.locator(`#panel-${tab} button:visible`).first().waitFor();
   }
   await page.locator("#tab-explore").click();
   await app.choose("room", "lshape");
@@ -89,7 +89,7 @@ test("a new version is announced, waits for the old one, never mixes with it, an
   assert.equal((await caches(page)).length, 2);
   // What the old page loads from now on is old, although the server has it no more.
   await page.locator("#tab-compare").click();
-  await page.locator("#panel-compare button").first().waitFor();
+  await page.locator("#panel-compare button:visible").first().waitFor();
   assert.deepEqual(await versions(page), [old]);
 
   // Another window of the old version would be left without its files.
@@ -103,7 +103,7 @@ test("a new version is announced, waits for the old one, never mixes with it, an
   await other.close();
 
   await Promise.all([page.waitForEvent("load"), update.click()]);
-  await app.settled();
+  await page.locator("body[data-boot=ready]").waitFor();
   assert.deepEqual(await versions(page), [fresh]);
   assert.equal((await caches(page)).length, 1);
   assert.equal(await update.count(), 0);

@@ -52,6 +52,10 @@ export async function startLater(app) {
       () => import("./own-rooms.js").then(({ startMenu }) => startMenu(app)),
     ),
     later(
+      ({ search }) => search.refusal !== "",
+      () => import("./small-room.js").then(({ startSmallRoom }) => startSmallRoom(app)),
+    ),
+    later(
       ({ state }) => state === "finished",
       () => import("./ending.js").then(({ startEnding }) => startEnding(app)),
     ),
