@@ -35,11 +35,15 @@ function linkToPage(app) {
 
 /** @param {HTMLElement} root @param {boolean} isEmbedded */
 function startFullScreen(root, isEmbedded) {
-  const toggle = make("button", { type: "button", id: "full-screen" });
+  const toggle = make("button", { type: "button", id: "full-screen", className: "quiet square" });
   toggle.innerHTML = '<svg class="icon" viewBox="0 0 24 24" aria-hidden="true"><path d="M14.5 4H20v5.5M9.5 20H4v-5.5M20 4l-6.5 6.5M4 20l6.5-6.5" /></svg>';
   const show = () => {
     const isFull = document.fullscreenElement !== null;
-    root.classList.toggle(ALONE, isFull || isEmbedded);
+    const isAlone = isFull || isEmbedded;
+    root.classList.toggle(ALONE, isAlone);
+    // The head of the page is hidden then.
+    if (isAlone) byId("stage").append(toggle);
+    else byId("theme").before(toggle);
     const name = isFull ? "Leave the full screen" : "Full screen";
     toggle.setAttribute("aria-label", name);
     toggle.title = name;
@@ -49,9 +53,11 @@ function startFullScreen(root, isEmbedded) {
     const done = document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen();
     done.catch(() => toast("This browser doesn't allow the full screen here"));
   });
-  document.addEventListener("fullscreenchange", show);
+  document.addEventListener("fullscreenchange", () => {
+    show();
+    toggle.focus();
+  });
   show();
-  byId("zoom-fit").after(toggle);
 }
 
 /** Light colours on paper, and a line that says what it shows and where it is. @param {import("./main.js").App} app @param {HTMLElement} root */

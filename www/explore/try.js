@@ -39,7 +39,7 @@ export async function startTry(app) {
       if (byId("try").classList.contains("open")) button.click();
       Promise.resolve(how(app)).catch((error) => complain(`This could not be loaded (${textOf(error)}). Check the connection, then try again.`));
     });
-    return make("li", {}, go);
+    return make("li", { "data-tip": what }, go);
   });
   const close = make("button", { type: "button", className: "quiet square sheet-close", "aria-label": "Close" });
   close.append(/** @type {Node} */ (byId("setup").querySelector(".sheet-close .icon")).cloneNode(true));

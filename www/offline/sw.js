@@ -5,30 +5,30 @@
 // A page and its worker are of one build. A new build is fetched completely and checked beside the old one, then waits
 // until no page of the old one is open, or until the only one asks for it.
 
-const self = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (globalThis));
+const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 
 /** Digest of the build. */
 const BUILD = "@BUILD@";
 /** Its files: address from this folder, and digest of the content. @type {Record<string, string>} */
 const FILES = {};
 
-const HOME = self.registration.scope;
+const HOME = worker.registration.scope;
 /** Caches of other pages of the same server have other names. */
 const OURS = `robovac ${HOME} `;
 const CACHE = OURS + BUILD;
 /** The document for every address of the page. */
 const INDEX = "index.html";
 
-self.addEventListener("install", (event) => event.waitUntil(fetchAll()));
+worker.addEventListener("install", (event) => event.waitUntil(fetchAll()));
 
-self.addEventListener("activate", (event) => event.waitUntil(dropOld().then(() => self.clients.claim())));
+worker.addEventListener("activate", (event) => event.waitUntil(dropOld().then(() => worker.clients.claim())));
 
-self.addEventListener("fetch", (event) => {
+worker.addEventListener("fetch", (event) => {
   const path = pathOf(event.request);
   if (path !== undefined) event.respondWith(answer(event.request, path));
 });
 
-self.addEventListener("message", (event) => event.data === "take over" && event.waitUntil(takeOver(event)));
+worker.addEventListener("message", (event) => event.data === "take over" && event.waitUntil(takeOver(event)));
 
 /** Address of a file of this build from this folder; `undefined` for all other requests. @param {Request} request */
 function pathOf({ url, method, mode }) {
@@ -95,8 +95,8 @@ async function dropOld() {
 
 /** Replaces the older build if only the page that asks is open; answers whether it does. @param {ExtendableMessageEvent} event */
 async function takeOver({ ports }) {
-  const pages = await self.clients.matchAll({ type: "window", includeUncontrolled: true });
+  const pages = await worker.clients.matchAll({ type: "window", includeUncontrolled: true });
   const isAlone = pages.filter(({ url }) => url.startsWith(HOME)).length <= 1;
   ports[0]?.postMessage(isAlone);
-  if (isAlone) await self.skipWaiting();
+  if (isAlone) await worker.skipWaiting();
 }
