@@ -77,7 +77,7 @@ test("who draws the worst room for a planner is told how bad it is", async (t) =
   await page.mouse.move(300, 300);
   await idea(page, "Break it").click();
   const game = page.locator("#game");
-  await game.getByText(/^Break Spiral/).waitFor();
+  await game.getByText(/^Break Growing spirals/).waitFor();
   await page.locator("#tools [data-tool=wall][aria-pressed=true]").waitFor();
   const excess = (which) => game.locator(".scores b").nth(which).innerText();
   const first = await app.poll(() => excess(0), (text) => /^[\d.]+ % above$/.test(text));

@@ -18,6 +18,8 @@ export function startWorst(app, card) {
   const { planners } = app.catalogue;
   /** The worst so far, and its room. @type {{ planner: string, excess: number, scenario: string } | undefined} */
   let best;
+  /** Whether the room is the one to draw in. */
+  let isReady = true;
   /** What somebody else has reached. @type {number | null} */
   let toBeat = null;
   const [now, record] = [make("b"), make("b")];
@@ -29,6 +31,8 @@ export function startWorst(app, card) {
 
   function show() {
     const { algorithm } = app.view;
+    setText(now, "…");
+    setText(record, "–");
     card.show(
       `Break ${titleOf(algorithm)}`,
       make("p", {}, "Draw walls until its plan is as far above the proven minimum as you can get it."),
@@ -46,16 +50,19 @@ export function startWorst(app, card) {
       const isPlanner = app.view.kind === "planner" && planners.some(({ id, fast }) => fast && id === app.view.algorithm);
       if (!isPlanner) app.act((p) => p.select_algorithm(planners[0]?.id ?? ""));
       // Own rooms are taken as they are.
-      if (app.view.room.id) void addRoom(app, "Break it", emptyRoom(WIDTH, DEPTH)).then(() => app.act((p) => p.set_tool("wall")));
+      isReady = app.view.room.id === "";
+      if (!isReady) void addRoom(app, "Break it", emptyRoom(WIDTH, DEPTH)).then(() => (isReady = app.act((p) => p.set_tool("wall"))));
       show();
     },
     follow(value) {
       best = undefined;
+      isReady = true;
       const excess = Number(value);
       toBeat = value !== "" && excess >= 0 ? excess / 100 : null;
       show();
     },
     update(view) {
+      if (!isReady) return;
       if (view.kind !== "planner" || view.path_corners > 0) return card.close();
       if (best && best.planner !== view.algorithm) best = undefined;
       const excess = excessOf(view);
