@@ -39,11 +39,7 @@ function startFullScreen(root, isEmbedded) {
   toggle.innerHTML = '<svg class="icon" viewBox="0 0 24 24" aria-hidden="true"><path d="M14.5 4H20v5.5M9.5 20H4v-5.5M20 4l-6.5 6.5M4 20l6.5-6.5" /></svg>';
   const show = () => {
     const isFull = document.fullscreenElement !== null;
-    const isAlone = isFull || isEmbedded;
-    root.classList.toggle(ALONE, isAlone);
-    // The head of the page is hidden then.
-    if (isAlone) byId("stage").append(toggle);
-    else byId("theme").before(toggle);
+    root.classList.toggle(ALONE, isFull || isEmbedded);
     const name = isFull ? "Leave the full screen" : "Full screen";
     toggle.setAttribute("aria-label", name);
     toggle.title = name;
@@ -58,6 +54,7 @@ function startFullScreen(root, isEmbedded) {
     toggle.focus();
   });
   show();
+  byId("stage").append(toggle);
 }
 
 /** Light colours on paper, and a line that says what it shows and where it is. @param {import("./main.js").App} app @param {HTMLElement} root */

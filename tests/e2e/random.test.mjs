@@ -4,10 +4,10 @@ import { test } from "node:test";
 import { openPage } from "./harness.mjs";
 import { QUIET, SIZES, actAtRandom } from "./random.mjs";
 
-const EACH = 40;
+const EACH = 33;
 
 for (const [index, size] of SIZES.entries()) {
-  // slow: 3 s, forty actions with a frame after each.
+  // slow: 3 s, 33 actions with a frame after each.
   test(`${EACH} random actions at ${size.viewport.width} × ${size.viewport.height}`, async (t) => {
     const { page, server } = await openPage(t, { ...size, init: QUIET });
     page.on("dialog", (dialog) => void dialog.dismiss());

@@ -125,7 +125,7 @@ export function startVersus(app, card) {
     follow(value) {
       const [rival = "", seconds = "", beat = ""] = value.split(",");
       if (!rivals.some(({ id }) => id === rival)) return;
-      const limit = Math.min(3600, Math.max(10, Number(seconds) || USUAL));
+      const limit = Math.min(3600, Math.max(5, Number(seconds) || USUAL));
       const share = beat === "" || !(Number(beat) >= 0 && Number(beat) <= 100) ? null : Number(beat) / 100;
       terms = { rival, seconds: limit, beat: share };
       card.show(
