@@ -113,7 +113,7 @@ async function shown(app, kind) {
   try {
     const [blob, ending] = kind === "film" ? [await (await import("./run-film.js")).film(app), "webm"] : [await (await import("./show.js")).picture(app), "png"];
     if (!blob) return toast("The film was given up");
-    download(`${name}.${ending}`, new Uint8Array(await blob.arrayBuffer()), blob.type);
+    download(`${name}.${ending}`, blob, blob.type);
     toast(`Saved as ${name}.${ending}`);
   } catch (error) {
     complain(`It could not be saved: ${textOf(error)}.`);
