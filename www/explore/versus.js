@@ -64,6 +64,7 @@ export function startVersus(app, card) {
       p.play();
     });
     if (!worked) return card.close();
+    place = placeNow();
     const bar = make("progress", { max: 1, value: 0, "aria-label": "Progress" });
     card.show(`${titleOf(terms.rival)} drives first`, make("p", {}, `Its ${clock(terms.seconds)} minutes are played fast. Then it is your turn.`), bar);
     told = () => void (bar.value = Math.min(1, app.view.time_s / terms.seconds));
@@ -82,12 +83,13 @@ export function startVersus(app, card) {
     });
     if (!worked) return card.close();
     place = placeNow();
-    const [time, yours, theirs] = [make("b"), score_("you", "You"), score_("", titleOf(terms.rival))];
-    const rows = [yours, theirs, ...(terms.beat === null ? [] : [score_("", "To beat", terms.beat)])];
-    card.show("Your turn", make("p", {}, "Drive with the arrow keys or the joystick. The clock runs from your first move. Left: ", time), make("div", { className: "scores" }, ...rows.flatMap(({ nodes }) => nodes)));
+    const [time, yours, theirs] = [score_("time", "Time left"), score_("you", "You"), score_("", titleOf(terms.rival))];
+    const rows = [time, yours, theirs, ...(terms.beat === null ? [] : [score_("", "To beat", terms.beat)])];
+    card.show("Your turn", make("p", { className: "how" }, "Drive with the arrow keys or the joystick. The clock runs from your first move."), make("div", { className: "scores" }, ...rows.flatMap(({ nodes }) => nodes)));
     document.getElementById("floor")?.focus();
     told = () => {
-      setText(time, clock(Math.max(0, terms.seconds - app.view.time_s)));
+      const left = Math.max(0, terms.seconds - app.view.time_s);
+      time.show(left / terms.seconds, clock(left));
       yours.show(app.view.coverage);
       theirs.show(at(app.view.time_s));
     };
@@ -136,7 +138,7 @@ export function startVersus(app, card) {
     },
     update(view) {
       if (phase === "rival") {
-        if (view.algorithm !== terms.rival || view.state === "failed") return card.close();
+        if (placeNow() !== place || view.state === "failed") return card.close();
         told();
         if (view.state !== "planning" && (view.time_s >= terms.seconds || view.state === "finished")) {
           curve = app.playground.coverage_curve();
@@ -159,7 +161,7 @@ export function startVersus(app, card) {
     end() {
       phase = "terms";
     },
-    link: () => (phase === "terms" || phase === "rival" ? "" : [terms.rival, terms.seconds, ...(phase === "over" && counts ? [(100 * score).toFixed(1)] : terms.beat === null ? [] : [(100 * terms.beat).toFixed(1)])].join(",")),
+    link: () => (phase === "terms" || phase === "rival" ? "" : [terms.rival, terms.seconds, ...(phase === "over" && counts ? [percent(score)] : terms.beat === null ? [] : [percent(terms.beat)])].join(",")),
   };
 }
 
@@ -169,9 +171,9 @@ const labelled = (label, control, className = "field") => make("label", { classN
 /** A row of the score. @param {string} who @param {string} name @param {number} [share] */
 function score_(who, name, share = 0) {
   const [bar, value] = [make("i"), make("b", {}, "")];
-  const show = (/** @type {number} */ next) => {
+  const show = (/** @type {number} */ next, text = `${percent(next)} %`) => {
     bar.style.setProperty("--share", String(next));
-    setText(value, `${percent(next)} %`);
+    setText(value, text);
   };
   show(share);
   return { nodes: [make("span", {}, name), make("span", { className: `meter ${who}`, "aria-hidden": "true" }, bar), value], show };

@@ -35,8 +35,8 @@ export function startWorst(app, card) {
     setText(record, "–");
     card.show(
       `Break ${titleOf(algorithm)}`,
-      make("p", {}, "Draw walls until its plan is as far above the proven minimum as you can get it."),
-      make("div", { className: "scores worst" }, make("span", {}, "Now"), make("span"), now, make("span", {}, "Worst so far"), make("span"), record),
+      make("p", { className: "how" }, "Draw walls until its plan is as far above the proven minimum as you can get it."),
+      make("div", { className: "scores worst" }, make("span", {}, "Now"), now, make("span", {}, "Worst so far"), record),
       status,
       make("div", { className: "choices" }, again, challenge),
     );
