@@ -7,13 +7,13 @@ import { style } from "./parts.js";
 /** Size of the frame in another page, px. */
 const [WIDTH, HEIGHT] = [720, 540];
 
-/** @type {Promise<(link: URL) => void> | undefined} */
+/** @type {Promise<(link: URL, done: string) => void> | undefined} */
 let made;
 
-/** @param {import("./main.js").App} app @param {URL} link The link that was copied. */
-export async function showWays(app, link) {
+/** @param {import("./main.js").App} app @param {URL} link @param {string} done What was done with it. */
+export async function showWays(app, link, done) {
   made ??= build(app);
-  (await made)(link);
+  (await made)(link, done);
 }
 
 /** The link of the floor and play bar alone. @param {URL} link */
@@ -75,8 +75,8 @@ async function build(app) {
   });
   node.addEventListener("focusout", ({ relatedTarget }) => relatedTarget instanceof Node && !node.contains(relatedTarget) && close());
 
-  return (/** @type {URL} */ link) => {
-    title.textContent = "Link copied";
+  return (/** @type {URL} */ link, /** @type {string} */ done) => {
+    title.textContent = done;
     snippet.value = `<iframe src="${embedded(link).replaceAll("&", "&amp;")}" width="${WIDTH}" height="${HEIGHT}" style="border: 0" title="Robovac Playground" allow="fullscreen"></iframe>`;
     node.hidden = false;
   };

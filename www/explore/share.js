@@ -21,13 +21,14 @@ export async function copyLink(app) {
     hash = hash.replace("room=own", `room=own&map=${map}`);
   }
   link.hash = hash;
+  let done = "Link copied";
   try {
     await navigator.clipboard.writeText(link.href);
-    toast("Link copied");
   } catch {
     write(link.hash);
-    toast("The link is in the address bar");
+    done = "The link is in the address bar";
   }
+  toast(done);
   const { showWays } = await import("../send.js");
-  await showWays(app, link);
+  await showWays(app, link, done);
 }
