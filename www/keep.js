@@ -7,7 +7,7 @@
 /** The value in links of a room that isn't built in. */
 const OWN = "room=own";
 /** Keys in links that the session has; tabs have others. */
-const SESSION = /^(room|planner|behaviour|p\..*|robot|twin|own|path|cell|seed|slip|noise.*|quantised|charge|odometry|start|speed|show|search)=/;
+const SESSION = /^(room|planner|behaviour|p\..*|robot|twin|own|path|cell|seed|slip|noise.*|quantised|charge|smooth|odometry|start|speed|show|search)=/;
 /** Own rooms, once there are any. @type {typeof import("./explore/own-rooms.js") | undefined} */
 let own;
 /** Whether the address was just followed: it may be written in another way, and is still the same place. */
