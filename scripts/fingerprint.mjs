@@ -5,6 +5,7 @@ import { createHash } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
 import { minify } from "terser";
+import { writeWorker } from "./offline.mjs";
 import { filesBelow, rewriteReferences } from "./references.mjs";
 
 const page = path.resolve(process.env.TRUNK_STAGING_DIR ?? "dist");
@@ -25,7 +26,17 @@ const version = digest.digest("hex").slice(0, 12);
 
 // trunk leaves its own link in the page when it injects no script.
 const index = path.join(page, "index.html");
-fs.writeFileSync(index, fs.readFileSync(index, "utf8").replace(/\s*<link data-trunk[^>]*>/g, ""));
+let document = fs.readFileSync(index, "utf8").replace(/\s*<link data-trunk[^>]*>/g, "");
+// Whoever shows a preview of a link needs the whole address of its picture.
+const { PAGE_URL, SOURCE_URL } = process.env;
+if (PAGE_URL) document = document.replace('content="screenshot.png"', `content="${new URL("screenshot.png", PAGE_URL)}"`);
+fs.writeFileSync(index, document);
+
+// What the page tells about itself.
+const release = /^version = "(.*)"$/m.exec(fs.readFileSync("Cargo.toml", "utf8"))?.[1] ?? "";
+const about = path.join(page, "www/help.html");
+const source = SOURCE_URL ? `<a href="${new URL(SOURCE_URL)}" target="_blank" rel="noopener">Source code</a>` : "Source code";
+fs.writeFileSync(about, fs.readFileSync(about, "utf8").replace("@RELEASE@", release).replace("@BUILD@", version).replace("@SOURCE@", source));
 
 /** Comments and indentation are for whoever reads the sources. */
 const HTML_SPARE = /<!--(?:(?!-->)[^])*-->\n*|^[ \t]+/gm;
@@ -36,3 +47,6 @@ for (const file of filesBelow(page).filter((name) => /\.(html|js|css)$/.test(nam
   const lean = file.endsWith(".js") ? (await minify(text, { module: true })).code : text.replace(file.endsWith(".css") ? CSS_SPARE : HTML_SPARE, "");
   fs.writeFileSync(file, lean);
 }
+
+// Last, as it knows all files.
+await writeWorker(page, version);

@@ -27,7 +27,8 @@ const MANUAL_CLAIMS = [["manual", "you drive", "", "You drive; only commands tha
 /** The texts, fetched once. @type {Promise<Explainers> | undefined} */
 let texts;
 
-async function load() {
+/** Of every algorithm, by its id; of none while they can't be fetched. */
+export async function explainers() {
   texts ??= text(new URL("./explainers.json", import.meta.url)).then((json) => JSON.parse(json));
   try {
     return await texts;
@@ -49,7 +50,7 @@ async function load() {
  */
 export async function explain(into, algorithm, rooms, openRoom, withColours = true) {
   into.dataset.about = algorithm.id;
-  const explained = (await load())[algorithm.id];
+  const explained = (await explainers())[algorithm.id];
   // Another one was chosen meanwhile.
   if (into.dataset.about !== algorithm.id) return;
   const plans = algorithm.kind === "planner";

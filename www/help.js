@@ -1,5 +1,8 @@
 // @ts-check
 // The text of the dialog Help, loaded when that is first opened.
+import { Playground } from "../page.js";
+import { make } from "./dom.js";
+import { explainers } from "./explainer.js";
 import { text } from "./parts.js";
 
 /** @type {Promise<string> | undefined} */
@@ -14,4 +17,12 @@ export async function fillHelp(into) {
     told = undefined;
     throw error;
   }
+  const [{ planners, behaviours }, sources] = [Playground.catalogue(), await explainers()];
+  into.querySelector("#authors")?.replaceChildren(
+    ...[...planners, ...behaviours].flatMap(({ id, title }) => {
+      const { source, link } = sources[id] ?? {};
+      if (!source) return [];
+      return [make("li", {}, make("b", {}, title), ": ", link ? make("a", { href: link, target: "_blank", rel: "noopener" }, source) : source)];
+    }),
+  );
 }

@@ -7,16 +7,29 @@
 /** The value in links of a room that isn't built in. */
 const OWN = "room=own";
 /** Keys in links that the session has; tabs have others. */
-const SESSION = /^(room|planner|behaviour|p\..*|robot|twin|cell|seed|slip|noise.*|quantised|odometry|start|speed|show|search)=/;
+const SESSION = /^(room|planner|behaviour|p\..*|robot|twin|own|path|cell|seed|slip|noise.*|quantised|charge|smooth|odometry|start|speed|show|search)=/;
 /** Own rooms, once there are any. @type {typeof import("./explore/own-rooms.js") | undefined} */
 let own;
 /** Whether the address was just followed: it may be written in another way, and is still the same place. */
 let wasFollowed = true;
+/** The fragment that was followed or written last. Another one in the address is on its way: back and forward change the
+ * address before the page hears of it, and what is written in between would take the place of an entry of the history. */
+let known = location.hash;
 /** Whether the session on the page has been kept: before, it isn't anybody's. */
 let hasKept = false;
 
 const pairsOf = (/** @type {string} */ link) => link.replace(/^#/, "").split("&");
 const ownRooms = async () => (own ??= await import("./explore/own-rooms.js"));
+
+/** The page has heard of this fragment. @param {string} hash */
+export const follow = (hash) => void (known = hash);
+
+/** Writes the fragment of the address, which leads to what is shown. @param {string} hash @param {boolean} isElsewhere Whether that is another entry of the history. */
+export function write(hash, isElsewhere = false) {
+  history[isElsewhere ? "pushState" : "replaceState"](null, "", hash);
+  // As the browser writes it.
+  known = location.hash;
+}
 
 /**
  * Restores the state of the address; an own room is read in a worker.
@@ -28,7 +41,7 @@ export async function restoreLink(app, link) {
   const isOwn = asked.includes(OWN);
   const isSame = now.every((pair) => asked.includes(pair)) && asked.every((pair) => now.includes(pair) || !SESSION.test(pair));
   // Back from another tab: the run goes on.
-  if (hasKept && isSame && (!isOwn || asked.includes(`own=${own?.currentId(app)}`))) return;
+  if (hasKept && isSame && (!isOwn || asked.includes(`kept=${own?.currentId(app)}`))) return;
   const refusal = isOwn ? await (await ownRooms()).openLink(app, link) : "";
   // Robot and algorithm hold without it, too.
   app.act((p) => p.restore(link));
@@ -37,6 +50,7 @@ export async function restoreLink(app, link) {
 
 /** Keeps the state if it has changed. @param {App} app */
 export function keepState(app) {
+  if (location.hash !== known) return;
   let link = app.link();
   if (own) link = own.keep(app, link);
   else if (pairsOf(link).includes(OWN)) return void ownRooms();
@@ -44,11 +58,11 @@ export function keepState(app) {
   const hash = link.startsWith("#") ? link : `#${link}`;
   const isElsewhere = !wasFollowed && place(hash) !== place(location.hash);
   wasFollowed = false;
-  if (hash !== location.hash) history[isElsewhere ? "pushState" : "replaceState"](null, "", hash);
+  if (hash !== location.hash) write(hash, isElsewhere);
 }
 
 /** Tab and room of a link. @param {string} hash */
 function place(hash) {
   const pairs = new URLSearchParams(hash.slice(1));
-  return ["tab", "room", "own"].map((key) => pairs.get(key) ?? "").join();
+  return ["tab", "room", "kept"].map((key) => pairs.get(key) ?? "").join();
 }

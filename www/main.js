@@ -3,7 +3,7 @@
 import init, { Playground } from "../page.js";
 import { byId } from "./dom.js";
 import { startFiles } from "./files.js";
-import { keepState, restoreLink } from "./keep.js";
+import { follow, keepState, restoreLink } from "./keep.js";
 import { startKeys } from "./keys.js";
 import { startLater } from "./explore/later.js";
 import { startNumbers } from "./explore/numbers.js";
@@ -33,6 +33,8 @@ import { compile, missing } from "./wasm.js";
  * @property {(files: File[]) => void} bring Shows files as a floor plan, before they become the room.
  * @property {() => void} cancelPlanning
  * @property {() => void} keepPlan Ends planning with the best plan so far.
+ * @property {string} extra What a part of Explore adds to the link; empty for nothing.
+ * @property {string} followed The link that was followed last, without `#`.
  * @property {() => string} link The link of the current state, after `#`.
  * @property {string} lesson What leads to the open lesson; empty for none.
  * @property {(key: string) => boolean} tabKey A single key in another tab; says whether it was used.
@@ -103,7 +105,9 @@ async function start() {
       const seconds = planning.keep();
       if (seconds !== undefined) app.act((p) => p.keep_plan(seconds));
     },
-    link: () => [playground.link(), ...(tabs.shown ? [tabs.shown.link()] : []), ...(app.lesson ? [`lesson=${encodeURIComponent(app.lesson)}`] : [])].join("&"),
+    extra: "",
+    followed: "",
+    link: () => [playground.link(), tabs.shown ? tabs.shown.link() : app.extra, app.lesson && `lesson=${encodeURIComponent(app.lesson)}`].filter(Boolean).join("&"),
     tabKey: (key) => tabs.shown?.key(key) ?? false,
   };
   const planning = startPlanning(playground, guard);
@@ -120,6 +124,7 @@ async function start() {
   /** @param {string} address */
   const restore = async (address) => {
     const { hash } = new URL(address);
+    follow(hash);
     // Other fragments are positions on the page, such as that of the skip link.
     if (!hash.includes("=")) return;
     // A lesson is last: its address can have an & of its own.
@@ -131,6 +136,7 @@ async function start() {
     await tabs.enter(tabOf(link));
     following -= 1;
     tabs.shown?.restore(link);
+    app.followed = link;
   };
   startTheme((dark) =>
     guard(() => {

@@ -3,11 +3,18 @@
 import init, { export_files, export_formats } from "../floor_plan.js";
 import { byId, fill, make, setHidden } from "./dom.js";
 import { download, fileName } from "./files.js";
-import { complain, textOf } from "./messages.js";
+import { complain, textOf, toast } from "./messages.js";
 import { style } from "./parts.js";
 import { compile } from "./wasm.js";
 
+/** @typedef {import("./main.js").App} App */
 /** @typedef {{ id: string, title: string, note: string, needs_path: boolean }} Format */
+
+/** What the page shows, for people. @type {Format[]} */
+const SHOWN = [
+  { id: "picture", title: "Picture (PNG)", note: "The floor as it is shown, with its numbers", needs_path: false },
+  { id: "film", title: "Film of the run (WebM)", note: "The run so far, in at most 12 seconds", needs_path: false },
+];
 
 /** @type {Promise<(app: import("./main.js").App) => void> | undefined} */
 let made;
@@ -27,7 +34,7 @@ async function build() {
     style(new URL("./save.css", import.meta.url).href),
   ]);
   /** @type {Format[]} */
-  const formats = export_formats();
+  const formats = [...export_formats(), ...SHOWN];
 
   const kinds = formats.map(({ id, title, note, needs_path }, i) =>
     make(
@@ -80,8 +87,9 @@ async function build() {
     complaint.hidden = true;
     form.onsubmit = (event) => {
       try {
+        if (["run_mcap", "film"].includes(chosen()) && app.view.run_end_s === 0) throw "There is no run yet: press play first.";
+        if (chosen() === "film" || chosen() === "picture") return void shown(app, chosen());
         if (chosen() === "run_mcap") {
-          if (app.view.run_end_s === 0) throw "There is no run yet: press play first.";
           const request = { snapshot: app.playground.snapshot(), corners: path, inputs: app.playground.inputs(), end_s: app.view.run_end_s };
           void import("./bags.js").then(({ saveBag }) => saveBag(request, `${fileName(app.view.room.title)}.run`)).catch((error) => complain(textOf(error)));
           return;
@@ -97,6 +105,19 @@ async function build() {
     dialog.showModal();
     save.focus();
   };
+}
+
+/** Saves what is shown. @param {App} app @param {string} kind */
+async function shown(app, kind) {
+  const name = fileName(app.view.room.title);
+  try {
+    const [blob, ending] = kind === "film" ? [await (await import("./run-film.js")).film(app), "webm"] : [await (await import("./show.js")).picture(app), "png"];
+    if (!blob) return toast("The film was given up");
+    download(`${name}.${ending}`, blob, blob.type);
+    toast(`Saved as ${name}.${ending}`);
+  } catch (error) {
+    complain(`It could not be saved: ${textOf(error)}.`);
+  }
 }
 
 function closer() {

@@ -2,13 +2,13 @@
 // On a small screen the panels are sheets over the floor, one at a time.
 import { byId } from "./dom.js";
 
-/** @param {ParentNode} root The tab whose panels they are. @param {HTMLElement} floor */
+/** @param {HTMLElement} root The tab whose panels they are; some come later. @param {HTMLElement} floor */
 export function startSheets(root, floor) {
-  const openers = [...root.querySelectorAll("button[data-sheet]")];
+  const openers = () => [...root.querySelectorAll("button[data-sheet]")];
 
   /** @param {string} name The sheet to show, "" for none. */
   const open = (name) => {
-    for (const opener of openers) {
+    for (const opener of openers()) {
       const id = opener.getAttribute("data-sheet") ?? "";
       const isOpen = id === name;
       byId(id).classList.toggle("open", isOpen);
@@ -18,7 +18,7 @@ export function startSheets(root, floor) {
       opener.setAttribute("aria-expanded", String(isOpen));
     }
   };
-  const current = () => openers.find((opener) => opener.getAttribute("aria-expanded") === "true");
+  const current = () => openers().find((opener) => opener.getAttribute("aria-expanded") === "true");
 
   // A sheet that is swiped down.
   root.addEventListener("swiped", () => open(""));
@@ -28,14 +28,14 @@ export function startSheets(root, floor) {
     if (opener instanceof HTMLElement) opener.focus();
   };
 
-  for (const opener of openers) {
-    opener.addEventListener("click", () => {
-      const name = opener === current() ? "" : (opener.getAttribute("data-sheet") ?? "");
-      open(name);
-      if (name) byId(name).querySelector("button")?.focus();
-    });
-  }
-  for (const button of root.querySelectorAll(".sheet-close")) button.addEventListener("click", close);
+  root.addEventListener("click", ({ target }) => {
+    const pressed = target instanceof Element && target.closest("button[data-sheet], .sheet-close");
+    if (!pressed) return;
+    if (pressed.matches(".sheet-close")) return close();
+    const name = pressed === current() ? "" : (pressed.getAttribute("data-sheet") ?? "");
+    open(name);
+    if (name) byId(name).querySelector("button")?.focus();
+  });
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape" && current()) close();
   });

@@ -2,8 +2,10 @@
 //!
 //! Rarely changing parts are cached: the floor and the objects below the swept cells in one picture of the size of the
 //! canvas, the walls and the planned line in another above them, the swept cells in a third with one pixel per cell. A
-//! frame then costs three copies, the trail and the robot, whatever the size of the room.
+//! frame then costs three copies, the trail and the robot, whatever the size of the room; and where only these change, of
+//! no more than the part of the picture that they are in.
 
+mod area;
 pub mod film;
 pub mod layer;
 pub mod lines;
@@ -14,6 +16,7 @@ pub mod search;
 pub mod sensed;
 mod shapes;
 
+use area::Area;
 use layer::{OffscreenLayer, VisitsPicture};
 use lines::{grid_lines, line, to_css, to_world, trail};
 use objects::{CanvasPen, DrawPass};
@@ -59,6 +62,8 @@ struct DrawnScene {
     /// Steps at the shown sensor reading and positions of movers.
     steps: Option<u64>,
     believed: (usize, Option<Point>, Option<Point>),
+    /// Where robot, estimate and trails are.
+    moving: Area,
 }
 
 /// The part of the state that the layers depend on.
@@ -104,6 +109,7 @@ impl Canvas {
             steps: (scene.sensed.is_some() || scene.life.is_some_and(|life| !life.movers().is_empty()))
                 .then_some(scene.steps),
             believed: (scene.believed.len(), scene.believed.first().copied(), scene.believed.last().copied()),
+            moving: Area::of_moving(scene, viewport),
         };
         if self.last == Some(drawn) && !drawn.in_hand && scene.dirty_rows.is_none() {
             return Ok(());
@@ -116,7 +122,25 @@ impl Canvas {
         if last.is_none_or(|l| l.still != still) {
             self.update_layers(scene, viewport, palette)?;
         }
-        self.compose(scene, viewport, palette)?;
+        let part = last.filter(|last| only_moves(last, &drawn, scene)).and_then(|last| {
+            let mut area = last.moving;
+            area.join(&drawn.moving);
+            if let (Some(tracker), Some(rows)) = (scene.tracker, scene.dirty_rows) {
+                area.join(&Area::of_rows(scene, tracker, rows, viewport));
+            }
+            area.to_device(viewport)
+        });
+        let context = &self.context;
+        context.save();
+        if let Some([left, top, width, height]) = part {
+            context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
+            context.begin_path();
+            context.rect(left, top, width, height);
+            context.clip();
+        }
+        let composed = self.compose(scene, viewport, palette);
+        context.restore();
+        composed?;
         self.last = Some(drawn);
         Ok(())
     }
@@ -259,6 +283,22 @@ impl Canvas {
         }
         scale_bar::draw(context, viewport, palette)
     }
+}
+
+/// Whether nothing but robot, trails and swept floor can differ between two frames.
+fn only_moves(last: &DrawnScene, drawn: &DrawnScene, scene: &Scene<'_>) -> bool {
+    let is_lifted = |frame: &DrawnScene| frame.robot.is_some_and(|robot| robot.is_lifted);
+    let still = |frame: &DrawnScene| {
+        let DrawnScene { still, run_version, cursor, selected, shows, .. } = *frame;
+        (still, run_version, cursor, selected, shows)
+    };
+    still(last) == still(drawn)
+        && (last.search, last.in_hand, last.steps) == (None, false, None)
+        && (drawn.search, drawn.in_hand, drawn.steps) == (None, false, None)
+        && !is_lifted(last)
+        && !is_lifted(drawn)
+        // Where dirt goes, the floor is swept; but not where it isn't.
+        && scene.life.is_none_or(|life| life.spots().is_empty())
 }
 
 /// Draws one part of all objects that aren't being dragged.

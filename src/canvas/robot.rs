@@ -10,7 +10,7 @@ use wasm_bindgen::JsValue;
 use web_sys::CanvasRenderingContext2d;
 
 /// Radius below which a robot is no longer drawn to scale, CSS pixels, as it would be hard to see.
-const LEAST_RADIUS: f64 = 5.0;
+pub const LEAST_RADIUS: f64 = 5.0;
 
 /// Enlargement of a lifted robot, and distance of its shadow, in radii.
 const LIFTED: (f64, f64) = (1.08, 0.3);

@@ -25,7 +25,9 @@ ends.push(async () => {
 const idle = new Map();
 
 /** A window of its own for each set of options, with a server: an origin that no other window has. */
-async function openWindow({ mount, isNew, init, ...options }) {
+async function openWindow({ mount, isNew, init, ...asked }) {
+  // Only tests of it have a service worker: others ask what the server is asked for.
+  const options = { serviceWorkers: "block", ...asked };
   const server = await serveFolder(DIST, { mount, headers: isNew ? {} : { "cache-control": "max-age=3600" } });
   servers.push(server);
   const browser = await (sharedBrowser ??= launchBrowser());

@@ -52,15 +52,15 @@ test("a drawn room survives a reload, and its link brings it elsewhere", async (
   const elsewhere = await page.context().browser().newContext();
   const other = new App(await elsewhere.newPage());
   await other.page.goto(address);
-  await other.linked("own", (id) => id && !address.includes(id));
+  await other.linked("kept", (id) => id && !address.includes(id));
   await other.until("playing");
   assert.equal(await other.reachableArea(), drawn);
   // One that lacks the room, as older ones do, and one that was cut off, say so.
   await other.page.goto("about:blank");
-  await other.page.goto(address.replace(/&(map|own)=[^&]*/g, "").replace("room=own", "room=own&own=gone"));
+  await other.page.goto(address.replace(/&(map|kept)=[^&]*/g, "").replace("room=own", "room=own&kept=gone"));
   await other.says(/drawn or loaded in another browser/);
   await other.page.goto("about:blank");
-  await other.page.goto(address.replace(/(&map=[^&]{200})[^&]*/, "$1").replace(/&own=[^&]*/, ""));
+  await other.page.goto(address.replace(/(&map=[^&]{200})[^&]*/, "$1").replace(/&kept=[^&]*/, ""));
   await other.says(/damaged/);
   await elsewhere.close();
 });

@@ -148,7 +148,7 @@ test("a link copied from an own room carries it, and what is shown of it", async
   const elsewhere = await page.context().browser().newContext();
   const other = new App(await elsewhere.newPage());
   await other.page.goto(copied);
-  await other.linked("own");
+  await other.linked("kept");
   await other.settled();
   assert.equal(await other.reachableArea(), area);
   assert.ok(await other.page.locator("#show-search").isChecked());

@@ -105,6 +105,7 @@ export function startConnection(app, module, guard) {
     if (view.mode !== it.view.mode && view.mode !== "Passive" && it.view.mode === "Passive" && view.notice?.number === it.view.notice?.number) over = view.notice?.number ?? -1;
     it.view = view;
     isFresh = true;
+    setAttribute(document.body, "data-robot", view.is_open ? "open" : "");
     guard(() => it.live.update(view, way));
     way = new Float64Array();
   };

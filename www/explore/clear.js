@@ -21,7 +21,7 @@ export function startClear(app) {
   return ({ search: { film, text } }) => {
     told = film === null && !text ? 0 : Math.max(told, below("search-box"));
     palette = Math.max(palette, below("kinds"));
-    const next = Math.max(told, palette, below("message"), below("ending"), below("tools", 2));
+    const next = Math.max(told, palette, below("message"), below("ending"), below("game"), below("tools", 2));
     if (changed(stage, "clear", next)) app.playground.keep_clear(next);
   };
 }

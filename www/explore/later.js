@@ -28,6 +28,14 @@ export async function startLater(app) {
   layers.addEventListener("click", () => (wantsLayers = true), { once: true });
   const parts = [
     later(
+      () => document.documentElement.classList.contains("embed"),
+      () => import("../frame.js").then(({ startFrame }) => startFrame(app)),
+    ),
+    later(
+      () => /(^|&)(versus|worst)=/.test(app.followed),
+      () => import("./games.js").then(({ startGames }) => startGames(app)),
+    ),
+    later(
       () => typed("senses-fold", HTMLDetailsElement).open,
       () => import("./senses.js").then(({ startSenses }) => startSenses(app)),
     ),
@@ -42,6 +50,10 @@ export async function startLater(app) {
     later(
       ({ room }) => room.id === "" || hasOwnRooms(),
       () => import("./own-rooms.js").then(({ startMenu }) => startMenu(app)),
+    ),
+    later(
+      ({ search }) => search.refusal !== "",
+      () => import("./small-room.js").then(({ startSmallRoom }) => startSmallRoom(app)),
     ),
     later(
       ({ state }) => state === "finished",
@@ -60,7 +72,7 @@ export async function startLater(app) {
       () => import("./film.js").then(({ startFilm }) => startFilm(app)),
     ),
   ];
-  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips()), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), import("../learn/offer.js").then(({ offerTour }) => offerTour(app))])).catch(console.warn);
+  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips()), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), import("./try.js").then(({ startTry }) => startTry(app)), import("../learn/offer.js").then(({ offerTour }) => offerTour(app))])).then(whenIdle).catch(console.warn);
   const view = app.playground.view();
   updateFolds(view);
   // A part that loads slowly doesn't delay the page.
@@ -68,6 +80,9 @@ export async function startLater(app) {
   await Promise.race([Promise.all(parts.map((part) => part.begin(view))), patience]);
   return (now) => parts.forEach((part) => part.update(now));
 }
+
+/** What nobody waits for. */
+const whenIdle = () => (window.requestIdleCallback ?? setTimeout)(() => void import("../offline/register.js").then(({ startOffline }) => startOffline()).catch(console.warn));
 
 const help = () => import("../help.js").then(({ fillHelp }) => fillHelp(byId("help-text")));
 

@@ -124,7 +124,7 @@ export function renamed(scenario, name) {
 /** Shows the own room of a link: one that is kept here, or the one that the link carries. @param {App} app @param {string} link @returns {Promise<string>} why not, if it can't be */
 export async function openLink(app, link) {
   const pairs = new URLSearchParams(link);
-  const [id, map] = [pairs.get("own") ?? "", pairs.get("map")];
+  const [id, map] = [pairs.get("kept") ?? "", pairs.get("map")];
   const here = id ? scenarioOf(id) : null;
   const unread = "The room of this link could not be read.";
   if (here && (!map || (await pack(here).catch(() => "")) === map)) return (await openRoom(app, id)) ? "" : unread;
@@ -170,7 +170,7 @@ export function keep(app, link) {
   }
   const map = packed.get(id);
   // Before other tabs' pairs, which may be cut off.
-  return link.replace("room=own", `room=own&own=${id}${map ? `&map=${map}` : ""}`);
+  return link.replace("room=own", `room=own&kept=${id}${map ? `&map=${map}` : ""}`);
 }
 
 /** @param {string} id @param {string} scenario */

@@ -123,7 +123,7 @@ function takeName(app, id, name) {
 }
 
 /** A room with nothing but walls around it, as a scenario. @param {number} width m @param {number} depth m */
-function emptyRoom(width, depth) {
+export function emptyRoom(width, depth) {
   // A wall is a cell; large rooms have larger ones.
   const resolution = Math.max(width, depth) > 40 ? 2 * CELL : CELL;
   const [columns, rows] = [width, depth].map((metres) => Math.round(metres / resolution));

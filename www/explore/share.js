@@ -1,6 +1,7 @@
 // @ts-check
 // Copies the link of what is shown, with the room in it if that is an own one.
 import { complain, toast } from "../messages.js";
+import { write } from "../keep.js";
 import { MOST_PACKED } from "./own-rooms.js";
 import { pack } from "./pack.js";
 
@@ -20,11 +21,14 @@ export async function copyLink(app) {
     hash = hash.replace("room=own", `room=own&map=${map}`);
   }
   link.hash = hash;
+  let done = "Link copied";
   try {
     await navigator.clipboard.writeText(link.href);
-    toast("Link copied");
   } catch {
-    history.replaceState(null, "", link.hash);
-    toast("The link is in the address bar");
+    write(link.hash);
+    done = "The link is in the address bar";
   }
+  toast(done);
+  // Without them the link is copied all the same.
+  await import("../send.js").then(({ showWays }) => showWays(app, link, done)).catch(console.warn);
 }

@@ -15,6 +15,8 @@ function watched() {
     "/": read("index.html").replace("<head>", `<head><script>${REPORTER}</script>`),
     "/desk.html": desk.replace("<head>", `<head><script>${REPORTER}</script>`),
     "/problem": "",
+    // What it would keep for use without a network isn't what was built.
+    "/sw.js": "",
     "/planted-worker.js": `${REPORTER}\nconsole.error("logged by a worker"); throw new Error("thrown by a worker");`,
     ...Object.fromEntries(workers.map((name) => [`/www/${name}`, `${REPORTER}\n${read(`www/${name}`)}`])),
   };

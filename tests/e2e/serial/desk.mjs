@@ -69,7 +69,8 @@ export async function openDesk(t, { robot, allow = [], extra = {} } = {}) {
   Object.assign(also, { "/desk.html": page("page.html"), "/elsewhere.html": "<!doctype html><title>Elsewhere</title>" }, extra);
   const { browser, cable } = await (robot ? (withPort ??= wired().then(start)) : (withoutPort ??= start()));
   if (robot) plugIn(cable, robot);
-  const context = await browser.newContext();
+  // Nothing is fetched beside what is measured.
+  const context = await browser.newContext({ serviceWorkers: "block" });
   const problems = [];
   const note = (message) => allow.some((pattern) => pattern.test(message)) || problems.push(message);
   context.on("console", (message) => message.type() === "error" && note(`console: ${message.text()}`));

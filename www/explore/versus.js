@@ -1,0 +1,180 @@
+// @ts-check
+// You against the algorithm: in the same room from the same start, who has swept more after the same time?
+import { fill, make, setText } from "../dom.js";
+import { clock, percent } from "../format.js";
+import { act, send } from "./games.js";
+
+/**
+ * @typedef {import("../main.js").App} App
+ * @typedef {import("../types").PageView} View
+ * @typedef {{ rival: string, seconds: number, beat: number | null }} Terms `beat`: what somebody else has swept, 0 to 1.
+ */
+
+/** Times to choose from, s; and the one that is proposed. */
+const TIMES = [30, 60, 120, 300];
+const USUAL = 60;
+
+/** @param {App} app @param {import("./games.js").Card} card @returns {import("./games.js").Game} */
+export function startVersus(app, card) {
+  const { planners, behaviours } = app.catalogue;
+  /** Those that clean, and are quick to plan. */
+  const rivals = [...planners.filter(({ fast }) => fast), ...behaviours.filter(({ cleans, manual }) => cleans && !manual)];
+  const person = behaviours.find(({ manual }) => manual)?.id ?? "";
+  /** @type {Terms} */
+  let terms = { rival: rivals[0]?.id ?? "", seconds: USUAL, beat: null };
+  /** @type {"terms" | "rival" | "you" | "over"} */
+  let phase = "terms";
+  /** Time and coverage of the rival's run, one behind the other. @type {Float64Array} */
+  let curve = new Float64Array();
+  /** What must not change meanwhile. */
+  let place = "";
+  let last = 0;
+  let counts = true;
+  let score = 0;
+  let told = () => {};
+
+  const titleOf = (/** @type {string} */ id) => rivals.find((one) => one.id === id)?.title ?? id;
+  /** The link but for what may change. */
+  const placeNow = () => `${app.playground.room_version()} ${app.playground.link().replace(/&(speed|show|search)=[^&]*/g, "")}`;
+
+  function offer() {
+    phase = "terms";
+    terms = { ...terms, rival: rivals.some(({ id }) => id === app.view.algorithm) ? app.view.algorithm : terms.rival, beat: null };
+    const rival = make("select", { id: "versus-rival" });
+    fill(rival, rivals.map(({ id, title }) => [id, title]));
+    rival.value = terms.rival;
+    const time = make("select", { id: "versus-time" });
+    fill(time, TIMES.map((seconds) => [String(seconds), `${clock(seconds)} min`]));
+    time.value = String(terms.seconds);
+    card.show(
+      "You against the algorithm",
+      make("p", {}, "In this room, from the same start: who has swept more when the time is over?"),
+      make("div", { className: "choices" }, labelled("Against", rival), labelled("Time", time, "field short"), act("Start", () => begin({ rival: rival.value, seconds: Number(time.value), beat: null }), "primary")),
+    );
+  }
+
+  /** First the algorithm drives. @param {Terms} next */
+  function begin(next) {
+    terms = next;
+    phase = "rival";
+    const worked = app.act((p) => {
+      p.select_algorithm(terms.rival);
+      p.set_speed(0);
+      p.reset();
+      p.play();
+    });
+    if (!worked) return card.close();
+    place = placeNow();
+    const bar = make("progress", { max: 1, value: 0, "aria-label": "Progress" });
+    card.show(`${titleOf(terms.rival)} drives first`, make("p", {}, `Its ${clock(terms.seconds)} minutes are played fast. Then it is your turn.`), bar);
+    told = () => void (bar.value = Math.min(1, app.view.time_s / terms.seconds));
+  }
+
+  /** The algorithm has had its time. */
+  function yourTurn() {
+    phase = "you";
+    counts = true;
+    last = 0;
+    const worked = app.act((p) => {
+      p.select_algorithm(person);
+      p.set_tool("view");
+      p.set_speed(1);
+      p.reset();
+    });
+    if (!worked) return card.close();
+    place = placeNow();
+    const [time, yours, theirs] = [score_("time", "Time left"), score_("you", "You"), score_("", titleOf(terms.rival))];
+    const rows = [time, yours, theirs, ...(terms.beat === null ? [] : [score_("", "To beat", terms.beat)])];
+    card.show("Your turn", make("p", { className: "how" }, "Drive with the arrow keys or the joystick. The clock runs from your first move."), make("div", { className: "scores" }, ...rows.flatMap(({ nodes }) => nodes)));
+    document.getElementById("floor")?.focus();
+    told = () => {
+      const left = Math.max(0, terms.seconds - app.view.time_s);
+      time.show(left / terms.seconds, clock(left));
+      yours.show(app.view.coverage);
+      theirs.show(at(app.view.time_s));
+    };
+  }
+
+  /** What the algorithm had swept after so many seconds, 0 to 1. @param {number} seconds */
+  function at(seconds) {
+    let [before, reached] = [0, 0];
+    for (let i = 0; i + 1 < curve.length; i += 2) {
+      const [time, share] = [curve[i] ?? 0, curve[i + 1] ?? 0];
+      if (time > seconds) return reached + ((share - reached) * (seconds - before)) / (time - before);
+      [before, reached] = [time, share];
+    }
+    return reached;
+  }
+
+  function over() {
+    phase = "over";
+    app.act((p) => p.pause());
+    score = app.view.coverage;
+    const rival = at(terms.seconds);
+    const verdict = Math.abs(score - rival) < 5e-4 ? "A draw." : score > rival ? "You win." : `${titleOf(terms.rival)} wins.`;
+    const beaten = terms.beat === null || !counts ? "" : score > terms.beat ? ` You also beat the ${percent(terms.beat)} % of whoever sent this.` : ` Whoever sent this swept ${percent(terms.beat)} %.`;
+    card.show(
+      verdict,
+      make("p", { role: "status" }, `In ${clock(terms.seconds)} minutes you swept ${percent(score)} %, ${titleOf(terms.rival)} ${percent(rival)} %.${beaten}${counts ? "" : " It doesn't count: the robot was lifted or the time line used."}`),
+      make("div", { className: "choices" }, act("Again", yourTurn, "primary"), ...(counts ? [act("Challenge others", () => send(app))] : []), act("Another algorithm", offer)),
+    );
+    told = () => {};
+  }
+
+  return {
+    key: "versus",
+    offer,
+    follow(value) {
+      const [rival = "", seconds = "", beat = ""] = value.split(",");
+      if (!rivals.some(({ id }) => id === rival)) return;
+      const limit = Math.min(3600, Math.max(5, Number(seconds) || USUAL));
+      const share = beat === "" || !(Number(beat) >= 0 && Number(beat) <= 100) ? null : Number(beat) / 100;
+      terms = { rival, seconds: limit, beat: share };
+      card.show(
+        "You are challenged",
+        make("p", {}, `Sweep more of this room in ${clock(limit)} minutes than ${titleOf(rival)}${share === null ? "" : `, and more than the ${percent(share)} % of whoever sent this`}.`),
+        make("div", { className: "choices" }, act("Start", () => begin(terms), "primary")),
+      );
+    },
+    update(view) {
+      if (phase === "rival") {
+        if (placeNow() !== place || view.state === "failed") return card.close();
+        told();
+        if (view.state !== "planning" && (view.time_s >= terms.seconds || view.state === "finished")) {
+          curve = app.playground.coverage_curve();
+          yourTurn();
+        }
+        return;
+      }
+      if (phase !== "you" && phase !== "over") return;
+      // Another room or robot, or no longer driven by hand: another game.
+      if (placeNow() !== place) return card.close();
+      if (phase === "over") return;
+      if (view.speed !== 1) app.act((p) => p.set_speed(1));
+      // Back to the start is a new try; back in time is a second chance that the algorithm hadn't.
+      if (view.time_s === 0) counts = true;
+      else if (view.time_s < last || view.is_lifted) counts = false;
+      last = view.time_s;
+      told();
+      if (view.time_s >= terms.seconds) over();
+    },
+    end() {
+      phase = "terms";
+    },
+    link: () => (phase === "terms" || phase === "rival" ? "" : [terms.rival, terms.seconds, ...(phase === "over" && counts ? [percent(score)] : terms.beat === null ? [] : [percent(terms.beat)])].join(",")),
+  };
+}
+
+/** @param {string} label @param {HTMLElement} control @param {string} [className] */
+const labelled = (label, control, className = "field") => make("label", { className }, make("span", { className: "label" }, label), control);
+
+/** A row of the score. @param {string} who @param {string} name @param {number} [share] */
+function score_(who, name, share = 0) {
+  const [bar, value] = [make("i"), make("b", {}, "")];
+  const show = (/** @type {number} */ next, text = `${percent(next)} %`) => {
+    bar.style.setProperty("--share", String(next));
+    setText(value, text);
+  };
+  show(share);
+  return { nodes: [make("span", {}, name), make("span", { className: `meter ${who}`, "aria-hidden": "true" }, bar), value], show };
+}

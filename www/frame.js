@@ -1,0 +1,88 @@
+// @ts-check
+// The floor for others: on the full screen, in a frame of another page (`?embed`), on paper. Loaded with the first input.
+import { byId, make } from "./dom.js";
+import { toast } from "./messages.js";
+import { style } from "./parts.js";
+import { caption } from "./show.js";
+
+/** Set by the head of the page, too. */
+const ALONE = "embed";
+
+/** @param {import("./main.js").App} app @returns {Promise<() => void>} */
+export async function startFrame(app) {
+  await style(new URL("./frame.css", import.meta.url).href);
+  const root = document.documentElement;
+  const isEmbedded = root.classList.contains(ALONE);
+  if (isEmbedded) linkToPage(app);
+  if (document.fullscreenEnabled) startFullScreen(root, isEmbedded);
+  startPrint(app, root);
+  return () => {};
+}
+
+/** From a frame to the page with all its menus. @param {import("./main.js").App} app */
+function linkToPage(app) {
+  const link = make("a", { className: "to-page", target: "_blank", rel: "noopener" }, "Robovac Playground");
+  const lead = () => {
+    const page = new URL(location.href);
+    page.search = "";
+    page.hash = app.link();
+    link.href = page.href;
+  };
+  lead();
+  for (const sign of ["pointerdown", "focus"]) link.addEventListener(sign, lead);
+  byId("stage").append(link);
+}
+
+/** @param {HTMLElement} root @param {boolean} isEmbedded */
+function startFullScreen(root, isEmbedded) {
+  const toggle = make("button", { type: "button", id: "full-screen", className: "quiet square" });
+  toggle.innerHTML = '<svg class="icon" viewBox="0 0 24 24" aria-hidden="true"><path d="M14.5 4H20v5.5M9.5 20H4v-5.5M20 4l-6.5 6.5M4 20l6.5-6.5" /></svg>';
+  const show = () => {
+    const isFull = document.fullscreenElement !== null;
+    root.classList.toggle(ALONE, isFull || isEmbedded);
+    const name = isFull ? "Leave the full screen" : "Full screen";
+    toggle.setAttribute("aria-label", name);
+    toggle.title = name;
+    toggle.setAttribute("aria-pressed", String(isFull));
+  };
+  toggle.addEventListener("click", () => {
+    const done = document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen();
+    done.catch(() => toast("This browser doesn't allow the full screen here"));
+  });
+  document.addEventListener("fullscreenchange", () => {
+    show();
+    toggle.focus();
+  });
+  show();
+  byId("stage").append(toggle);
+}
+
+/** Light colours on paper, and a line that says what it shows and where it is. @param {import("./main.js").App} app @param {HTMLElement} root */
+function startPrint(app, root) {
+  const sheet = make("link", { rel: "stylesheet", media: "print", href: new URL("./print.css", import.meta.url).href });
+  document.head.append(sheet);
+  const line = make("p", { id: "printed", className: "printed" });
+  byId("stage").after(line);
+  /** @type {string | undefined} */
+  let theme;
+  addEventListener("beforeprint", () => {
+    theme = root.dataset.theme ?? "";
+    const isDark = theme === "dark" || (!theme && matchMedia("(prefers-color-scheme: dark)").matches);
+    const [what] = caption(app);
+    line.replaceChildren(make("b", {}, what ?? ""), make("br"), location.href.length < 300 ? location.href : location.origin + location.pathname);
+    if (!isDark) return void (theme = undefined);
+    root.dataset.theme = "light";
+    redraw(false);
+  });
+  addEventListener("afterprint", () => {
+    if (theme === undefined) return;
+    if (theme) root.dataset.theme = theme;
+    else delete root.dataset.theme;
+    redraw(true);
+  });
+  const redraw = (/** @type {boolean} */ isDark) =>
+    app.act((p) => {
+      p.set_dark(isDark);
+      p.frame(performance.now());
+    });
+}

@@ -1,0 +1,83 @@
+// @ts-check
+// Beside "Copy link": other ways to send and to show what is on the floor. Loaded when a link is copied.
+import { button, byId, make } from "./dom.js";
+import { complain, textOf, toast } from "./messages.js";
+import { style } from "./parts.js";
+
+/** Size of the frame in another page, px. */
+const [WIDTH, HEIGHT] = [720, 540];
+
+/** @type {Promise<(link: URL, done: string) => void> | undefined} */
+let made;
+
+/** @param {import("./main.js").App} app @param {URL} link @param {string} done What was done with it. */
+export async function showWays(app, link, done) {
+  made ??= build(app);
+  (await made)(link, done);
+}
+
+/** The link of the floor and play bar alone. @param {URL} link */
+function embedded(link) {
+  const own = new URL(link);
+  own.search = "?embed";
+  return own.href;
+}
+
+/** @param {import("./main.js").App} app */
+async function build(app) {
+  await style(new URL("./send.css", import.meta.url).href);
+  const snippet = make("textarea", { id: "snippet", readOnly: true, rows: 3, spellcheck: false, "aria-label": "HTML of the frame" });
+  snippet.addEventListener("focus", () => snippet.select());
+  const copy = async () => {
+    try {
+      await navigator.clipboard.writeText(snippet.value);
+      toast("HTML copied");
+    } catch {
+      snippet.focus();
+      toast("Press Ctrl+C to copy the HTML");
+    }
+  };
+  const save = async () => {
+    close();
+    const { openSave } = await import("./save.js");
+    await openSave(app);
+  };
+  const print = () => {
+    close();
+    window.print();
+  };
+  const act = (/** @type {string} */ label, /** @type {() => unknown} */ what) =>
+    make("button", { type: "button", onclick: () => Promise.resolve(what()).catch((error) => complain(`This could not be loaded (${textOf(error)}). Check the connection, then try again.`)) }, label);
+  const ways = [act("Picture or film…", save), act("Print…", print)];
+  const title = make("h2", { id: "ways-title", tabIndex: -1 });
+  const node = make(
+    "section",
+    { id: "ways", className: "ways", role: "dialog", "aria-labelledby": "ways-title", hidden: true },
+    title,
+    make("div", { className: "row" }, ...ways),
+    make("h3", {}, "In your own web page"),
+    snippet,
+    act("Copy HTML", copy),
+  );
+  byId("share").after(node);
+
+  const close = () => {
+    if (node.hidden) return;
+    const hadFocus = node.contains(document.activeElement);
+    node.hidden = true;
+    if (hadFocus) button("share").focus();
+  };
+  document.addEventListener("pointerdown", ({ target }) => target instanceof Node && !node.contains(target) && close());
+  document.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || node.hidden) return;
+    event.preventDefault();
+    close();
+  });
+  node.addEventListener("focusout", ({ relatedTarget }) => relatedTarget instanceof Node && !node.contains(relatedTarget) && close());
+
+  return (/** @type {URL} */ link, /** @type {string} */ done) => {
+    title.textContent = done;
+    snippet.value = `<iframe src="${embedded(link).replaceAll("&", "&amp;")}" width="${WIDTH}" height="${HEIGHT}" style="border: 0" title="Robovac Playground" allow="fullscreen"></iframe>`;
+    node.hidden = false;
+  };
+}
