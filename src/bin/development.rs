@@ -6,6 +6,8 @@
 mod floor_plan;
 #[path = "../page/mod.rs"]
 mod page;
+#[path = "../program/mod.rs"]
+mod program;
 #[path = "../workshop/mod.rs"]
 mod workshop;
 

@@ -8,6 +8,7 @@ use crate::{
     floor_plan::FloorPlanView,
     map::MapView,
 };
+use robovac_core::program::Program;
 use robovac_link::{
     connection::{ConnectionView, LineRequest, Request, Traffic},
     emulator::{PersonalityView, VirtualView},
@@ -56,6 +57,7 @@ pub fn declarations() -> String {
     all.visit::<PageView>();
     all.visit::<PersonalityView>();
     all.visit::<Prediction>();
+    all.visit::<Program>();
     all.visit::<Request>();
     all.visit::<SessionSnapshot>();
     all.visit::<StudyOffer>();

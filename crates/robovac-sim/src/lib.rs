@@ -22,6 +22,7 @@
 //!   robot
 //! - [`controller`]: behaviours and followers of plans
 //! - [`mapping`]: mapping and localisation from bumps and odometry
+//! - [`program`]: users' programs
 //! - [`experiment`], [`montecarlo`]: from room and robot to a run, and many runs with their statistics
 //!
 //! Time advances in fixed steps of [`STEP_S`], whatever the speed of the display, so that a run is the same on every
@@ -48,6 +49,7 @@ pub mod controller;
 pub mod experiment;
 pub mod mapping;
 pub mod montecarlo;
+pub mod program;
 mod recording;
 
 pub use dirt::Spot;

@@ -9,7 +9,10 @@ use robovac_core::{
     geometry::Pose,
     robot::model,
 };
-use robovac_sim::experiment::{Algorithm, Settings, SettingsError, planning::RoomSetup};
+use robovac_sim::{
+    controller::Behaviours,
+    experiment::{Algorithm, Settings, SettingsError, planning::RoomSetup},
+};
 use serde::{Deserialize, Serialize};
 
 /// The model of robots that can be connected.
@@ -59,6 +62,21 @@ impl SessionSnapshot {
     /// The room laid out for the robot, as the session has it, and the settings.
     pub fn lay_out(&self) -> Result<(RoomSetup, Settings), FollowError> {
         let settings = self.choices.settings(&Settings::default())?;
+        let (plan, _) = self.room()?.ok_or(FollowError::NoRoom)?;
+        Ok((RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, self.start())?, settings))
+    }
+
+    /// The same for a program's own simulation, whatever algorithm the session has; needs the code of none.
+    pub fn lay_out_for_program(&self) -> Result<(RoomSetup, Settings), FollowError> {
+        let choices = ScenarioChoices {
+            planner: None,
+            behaviour: None,
+            params: Vec::new(),
+            path: None,
+            program: None,
+            ..self.choices.clone()
+        };
+        let settings = choices.settings(&Settings::with(Behaviours::NONE))?;
         let (plan, _) = self.room()?.ok_or(FollowError::NoRoom)?;
         Ok((RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, self.start())?, settings))
     }
