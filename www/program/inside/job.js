@@ -1,0 +1,196 @@
+// @ts-check
+// A program at work: step after step of its simulation, as far as the page has asked for.
+
+/**
+ * @typedef {import("../types").ToWorker} ToWorker
+ * @typedef {import("../types").FromWorker} FromWorker
+ * @typedef {Extract<ToWorker, { type: "load" }>} Order
+ * @typedef {object} Kit
+ * @property {typeof import("../../../programs/javascript/runtime.js").load} load
+ * @property {unknown} parser
+ * @property {{ wasm: Uint8Array, files: Record<string, string> }} micropython
+ * @property {WebAssembly.Memory} memory
+ * @property {typeof import("../../../program.js").ProgramRunner} ProgramRunner
+ * @property {() => number} clock
+ * @typedef {import("../../../program.js").ProgramRunner} Runner
+ * @typedef {Awaited<ReturnType<Kit["load"]>>} Running
+ */
+
+/** A slice, ms; the first ones are short, so that there is something to see at once. */
+const SLICE = 20;
+const FIRST_SLICE = 6;
+/** Steps between looks at the clock. */
+const BATCH = 16;
+/** Most that a program prints or draws in a run, and the longest text. */
+const MOST_OUTPUT = 20_000;
+const LONGEST = 400;
+
+export class Job {
+  #kit;
+  #order;
+  #send;
+  #again;
+  /** @type {Runner | undefined} */
+  #runner;
+  /** @type {Running | undefined} */
+  #program;
+  #readings = new Float64Array();
+  #until = 0;
+  #slices = 0;
+  #isScheduled = false;
+  #isOver = false;
+  #outputs = 0;
+  /** @type {import("../types").Output[]} */
+  #output = [];
+  /** Asked for: the state at a step. */
+  #wanted = -1;
+
+  /** @param {Kit} kit @param {Order} order @param {(message: FromWorker, transfer?: Transferable[]) => void} send @param {() => void} again Calls `slice` soon. */
+  constructor(kit, order, send, again) {
+    this.#kit = kit;
+    this.#order = order;
+    this.#send = send;
+    this.#again = again;
+  }
+
+  async begin() {
+    const { id, job, language, source, traced, breakpoints } = this.#order;
+    try {
+      const runner = new this.#kit.ProgramRunner(job);
+      this.#runner = runner;
+      const { load, parser, micropython } = this.#kit;
+      this.#program = await load({
+        language, source, traced, breakpoints, seed: runner.seed(), parser, micropython,
+        name: language === "python" ? "program.py" : "program.js",
+        facts: JSON.parse(runner.facts()),
+        layout: JSON.parse(this.#kit.ProgramRunner.layout()),
+      });
+      this.#send({ type: "loaded", id, kind: this.#program.kind, more: this.#program.kind === "plan" });
+      if (this.#program.kind === "plan") this.#plan();
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  /** @param {ToWorker} message */
+  hear(message) {
+    if (message.type === "go" && message.id === this.#order.id) {
+      this.#until = Math.max(message.until, this.#order.from + 1);
+      if (message.inspect) this.#wanted = message.until;
+      this.#schedule();
+    }
+  }
+
+  #schedule() {
+    if (this.#isScheduled || !this.#program) return;
+    this.#isScheduled = true;
+    this.#again();
+  }
+
+  /** Runs for a while, then says how far it is. */
+  slice() {
+    this.#isScheduled = false;
+    const [runner, program] = [this.#runner, this.#program];
+    if (!runner || !program) return;
+    const { clock } = this.#kit;
+    const end = clock() + (this.#slices < 4 ? FIRST_SLICE : SLICE);
+    this.#slices += 1;
+    try {
+      const { from } = this.#order;
+      const until = runner.steps() < from ? from : this.#until;
+      while (!this.#isOver && runner.steps() < until && clock() < end) {
+        for (let n = 0; n < BATCH && !this.#isOver && runner.steps() < until; n += 1) this.#step(runner, program);
+      }
+      if (runner.steps() <= from && from > 0 && !this.#isOver) {
+        // The page knows what is before.
+        runner.take_log();
+        this.#output = [];
+        this.#send({ type: "busy", id: this.#order.id, more: true });
+        return this.#schedule();
+      }
+    } catch (error) {
+      return this.#fail(error);
+    }
+    const more = !this.#isOver && runner.steps() < this.#until;
+    this.#report(more);
+    if (more) return this.#schedule();
+    if (this.#wanted >= 0) this.#inspect(runner.steps());
+  }
+
+  /** @param {Runner} runner @param {Running} program */
+  #step(runner, program) {
+    const goesOn = program.step(this.#sensed(runner));
+    if (program.output.length) this.#collect(program.output, runner.steps());
+    if (!goesOn) {
+      runner.finish(false);
+      this.#isOver = true;
+    } else if (!runner.step(program.left, program.right)) this.#isOver = true;
+  }
+
+  /** The readings, where they are in memory. @param {Runner} runner */
+  #sensed(runner) {
+    if (this.#readings.length === 0) this.#readings = new Float64Array(this.#kit.memory.buffer, runner.readings_ptr(), runner.readings_len());
+    return this.#readings;
+  }
+
+  /** @param {import("../types").Output[]} found @param {number} step */
+  #collect(found, step) {
+    for (const one of found) {
+      if ((this.#outputs += 1) > MOST_OUTPUT && one.kind !== "break") break;
+      if (typeof one.text === "string" && one.text.length > LONGEST) one.text = `${one.text.slice(0, LONGEST)}…`;
+      this.#output.push({ ...one, step });
+    }
+    if (this.#outputs === MOST_OUTPUT) this.#output.push({ kind: "print", step, text: `(more than ${MOST_OUTPUT} prints and marks: the rest is left out)` });
+    found.length = 0;
+  }
+
+  /** @param {boolean} more */
+  #report(more) {
+    const runner = /** @type {Runner} */ (this.#runner);
+    const log = runner.take_log();
+    const output = this.#output;
+    this.#output = [];
+    this.#send({ type: "ran", id: this.#order.id, log, steps: runner.steps(), output, isOver: this.#isOver, more: more || this.#wanted >= 0 }, [log.buffer]);
+  }
+
+  /** @param {number} step */
+  #inspect(step) {
+    this.#wanted = -1;
+    const program = /** @type {Running} */ (this.#program);
+    this.#send({ type: "state", id: this.#order.id, step, line: program.line, variables: program.variables().slice(0, 200) });
+  }
+
+  #plan() {
+    const [runner, program] = [/** @type {Runner} */ (this.#runner), /** @type {Running} */ (this.#program)];
+    /** @type {number[]} */
+    const cells = [];
+    for (const [x, y] of program.plan(JSON.parse(runner.room()))) cells.push(x, y);
+    this.#collect(program.output, 0);
+    this.#isOver = true;
+    this.#send({ type: "planned", id: this.#order.id, cells, output: this.#output });
+  }
+
+  /** @param {unknown} error */
+  #fail(error) {
+    const runner = this.#runner;
+    if (this.#isOver) return;
+    this.#isOver = true;
+    const { message, line, column } = /** @type {{ message?: unknown, line?: unknown, column?: unknown }} */ (Object(error));
+    const text = String(message ?? error).slice(0, 2000);
+    try {
+      if (runner && this.#program) {
+        runner.finish(true);
+        this.#report(true);
+      }
+    } catch {
+      // The simulation itself is broken; the message says it.
+    }
+    this.#send({ type: "failed", id: this.#order.id, step: runner?.steps() ?? 0, message: text, line: Number(line) || 0, column: Number(column) || 0 });
+  }
+
+  close() {
+    this.#program?.close?.();
+    this.#runner?.free();
+    this.#program = this.#runner = undefined;
+  }
+}

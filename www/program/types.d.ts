@@ -1,0 +1,49 @@
+// What crosses between the page and the workers of its sandbox (www/program/inside/). The page trusts none of it.
+
+export interface Output {
+  kind: "print" | "mark" | "line" | "text" | "clear" | "lights" | "note" | "break";
+  /** Steps before it. */
+  step?: number;
+  text?: string;
+  x?: number;
+  y?: number;
+  x1?: number;
+  y1?: number;
+  x2?: number;
+  y2?: number;
+  colour?: string | number[] | null;
+  line?: number;
+}
+
+/** A program and the run that it is for. */
+export interface Load {
+  type: "load";
+  id: number;
+  language: "python" | "javascript";
+  source: string;
+  /** Room, robot, conditions, seed and a person's inputs: the playground's `program_job`. */
+  job: Uint8Array;
+  /** Lines are followed: slower. */
+  traced: boolean;
+  breakpoints: { line: number; condition?: string }[];
+  /** What is before that step is known: it is run again, and not reported. */
+  from: number;
+}
+
+export type ToWorker =
+  | Load
+  /** Run until that step; with `inspect`, then say line and variables. */
+  | { type: "go"; id: number; until: number; inspect?: boolean };
+
+export type FromWorker = (
+  | { type: "ready" }
+  | { type: "loaded"; id: number; kind: "step" | "run" | "plan" }
+  | { type: "busy"; id: number }
+  | { type: "ran"; id: number; log: Uint8Array; steps: number; output: Output[]; isOver: boolean }
+  | { type: "planned"; id: number; cells: number[]; output: Output[] }
+  | { type: "state"; id: number; step: number; line: number; variables: [name: string, text: string, type: string][] }
+  | { type: "failed"; id: number; step: number; message: string; line: number; column: number }
+) & {
+  /** Another message follows without being asked for. */
+  more?: boolean;
+};
