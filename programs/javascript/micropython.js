@@ -78,7 +78,11 @@ export async function startMicroPython(module, files, memory) {
     mp_js_time_ms: () => state.time * 1000,
     // Nothing of JavaScript is reachable.
     has_attr: () => 0,
-    lookup_attr: () => 0,
+    lookup_attr: (/** @type {number} */ _, /** @type {number} */ name) => {
+      // The one thing that Python can't catch: see page.py.
+      if (text(name) === "never_ends") throw Object.assign(new Error("never ends"), { neverEnds: true });
+      return 0;
+    },
     js_check_existing: () => -1,
     proxy_js_free_obj: () => {},
     __syscall_stat64: (/** @type {number} */ path, /** @type {number} */ at) => stat(resolved(path), at),

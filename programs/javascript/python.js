@@ -152,6 +152,7 @@ export async function loadPython(options) {
   drain();
 
   const base = heap.bytes.slice();
+  const stack = exports.emscripten_stack_get_current();
   const program = {
     kind,
     left: 0,
@@ -191,6 +192,8 @@ export async function loadPython(options) {
     /** @param {State} saved */
     restore(saved) {
       const { bytes } = heap;
+      // An endless step was left without return.
+      exports._emscripten_stack_restore(stack);
       bytes.set(base);
       bytes.fill(0, base.length);
       saved.pages.forEach((at, index) => bytes.set(saved.content.subarray(index * PAGE, (index + 1) * PAGE), at));
