@@ -21,7 +21,7 @@ export function enterProgram(app) {
 async function load(app) {
   const [fragment, list] = await Promise.all([
     text(new URL("./program.html", import.meta.url)),
-    text(new URL("../../programs/interface.json", import.meta.url)),
+    text(new URL("../../programs/interface.json", import.meta.url)).catch(() => "{}"),
     style(new URL("./program.css", import.meta.url).href),
   ]);
   setInterface(Object.values(JSON.parse(list)).flat());

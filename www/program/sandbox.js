@@ -28,8 +28,10 @@ let lastId = 0;
 export class Inmate {
   #id = (lastId += 1);
   #channel = new MessageChannel();
-  /** When the oldest unanswered request was made, ms; 0 for none. */
+  /** Since when it owes an answer, ms; 0 if it owes none. */
   #owes = 0;
+  /** Number of requests. */
+  #asked = 0;
   #patience = START_PATIENCE;
   #count = 0;
   #timer = 0;
@@ -52,7 +54,7 @@ export class Inmate {
       this.#count += 1;
       if (this.#count > MOST_MESSAGES) return end("loud");
       if (data?.type === "ready") this.#patience = PATIENCE;
-      this.#owes = data?.more === true ? performance.now() : 0;
+      this.#owes = data?.more === true || data?.heard !== this.#asked ? performance.now() : 0;
       tell(data);
     };
     this.#owes = performance.now();
@@ -82,6 +84,7 @@ export class Inmate {
   ask(message) {
     if (!this.isAlive) return;
     this.#owes ||= performance.now();
+    this.#asked += 1;
     this.#channel.port1.postMessage(message);
   }
 

@@ -7,7 +7,7 @@ import { endingOf, find, freeName, freshId, isOwn, list, put, readProgram, remov
 
 /**
  * @typedef {import("./own-programs.js").Program} Program
- * @typedef {{ id: string, title: string, about: string, kind: string, files: Partial<Record<"python" | "javascript", string>> }} Example
+ * @typedef {{ id: string, title: string, about: string, kind: string }} Example
  */
 
 const FOLDER = new URL("../../programs/examples/", import.meta.url);
@@ -56,9 +56,8 @@ export class Shelf {
     const [name, wanted] = id.split(".");
     const example = this.#examples.find((one) => one.id === name);
     const language = wanted === "javascript" ? "javascript" : "python";
-    const file = example?.files[language];
-    if (!example || !file) return undefined;
-    const source = await (await fetched(file)).text();
+    if (!example) return undefined;
+    const source = await (await fetched(example.id + endingOf(language))).text();
     return { id: `${example.id}.${language}`, name: example.title, language: /** @type {const} */ (language), source };
   }
 
@@ -91,19 +90,12 @@ export class Shelf {
     this.show(kept ? { ...kept, isForeign: kept.isForeign ?? false } : program);
   }
 
-  /** Its text was read, and it was run by hand. */
-  trust() {
-    if (!this.#current?.isForeign) return;
-    this.#current = { ...this.#current, isForeign: false };
-    if (isOwn(this.#current.id)) put(this.#current);
-  }
-
   #fill() {
     const menu = select("program-list");
     const group = (/** @type {string} */ label, /** @type {[string, string][]} */ options) =>
       options.length ? [make("optgroup", { label }, ...options.map(([value, text]) => make("option", { value }, text)))] : [];
     const examples = (/** @type {"python" | "javascript"} */ language) =>
-      this.#examples.filter(({ files }) => files[language]).map(({ id, title }) => /** @type {[string, string]} */ ([`${id}.${language}`, title]));
+      this.#examples.map(({ id, title }) => /** @type {[string, string]} */ ([`${id}.${language}`, title]));
     const own = list().map(({ id, name, language }) => /** @type {[string, string]} */ ([id, name + endingOf(language)])).reverse();
     menu.replaceChildren(...group("Your programs", own), ...group("Examples in Python", examples("python")), ...group("Examples in JavaScript", examples("javascript")));
     const id = this.#current?.id ?? "";
@@ -142,7 +134,12 @@ export class Shelf {
         void Promise.resolve(what()).catch((error) => complain(textOf(error)));
       });
     bind("program-rename", () => this.#rename());
-    bind("program-duplicate", () => this.#current && this.add({ ...this.#current, id: freshId(), name: freeName(`${this.#current.name} copy`), source: `${this.#current.source}` }, ));
+    bind("program-duplicate", () => {
+      if (!this.#current) return;
+      const copy = { ...this.#current, id: freshId(), name: freeName(`${this.#current.name} copy`) };
+      put(copy);
+      this.show(copy);
+    });
     bind("program-delete", () => this.#delete());
     bind("program-restore", () => {
       const program = this.#deleted;

@@ -44,6 +44,8 @@ export type FromWorker = (
   | { type: "state"; id: number; step: number; line: number; variables: [name: string, text: string, type: string][] }
   | { type: "failed"; id: number; step: number; message: string; line: number; column: number }
 ) & {
+  /** How many of the page's messages were heard. */
+  heard?: number;
   /** Another message follows without being asked for. */
   more?: boolean;
 };

@@ -7,8 +7,9 @@
  * @typedef {Extract<ToWorker, { type: "load" }>} Order
  * @typedef {object} Kit
  * @property {typeof import("../../../programs/javascript/runtime.js").load} load
- * @property {unknown} parser
- * @property {{ wasm: Uint8Array, files: Record<string, string> }} micropython
+ * @property {typeof import("@lezer/javascript").parser} parser
+ * @property {{ wasm: WebAssembly.Module, files: Record<string, string> } | undefined} micropython
+ * @property {() => void} allowText Lets the next text be evaluated.
  * @property {WebAssembly.Memory} memory
  * @property {typeof import("../../../program.js").ProgramRunner} ProgramRunner
  * @property {() => number} clock
@@ -39,6 +40,7 @@ export class Job {
   #slices = 0;
   #isScheduled = false;
   #isOver = false;
+  #hasFailed = false;
   #outputs = 0;
   /** @type {import("../types").Output[]} */
   #output = [];
@@ -58,7 +60,9 @@ export class Job {
     try {
       const runner = new this.#kit.ProgramRunner(job);
       this.#runner = runner;
-      const { load, parser, micropython } = this.#kit;
+      const { load, parser, micropython, allowText } = this.#kit;
+      if (language === "javascript") refuseImports(source, parser);
+      allowText();
       this.#program = await load({
         language, source, traced, breakpoints, seed: runner.seed(), parser, micropython,
         name: language === "python" ? "program.py" : "program.js",
@@ -72,13 +76,15 @@ export class Job {
     }
   }
 
-  /** @param {ToWorker} message */
+  /** @param {ToWorker} message @returns {boolean} Whether an answer will come. */
   hear(message) {
-    if (message.type === "go" && message.id === this.#order.id) {
+    if (message.type === "go" && message.id === this.#order.id && this.#program && !this.#hasFailed) {
       this.#until = Math.max(message.until, this.#order.from + 1);
       if (message.inspect) this.#wanted = message.until;
       this.#schedule();
+      return true;
     }
+    return false;
   }
 
   #schedule() {
@@ -174,7 +180,7 @@ export class Job {
   #fail(error) {
     const runner = this.#runner;
     if (this.#isOver) return;
-    this.#isOver = true;
+    this.#isOver = this.#hasFailed = true;
     const { message, line, column } = /** @type {{ message?: unknown, line?: unknown, column?: unknown }} */ (Object(error));
     const text = String(message ?? error).slice(0, 2000);
     try {
@@ -193,4 +199,15 @@ export class Job {
     this.#runner?.free();
     this.#program = this.#runner = undefined;
   }
+}
+
+/** Nothing can be fetched here, and a program that tries a thousand times a second would only keep the browser busy. @param {string} source @param {Kit["parser"]} parser */
+function refuseImports(source, parser) {
+  parser.parse(source).iterate({
+    enter({ name, from }) {
+      if (name !== "DynamicImport" && name !== "ImportDeclaration" && name !== "ImportMeta") return;
+      const before = source.slice(0, from);
+      throw { message: "Programs can't import anything. Put all you need into this one.", line: before.split("\n").length, column: from - before.lastIndexOf("\n") - 1 };
+    },
+  });
 }

@@ -14,22 +14,28 @@ self.onmessage = ({ data, ports }) => {
   self.onmessage = null;
   const port = /** @type {MessagePort} */ (ports[0]);
   // All that is needed from here on is taken before programs can change it.
-  const send = port.postMessage.bind(port);
+  const post = port.postMessage.bind(port);
+  let heard = 0;
+  const send = (/** @type {import("../types").FromWorker} */ message, /** @type {Transferable[]} */ transfer = []) => {
+    message.heard = heard;
+    post(message, transfer);
+  };
   const clock = performance.now.bind(performance);
   const loop = new MessageChannel();
   const again = loop.port2.postMessage.bind(loop.port2, 0);
   const { memory } = initSync({ module: data.simulator });
-  const kit = { load, parser, micropython: { wasm: data.micropython, files }, memory, ProgramRunner, clock };
+  const micropython = data.micropython ? { wasm: new WebAssembly.Module(data.micropython), files } : undefined;
   /** @type {Job | undefined} */
   let job;
   loop.port1.onmessage = () => void job?.slice();
   port.onmessage = async (/** @type {MessageEvent<ToWorker>} */ { data: message }) => {
+    heard += 1;
     if (message.type === "load") {
       job?.close();
       job = new Job(kit, message, send, again);
       await job.begin();
-    } else job?.hear(message);
+    } else if (!job?.hear(message)) send({ type: "busy", id: message.id });
   };
-  harden();
+  const kit = { load, parser, micropython, memory, ProgramRunner, clock, allowText: harden() };
   send({ type: "ready" });
 };
