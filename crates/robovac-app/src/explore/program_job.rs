@@ -88,7 +88,7 @@ mod tests {
         geometry::Pose,
         program::{Program, ProgramKind, ProgramLanguage},
     };
-    use robovac_sim::program::{LogEnd, Lockstep};
+    use robovac_sim::program::{Lockstep, LogEnd};
 
     fn program(kind: ProgramKind) -> Program {
         Program { name: "mine".into(), language: ProgramLanguage::Python, kind, source: "def step(robot): ...".into() }
