@@ -3,6 +3,7 @@
 mod child;
 mod language;
 mod protocol;
+mod runtimes;
 
 use super::{
     conditions::ConditionsArguments, failure::Failure, montecarlo::parse_minutes, output, signals::end_requested,

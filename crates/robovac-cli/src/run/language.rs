@@ -1,14 +1,12 @@
 //! How a program's file is run: by which interpreter, with which package.
 
+use super::runtimes::{JAVASCRIPT, PYTHON};
 use crate::failure::Failure;
 use std::{
     fs, io,
     path::{Path, PathBuf},
     process::Command,
 };
-
-/// The runtimes that this program brings: paths and texts, below `programs/` of the repository.
-const FILES: &[(&str, &str)] = &[];
 
 /// What runs a program.
 pub struct Language {
@@ -36,7 +34,7 @@ impl Language {
         let ending = program.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
         match &*ending {
             "py" => {
-                let folder = Folder::new()?;
+                let folder = Folder::with(PYTHON)?;
                 let python = if cfg!(windows) { "python" } else { "python3" };
                 Ok(Self {
                     words: [python, "-u", "-m", "robovac_program", &file].map(str::to_owned).to_vec(),
@@ -45,7 +43,7 @@ impl Language {
                 })
             }
             "js" | "mjs" => {
-                let folder = Folder::new()?;
+                let folder = Folder::with(JAVASCRIPT)?;
                 let runner = folder.0.join("javascript").join("node.js").to_string_lossy().into_owned();
                 Ok(Self { words: vec!["node".to_owned(), runner, file], variables: Vec::new(), _folder: Some(folder) })
             }
@@ -65,8 +63,8 @@ impl Language {
 }
 
 impl Folder {
-    /// The runtimes in a new folder that only this user can change.
-    fn new() -> Result<Self, Failure> {
+    /// These files in a new folder that only this user can change.
+    fn with(files: &[(&str, &str)]) -> Result<Self, Failure> {
         let failed = |path: &Path, error: &io::Error| Failure::io(path.display(), error);
         let mut name = [0; 8];
         getrandom::fill(&mut name).map_err(|error| Failure::system(format!("no random numbers: {error}")))?;
@@ -76,7 +74,7 @@ impl Folder {
         std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
         builder.create(&path).map_err(|e| failed(&path, &e))?;
         let folder = Self(path);
-        for (name, text) in FILES {
+        for (name, text) in files {
             let file = folder.0.join(name);
             if let Some(parent) = file.parent() {
                 fs::create_dir_all(parent).map_err(|e| failed(parent, &e))?;

@@ -147,3 +147,20 @@ fn the_example_in_c_cleans() {
     assert!(run["coverage"].as_f64().unwrap() > 0.2 && run["bumps"].as_u64().unwrap() > 3, "{run}");
     assert_eq!(run["prints"].as_array().unwrap().len() as u64, run["bumps"].as_u64().unwrap());
 }
+
+/// The examples in both languages, by the runtimes that the program carries: the same commands, so the same state.
+#[test]
+fn python_and_javascript_give_the_same_digest() {
+    let examples = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../programs/examples"));
+    let has = |interpreter: &str| Command::new(interpreter).arg("--version").output().is_ok();
+    let digest = |name: &str| {
+        let mut robovac = Command::new(env!("CARGO_BIN_EXE_robovac"));
+        let output = robovac.arg("run").arg(examples.join(name)).args(["--json", "--minutes", "0.5"]).output().unwrap();
+        report(&output)["runs"][0]["digest"].as_str().unwrap().to_owned()
+    };
+    if has("python3") && has("node") {
+        for example in ["turn_when_you_bump", "plan_in_rows"] {
+            assert_eq!(digest(&format!("{example}.py")), digest(&format!("{example}.js")), "{example}");
+        }
+    }
+}
