@@ -374,7 +374,8 @@ impl Playground {
         source: String,
         is_chosen: bool,
     ) -> Result<(), JsValue> {
-        let (language, kind) = ProgramLanguage::parse(language).zip(ProgramKind::parse(kind)).ok_or("unknown kind of program")?;
+        let (language, kind) =
+            ProgramLanguage::parse(language).zip(ProgramKind::parse(kind)).ok_or("unknown kind of program")?;
         self.session.set_program(Program { name, language, kind, source }, is_chosen).map_err(message)
     }
 

@@ -155,7 +155,9 @@ function updateChoices(view, offer, items) {
     select(id).value = String(now);
   }
   view.entrants.forEach((entrant, index) => {
-    showChoice(items[index], entrant);
+    const item = items[index];
+    if (item) setHidden(item, !entrant.offered);
+    showChoice(item, entrant);
     const status = items[index]?.querySelector(".status");
     if (!status) return;
     const words = entrant.failure ? "failed" : entrant.runs >= view.seeds ? "✓" : entrant.runs > 0 ? String(entrant.runs) : "";

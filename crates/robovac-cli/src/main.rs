@@ -22,6 +22,7 @@ mod plan;
 mod recording;
 #[cfg(feature = "ros2")]
 mod ros2;
+mod run;
 mod signals;
 mod simulate;
 mod source;
@@ -42,7 +43,7 @@ Exit codes:
   2  wrong usage: unknown option, planner, behaviour, room, robot or parameter
   3  the map can't be used
   4  the robot or its start doesn't fit into the room
-  5  the planner failed";
+  5  the planner or your program failed";
 
 /// Plan and simulate floor coverage by robot vacuum cleaners. Lengths are in metres, angles in degrees
 /// counter-clockwise from 0 = right; cells are counted from the lower left.
@@ -90,6 +91,7 @@ enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
         rest: Vec<String>,
     },
+    Run(run::Arguments),
     Twin(twin::Arguments),
     VirtualRoomba(virtual_roomba::Arguments),
 }
@@ -120,6 +122,7 @@ fn main() -> ExitCode {
         Command::Ros2(arguments) => ros2::run(&arguments),
         #[cfg(not(feature = "ros2"))]
         Command::Ros2 { .. } => Err(failure::Failure::without_ros2()),
+        Command::Run(arguments) => run::run(&arguments),
         Command::Twin(arguments) => twin::run(&arguments),
         Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
     };

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use robovac_app::Import;
-use robovac_core::floor_plan::{FloorPlan, SourceFile, image_of, room};
+use robovac_core::floor_plan::{FloorPlan, ROOMS, SourceFile, image_of, room};
 use std::{
     fs,
     io::ErrorKind,
@@ -19,6 +19,23 @@ pub struct RoomSource {
     /// Built-in room, see "robovac rooms"
     #[arg(long, value_name = "ID")]
     room: Option<String>,
+}
+
+/// At most one of the two.
+#[derive(clap::Args)]
+pub struct RoomChoice {
+    /// Map file: text of # and ., PNG, PGM, ROS map (YAML; its image is found automatically) or scenario
+    #[arg(long, value_name = "FILE", conflicts_with = "room")]
+    map: Option<PathBuf>,
+    /// Built-in room, see "robovac rooms"
+    #[arg(long, value_name = "ID", default_value = ROOMS[0].id)]
+    room: String,
+}
+
+impl RoomChoice {
+    pub fn plan(&self) -> Result<FloorPlan, Failure> {
+        RoomSource { map: self.map.clone(), room: Some(self.room.clone()) }.plan()
+    }
 }
 
 impl RoomSource {

@@ -75,6 +75,14 @@ impl Program {
     }
 }
 
+impl Program {
+    /// A number that differs for other programs, whatever their names (FNV-1a).
+    pub fn fingerprint(&self) -> u64 {
+        let bytes = self.source.bytes().chain([self.language as u8, self.kind as u8]);
+        bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    }
+}
+
 impl ProgramLanguage {
     /// Both, with their names in files.
     pub const ALL: [(Self, &'static str); 2] = [(Self::Python, "python"), (Self::JavaScript, "javascript")];

@@ -2,6 +2,7 @@
 
 use super::{FollowError, Session, SessionSnapshot};
 use crate::export::RunBag;
+use robovac_core::{program::ProgramKind, robot::OdometryModel};
 use robovac_sim::{
     Conditions, Input,
     experiment::{RoomSetup, Settings},
@@ -30,6 +31,8 @@ pub struct LaidOutJob {
     pub seed: u64,
     /// Side of the planning cells, m.
     pub cell_size: f64,
+    /// How followers of plans compute their poses.
+    pub odometry: OdometryModel,
     /// A person's inputs, with the number of steps before each.
     pub inputs: Vec<(u64, Input)>,
 }
@@ -65,12 +68,20 @@ impl ProgramJob {
     /// The room laid out for the robot.
     pub fn lay_out(&self) -> Result<LaidOutJob, JobError> {
         let (room, settings) = self.place.lay_out_for_program()?;
-        let Settings { conditions, seed, cell_size, .. } = settings;
-        Ok(LaidOutJob { room, conditions, seed, cell_size, inputs: self.inputs() })
+        let Settings { conditions, seed, cell_size, odometry, .. } = settings;
+        Ok(LaidOutJob { room, conditions, seed, cell_size, odometry, inputs: self.inputs() })
     }
 }
 
 impl Session {
+    /// The job of a run beside this one, without a person's inputs; `None` without a program of that kind.
+    pub(crate) fn job_beside(&self, kind: ProgramKind) -> Option<ProgramJob> {
+        self.settings().program().filter(|program| program.kind == kind)?;
+        let mut place = self.whole_snapshot();
+        place.choices.program = None;
+        Some(ProgramJob { place, inputs: Vec::new(), version: 0 })
+    }
+
     /// The job of the user's program: for the run that waits for it, or to try it beside another algorithm.
     pub fn program_job(&self) -> ProgramJob {
         let mut place = self.whole_snapshot();
@@ -88,7 +99,7 @@ mod tests {
         geometry::Pose,
         program::{Program, ProgramKind, ProgramLanguage},
     };
-    use robovac_sim::program::{LogEnd, Lockstep};
+    use robovac_sim::program::{Lockstep, LogEnd};
 
     fn program(kind: ProgramKind) -> Program {
         Program { name: "mine".into(), language: ProgramLanguage::Python, kind, source: "def step(robot): ...".into() }
@@ -208,7 +219,9 @@ mod tests {
         assert_eq!(tell(&|_| ()), (String::new(), true));
         let (text, runs) = tell(&|cells| cells.truncate(3));
         assert!(text.starts_with("The walk misses ") && text.contains(" cells, the first at (") && runs, "{text}");
-        let (text, runs) = tell(&|cells| drop(cells.remove(2)));
+        let (text, runs) = tell(&|cells| {
+            cells.remove(2);
+        });
         assert!(text.starts_with("The program's plan can't be driven: step 2 jumps from (") && !runs, "{text}");
     }
 }

@@ -7,6 +7,7 @@ use robovac_core::{
     cspace::Outline,
     floor_plan::{FloorPlan, MapError, Scenario},
     geometry::Pose,
+    program::Program,
     robot::model,
 };
 use robovac_sim::{
@@ -143,12 +144,15 @@ impl SessionSnapshot {
 impl Session {
     /// The settings for other tabs, without an own room: see [`Session::own_room`].
     pub fn snapshot(&self) -> SessionSnapshot {
+        let mut choices = ScenarioChoices::of_settings(self.settings());
+        // Other tabs offer the program whatever is chosen here.
+        choices.program = self.settings().program().map(|program| Program::clone(program));
         SessionSnapshot {
             room: self.room().map(str::to_owned),
             room_version: self.plan_version(),
             own: None,
             start: self.start().map(|start| [start.x, start.y, start.heading]),
-            choices: ScenarioChoices::of_settings(self.settings()),
+            choices,
         }
     }
 

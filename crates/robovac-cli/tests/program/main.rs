@@ -4,5 +4,6 @@ mod bridge;
 mod cli;
 mod examples;
 mod monitor;
+mod run;
 mod twin;
 mod virtual_roomba;

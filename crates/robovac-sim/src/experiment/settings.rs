@@ -150,7 +150,8 @@ impl Settings {
 
     /// The planners and behaviours that can be chosen, the user's program last.
     fn algorithms(&self) -> impl Iterator<Item = Algorithm> + Clone + use<> {
-        Algorithm::with(self.behaviours).chain(self.program.as_deref().map(|program| Algorithm::of_program(program.kind)))
+        Algorithm::with(self.behaviours)
+            .chain(self.program.as_deref().map(|program| Algorithm::of_program(program.kind)))
     }
 
     /// The user's program, whether it is chosen or not.
@@ -374,15 +375,15 @@ impl Settings {
             self.cell_size,
             self.seed,
         ) == (
-                other.algorithm.id(),
-                other.chosen_program(),
-                &other.params,
-                other.robot,
-                &other.custom,
-                &other.path,
-                other.cell_size,
-                other.seed,
-            )
+            other.algorithm.id(),
+            other.chosen_program(),
+            &other.params,
+            other.robot,
+            &other.custom,
+            &other.path,
+            other.cell_size,
+            other.seed,
+        )
     }
 
     /// The robot, which for the idealised one depends on the size of a cell.

@@ -4,7 +4,8 @@ use crate::controller::{BehaviourClaims, BehaviourInfo};
 use coverage_planners::{PlannerClaims, PlannerInfo, Search};
 use robovac_core::registry::{Example, Explainer};
 
-const SHINES: Example = Example { room: "thesis226", why: "One room with a few obstacles: a program's ways are easy to see." };
+const SHINES: Example =
+    Example { room: "thesis226", why: "One room with a few obstacles: a program's ways are easy to see." };
 const FAILS: Example = Example { room: "maze", why: "A program that knows no maze is soon lost." };
 
 /// A program that drives the robot from its sensor readings.

@@ -44,7 +44,11 @@ pub const SLOTS: [Slot; 42] = indexed([
     number("y", "m", "Position by odometry, up."),
     number("heading", "deg", "Heading by odometry, counter-clockwise from the right, above -180 up to 180."),
     number("distance", "m", "Distance that the wheels have driven since the start; backward counts as negative."),
-    number("turned", "deg", "Angle that the wheels have turned the robot since the start; clockwise counts as negative."),
+    number(
+        "turned",
+        "deg",
+        "Angle that the wheels have turned the robot since the start; clockwise counts as negative.",
+    ),
     flag("bump_left", "The bumper is pressed on its left half."),
     flag("bump_right", "The bumper is pressed on its right half."),
     flag("wheel_drop_left", "The left wheel hangs down."),
@@ -197,26 +201,26 @@ pub fn write_readings(numbers: &mut [f64], sensed: &SensorReadings, reckoned: &R
     let Reckoned { steps, pose: [x, y, heading], driven: [distance, turned], command, scan } = *reckoned;
     let (infrared, over, battery) = (sensed.infrared, sensed.overcurrent, &sensed.battery);
     let mut at = numbers.iter_mut();
-    let mut put = |value: f64| {
-        if let Some(place) = at.next() {
+    let mut put = |values: &[f64]| {
+        for (&value, place) in values.iter().zip(at.by_ref()) {
             *place = value;
         }
     };
-    [steps as f64, steps as f64 * crate::STEP_S, x, y, heading.to_degrees(), distance, turned.to_degrees()]
-        .map(&mut put);
-    [sensed.bump_left, sensed.bump_right, sensed.wheel_drop_left, sensed.wheel_drop_right].map(|flag| put(on(flag)));
-    sensed.cliff.map(|flag| put(on(flag)));
-    sensed.cliff_signal.map(|signal| put(signal.into()));
-    [on(sensed.wall), sensed.wall_signal.into(), on(sensed.virtual_wall)].map(&mut put);
-    sensed.light_bumper.map(|flag| put(on(flag)));
-    sensed.light_signal.map(|signal| put(signal.into()));
-    [sensed.dirt, infrared.omni, infrared.left, infrared.right].map(|value| put(value.into()));
-    [battery.share(), on(battery.on_dock)].map(&mut put);
-    [f64::from(battery.voltage_mv) / 1000.0, f64::from(battery.current_ma) / 1000.0].map(&mut put);
-    [sensed.left_counts, sensed.right_counts].map(|counts| put(counts.into()));
-    [sensed.stasis, over.left_wheel, over.right_wheel, over.main_brush, over.side_brush].map(|flag| put(on(flag)));
-    command.map(&mut put);
-    put(scan.into());
+    put(&[steps as f64, steps as f64 * crate::STEP_S]);
+    put(&[x, y, heading.to_degrees(), distance, turned.to_degrees()]);
+    put(&[sensed.bump_left, sensed.bump_right, sensed.wheel_drop_left, sensed.wheel_drop_right].map(on));
+    put(&sensed.cliff.map(on));
+    put(&sensed.cliff_signal.map(f64::from));
+    put(&[on(sensed.wall), sensed.wall_signal.into(), on(sensed.virtual_wall)]);
+    put(&sensed.light_bumper.map(on));
+    put(&sensed.light_signal.map(f64::from));
+    put(&[sensed.dirt, infrared.omni, infrared.left, infrared.right].map(f64::from));
+    put(&[battery.share(), on(battery.on_dock)]);
+    put(&[f64::from(battery.voltage_mv) / 1000.0, f64::from(battery.current_ma) / 1000.0]);
+    put(&[sensed.left_counts, sensed.right_counts].map(f64::from));
+    put(&[sensed.stasis, over.left_wheel, over.right_wheel, over.main_brush, over.side_brush].map(on));
+    put(&command);
+    put(&[scan.into()]);
 }
 
 impl Lockstep {

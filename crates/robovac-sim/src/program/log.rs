@@ -195,7 +195,8 @@ impl LogPart {
         if rest.len() != expected {
             return Err(LogError::Length { found: bytes.len(), expected: expected.saturating_add(HEAD) });
         }
-        let changes: Vec<_> = rest.as_chunks::<CHANGE>().0.iter().map(|&bytes| CommandChange::from_bytes(bytes)).collect();
+        let changes: Vec<_> =
+            rest.as_chunks::<CHANGE>().0.iter().map(|&bytes| CommandChange::from_bytes(bytes)).collect();
         let mut next = from;
         for (index, change) in changes.iter().enumerate() {
             if change.step < next || change.step >= until {

@@ -123,10 +123,7 @@ mod tests {
         assert_eq!(verdict(&[(0, 0), (1, 0)]), "the walk misses 3 cells, the first at (2, 0)");
         assert!(verdict(&[]).starts_with("it returned no cells"));
         assert_eq!(verdict(&[(1, 0)]), "the walk begins at (1, 0), but the robot stands at (0, 0); begin there");
-        assert_eq!(
-            verdict(&[(0, 0), (-1, 0)]),
-            "step 1 leaves the grid: (-1, 0); x goes from 0 to 2, y from 0 to 1"
-        );
+        assert_eq!(verdict(&[(0, 0), (-1, 0)]), "step 1 leaves the grid: (-1, 0); x goes from 0 to 2, y from 0 to 1");
         assert_eq!(
             verdict(&[(0, 0), (1, 0), (1, 1)]),
             "step 2 enters (1, 1), which isn't free; ask room.is_free(x, y) first"

@@ -107,7 +107,11 @@ impl Session {
     }
 
     /// Checks the walk of a user's planner; errors are told, and whether it can be driven is returned.
-    pub(super) fn program_plans(&mut self, prepared: &RoomSetup, path: &CoveragePath) -> Result<Option<MissedCells>, ()> {
+    pub(super) fn program_plans(
+        &mut self,
+        prepared: &RoomSetup,
+        path: &CoveragePath,
+    ) -> Result<Option<MissedCells>, ()> {
         check_walk(&prepared.job, &path.cells).map_err(|fault| {
             self.say("error", format!("The program's plan can't be driven: {fault}."));
         })
