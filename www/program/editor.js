@@ -85,6 +85,7 @@ export class Editor {
       breakpoints(tell.marked),
       cm.history(),
       cm.drawSelection(),
+      cm.EditorView.lineWrapping,
       cm.indentOnInput(),
       cm.bracketMatching(),
       cm.closeBrackets(),

@@ -20,6 +20,8 @@ const AHEAD = 120_000;
 /** Most output that is kept, and read of one message. */
 const MOST_OUTPUT = 25_000;
 const MOST_AT_ONCE = 25_000;
+/** Longest silence of a planner, ms: it may think. */
+const PLANNING = 10_000;
 
 export class ProgramRun {
   #app;
@@ -37,6 +39,9 @@ export class ProgramRun {
   /** Where an endless loop is looked for. */
   #isSearching = false;
   #met = 0;
+  /** The request that a planner works for, and when it began; -1 for none. */
+  #planId = -1;
+  #began = 0;
   /** @type {Program | undefined} */
   program;
   /** @type {{ line: number, condition?: string }[]} */
@@ -65,7 +70,7 @@ export class ProgramRun {
   async start(program, plays) {
     this.program = program;
     this.#set("loading", undefined);
-    this.#version = -1;
+    this.#version = this.#planId = -1;
     this.#loaded = () => {
       this.#app.act((p) => p.reset());
       if (plays) this.#app.act((p) => p.play());
@@ -126,10 +131,13 @@ export class ProgramRun {
         return this.#begin(message.kind);
       case "ran":
         return this.#take(message);
+      case "planned":
+        return this.#planned(message);
       case "failed": {
         const fault = { message: String(message.message).slice(0, 2000), line: Number(message.line) || 0, column: Number(message.column) || 0, step: Number(message.step) || 0 };
         this.#isOver = true;
         this.#isSearching = false;
+        if (this.#planId >= 0) this.#app.act((p) => p.plan_failed(this.#planId, fault.message));
         return this.#set("failed", fault);
       }
     }
@@ -138,7 +146,12 @@ export class ProgramRun {
   /** It is loaded: the playground takes it. @param {"step" | "run" | "plan"} kind */
   #begin(kind) {
     const { program } = this;
-    if (!program || this.#isSearching) return this.#goOn();
+    if (!program) return;
+    if (this.#planId >= 0 && kind === "plan") {
+      this.#began = performance.now();
+      return this.#inmate?.ask({ type: "plan", id: this.#order }, PLANNING);
+    }
+    if (this.#isSearching) return this.#goOn();
     if (this.#loaded) {
       const { name, language, source } = program;
       const worked = this.#app.act((p) => p.set_program(name, language, kind === "plan" ? "planner" : "behaviour", source, true));
@@ -150,7 +163,22 @@ export class ProgramRun {
       this.#version = this.#app.view.program?.version ?? -1;
     }
     this.#set("running", undefined);
-    this.#goOn();
+    if (kind !== "plan") this.#goOn();
+  }
+
+  /** The session wants the plan of the program for its room. @param {import("../worker-types").PlanRequest} request */
+  plan({ id }) {
+    this.#planId = id;
+    void this.#launch(0);
+  }
+
+  /** @param {Extract<FromWorker, { type: "planned" }>} message */
+  #planned({ cells, output }) {
+    const id = this.#planId;
+    this.#planId = -1;
+    if (!(cells instanceof Uint32Array) || id < 0) return;
+    this.#keep(output);
+    this.#app.act((p) => p.plan_finished(id, cells, (performance.now() - this.#began) / 1000, [], undefined));
   }
 
   /** @param {Extract<FromWorker, { type: "ran" }>} message */
@@ -158,6 +186,11 @@ export class ProgramRun {
     this.#isOver = isOver === true;
     if (this.#isSearching || !(log instanceof Uint8Array)) return;
     if (log.length) this.#app.act((p) => void p.extend_program(this.#version, log));
+    this.#keep(output);
+  }
+
+  /** @param {unknown} output What the worker says that was printed and drawn. */
+  #keep(output) {
     if (!Array.isArray(output) || !output.length) return;
     const room = Math.max(0, Math.min(MOST_AT_ONCE, MOST_OUTPUT - this.output.length));
     this.output.push(...output.slice(0, room).filter((one) => typeof one?.kind === "string" && Number.isFinite(one.step)));
@@ -198,7 +231,7 @@ export class ProgramRun {
 
   #frame() {
     const { program } = this.#app.view;
-    if (!program || this.#isSearching || this.state === "loading" || this.state === "idle") return;
+    if (!program || program.reach_steps === null || this.#isSearching || this.state === "loading" || this.state === "idle") return;
     if (program.version !== this.#version && this.state !== "stopped") {
       // Another room, seed or robot, or somebody's hand: the same program, from there on.
       this.#version = program.version;

@@ -34,6 +34,7 @@ export class Inmate {
   #asked = 0;
   #patience = START_PATIENCE;
   #count = 0;
+  #isReady = false;
   #timer = 0;
   isAlive = true;
 
@@ -53,7 +54,7 @@ export class Inmate {
       if (!this.isAlive) return;
       this.#count += 1;
       if (this.#count > MOST_MESSAGES) return end("loud");
-      if (data?.type === "ready") this.#patience = PATIENCE;
+      if (data?.type === "ready") [this.#isReady, this.#patience] = [true, PATIENCE];
       this.#owes = data?.more === true || data?.heard !== this.#asked ? performance.now() : 0;
       tell(data);
     };
@@ -80,11 +81,12 @@ export class Inmate {
   /** @type {(event: MessageEvent) => void} */
   #heard;
 
-  /** Asks for something that is answered. @param {ToWorker} message */
-  ask(message) {
+  /** Asks for something that is answered. @param {ToWorker} message @param {number} patience Longest silence from now on, ms. */
+  ask(message, patience = PATIENCE) {
     if (!this.isAlive) return;
     this.#owes ||= performance.now();
     this.#asked += 1;
+    if (this.#isReady) this.#patience = patience;
     this.#channel.port1.postMessage(message);
   }
 

@@ -4,6 +4,7 @@ import { button, byId, make, setHidden, setText } from "../dom.js";
 import { clock } from "../format.js";
 import { tellMore } from "../explore/more-events.js";
 import { complain, textOf } from "../messages.js";
+import { planWith } from "../start-planning.js";
 import { currentTab } from "../tabs.js";
 import { Editor } from "./editor.js";
 import { MOST_PACKED, packProgram, unpackProgram } from "./link.js";
@@ -24,7 +25,9 @@ export async function startProgram(app) {
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
   /** Whether the program on the page came from elsewhere and wasn't run by hand yet. */
   let isHeld = false;
-  const editor = new Editor(byId("program-editor"), { changed: () => shelf.edit(editor.text), run: () => void start(true), stop: () => run.stop(), marked: () => marked() });
+  /** Whether its text differs from what runs. */
+  let isChanged = false;
+  const editor = new Editor(byId("program-editor"), { changed: () => edited(), run: () => void start(true), stop: () => run.stop(), marked: () => marked() });
   const run = new ProgramRun(app, () => show());
   const watch = new Watch(app, run, (line) => editor.light(line));
   const shelf = await new Shelf({
@@ -34,6 +37,7 @@ export async function startProgram(app) {
       editor.open(program.source, program.language);
       remember(program.id);
       isHeld = program.isForeign === true;
+      isChanged = false;
       if (isHeld || run.state !== "idle") run.stop();
       run.state = "idle";
       watch.clear();
@@ -49,10 +53,14 @@ export async function startProgram(app) {
   const start = async (plays) => {
     const program = shelf.current;
     if (!program) return;
-    isHeld = false;
+    isHeld = isChanged = false;
     run.breakpoints = editor.breakpoints;
     watch.clear();
     await run.start({ ...program, source: editor.text }, plays);
+  };
+  const edited = () => {
+    isChanged = true;
+    shelf.edit(editor.text);
   };
   /** Breakpoints hold from now on: the same run is simulated again. */
   const marked = () => {
@@ -74,6 +82,7 @@ export async function startProgram(app) {
 
   button("program-run").addEventListener("click", () => void start(true));
   button("program-stop").addEventListener("click", () => run.stop());
+  planWith((request) => run.plan(request));
   const place = startPlace();
   const draw = startMarks(app, run);
   tellMore(
@@ -86,12 +95,13 @@ export async function startProgram(app) {
     const { view } = app;
     const at = run.fault ? ` at ${clock(run.fault.step * STEP)}` : "";
     if (isHeld) return "Not run yet";
+    if (isChanged) return "Changed: press Run, or Ctrl+Enter";
     if (run.state === "loading") return shelf.current?.language === "python" ? "Loading Python…" : "Loading…";
     if (run.state === "failed") return `Ended by an error${at}`;
     if (run.state === "stopped") return "Stopped";
     if (run.state === "idle" || !view.program) return "";
     if (view.program.end === "done") return `Ends at ${clock((view.program.reach_steps ?? 0) * STEP)}`;
-    return view.program.waits ? "Waiting for the program…" : "";
+    return view.program.waits ? "Waiting for the program…" : "Change a number, then press Ctrl+Enter";
   };
 
   // Explore shows the run, too.

@@ -28,19 +28,25 @@ export interface Load {
   breakpoints: { line: number; condition?: string }[];
   /** What is before that step is known: it is run again, and not reported. */
   from: number;
+  /** In place of the job's. */
+  seed?: number;
+  /** Only the whole log is of interest. */
+  isQuiet?: boolean;
 }
 
 export type ToWorker =
   | Load
   /** Run until that step; with `inspect`, then say line and variables. */
-  | { type: "go"; id: number; until: number; inspect?: boolean };
+  | { type: "go"; id: number; until: number; inspect?: boolean }
+  /** Let a planner plan. */
+  | { type: "plan"; id: number };
 
 export type FromWorker = (
   | { type: "ready" }
   | { type: "loaded"; id: number; kind: "step" | "run" | "plan" }
   | { type: "busy"; id: number }
   | { type: "ran"; id: number; log: Uint8Array; steps: number; output: Output[]; isOver: boolean }
-  | { type: "planned"; id: number; cells: number[]; output: Output[] }
+  | { type: "planned"; id: number; cells: Uint32Array; output: Output[] }
   | { type: "state"; id: number; step: number; line: number; variables: [name: string, text: string, type: string][] }
   | { type: "failed"; id: number; step: number; message: string; line: number; column: number }
 ) & {

@@ -25,6 +25,8 @@ const BATCH = 16;
 /** Most that a program prints or draws in a run, and the longest text. */
 const MOST_OUTPUT = 20_000;
 const LONGEST = 400;
+/** Longest plan, twice its cells. */
+const MOST_CELLS = 4_000_000;
 
 export class Job {
   #kit;
@@ -56,9 +58,9 @@ export class Job {
   }
 
   async begin() {
-    const { id, job, language, source, traced, breakpoints } = this.#order;
+    const { id, job, seed, language, source, traced, breakpoints } = this.#order;
     try {
-      const runner = new this.#kit.ProgramRunner(job);
+      const runner = new this.#kit.ProgramRunner(job, seed);
       this.#runner = runner;
       const { load, parser, micropython, allowText } = this.#kit;
       if (language === "javascript") refuseImports(source, parser);
@@ -69,8 +71,7 @@ export class Job {
         facts: JSON.parse(runner.facts()),
         layout: JSON.parse(this.#kit.ProgramRunner.layout()),
       });
-      this.#send({ type: "loaded", id, kind: this.#program.kind, more: this.#program.kind === "plan" });
-      if (this.#program.kind === "plan") this.#plan();
+      this.#send({ type: "loaded", id, kind: this.#program.kind });
     } catch (error) {
       this.#fail(error);
     }
@@ -78,6 +79,14 @@ export class Job {
 
   /** @param {ToWorker} message @returns {boolean} Whether an answer will come. */
   hear(message) {
+    if (message.type === "plan" && message.id === this.#order.id && this.#program?.kind === "plan" && !this.#hasFailed) {
+      try {
+        this.#plan();
+      } catch (error) {
+        this.#fail(error);
+      }
+      return true;
+    }
     if (message.type === "go" && message.id === this.#order.id && this.#program && !this.#hasFailed) {
       this.#until = Math.max(message.until, this.#order.from + 1);
       if (message.inspect) this.#wanted = message.until;
@@ -153,8 +162,9 @@ export class Job {
   /** @param {boolean} more */
   #report(more) {
     const runner = /** @type {Runner} */ (this.#runner);
-    const log = runner.take_log();
-    const output = this.#output;
+    if (this.#order.isQuiet && more) return this.#send({ type: "busy", id: this.#order.id, more: true });
+    const log = this.#order.isQuiet ? runner.log() : runner.take_log();
+    const output = this.#order.isQuiet ? [] : this.#output;
     this.#output = [];
     this.#send({ type: "ran", id: this.#order.id, log, steps: runner.steps(), output, isOver: this.#isOver, more: more || this.#wanted >= 0 }, [log.buffer]);
   }
@@ -170,10 +180,13 @@ export class Job {
     const [runner, program] = [/** @type {Runner} */ (this.#runner), /** @type {Running} */ (this.#program)];
     /** @type {number[]} */
     const cells = [];
-    for (const [x, y] of program.plan(JSON.parse(runner.room()))) cells.push(x, y);
+    for (const [x, y] of program.plan(JSON.parse(runner.room()))) {
+      cells.push(x, y);
+      if (cells.length > MOST_CELLS) throw { message: `The plan has more than ${MOST_CELLS / 2} cells. Let it end.`, line: program.line };
+    }
     this.#collect(program.output, 0);
     this.#isOver = true;
-    this.#send({ type: "planned", id: this.#order.id, cells, output: this.#output });
+    this.#send({ type: "planned", id: this.#order.id, cells: new Uint32Array(cells), output: this.#output });
   }
 
   /** @param {unknown} error */
