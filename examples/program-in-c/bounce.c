@@ -4,7 +4,7 @@
  *   robovac run bounce.c --command ./bounce --room bedroom
  *
  * Each line that it reads is one JSON object with the sensors; each line that it writes is a command. See
- * docs/programs.md. The values that it needs are found by their names, so it needs no library.
+ * docs/program-protocol.md. The values that it needs are found by their names, so it needs no library.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -10,6 +10,7 @@ mod compare;
 mod conditions;
 mod convert;
 mod drawing;
+mod drive;
 mod failure;
 mod lanes;
 mod list;
@@ -78,6 +79,7 @@ enum Command {
     Locate(locate::Arguments),
     Convert(convert::Arguments),
     Bench(bench::Arguments),
+    Drive(drive::Arguments),
     Bridge(bridge::Arguments),
     Map(map::Arguments),
     Monitor(monitor::Arguments),
@@ -113,6 +115,7 @@ fn main() -> ExitCode {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Locate(arguments) => locate::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
+        Command::Drive(arguments) => drive::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Bridge(arguments) => bridge::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),

@@ -1,4 +1,4 @@
-//! `run`: a user's program drives the simulated robot, or plans its walk. See docs/programs.md.
+//! `run`: a user's program drives the simulated robot, or plans its walk. See docs/program-protocol.md.
 
 mod child;
 mod language;
@@ -9,10 +9,11 @@ use super::{
     conditions::ConditionsArguments, failure::Failure, montecarlo::parse_minutes, output, signals::end_requested,
     simulate::DEFAULT_ROBOT, source::RoomChoice, task::parse_cell,
 };
-use child::{ProgramProcess, Task};
+pub use child::{ProgramProcess, Task};
 use coverage_planners::{CoveragePath, metrics::WalkMetrics};
-use language::Language;
-use protocol::{PROTOCOL, Reply, Words};
+pub use language::Language;
+use protocol::PROTOCOL;
+pub use protocol::{Reply, Words};
 use robovac_core::{grid::Cell, robot::OdometryModel};
 use robovac_sim::{
     Conditions, Run, STEP_S, What,
@@ -21,7 +22,7 @@ use robovac_sim::{
         planning::{Placement, choose_robot},
     },
     montecarlo::quantile,
-    program::{Lockstep, LogEnd, ProgramRoom, check_walk},
+    program::{Lockstep, LogEnd, ProgramRoom, RobotFacts, check_walk},
 };
 use serde::Serialize;
 use serde_json::json;
@@ -221,9 +222,7 @@ impl Study {
     fn make(&self, seed: u64) -> Result<ProgramOutcome, String> {
         let mut process = ProgramProcess::start(self.language.command(), self.memory_mb, Arc::clone(&self.end))?;
         let lockstep = Lockstep::new(&self.prepared, self.conditions, seed, Vec::new());
-        let hello =
-            json!({ "robovac": PROTOCOL, "kind": "hello", "robot": lockstep.facts(), "dt": STEP_S, "seed": seed });
-        let reply = process.ask(&hello.to_string(), Task::Start)?;
+        let reply = process.ask(&hello(&lockstep.facts(), seed), Task::Start)?;
         match reply.ready.as_deref() {
             Some("behaviour") => self.behave(seed, &mut process, lockstep),
             Some("planner") => self.plan(seed, &mut process),
@@ -294,6 +293,11 @@ impl Study {
             ..ProgramOutcome::of(&run, seed, "planner", end, prints)
         })
     }
+}
+
+/// The host's first line.
+pub fn hello(robot: &RobotFacts, seed: u64) -> String {
+    json!({ "robovac": PROTOCOL, "kind": "hello", "robot": robot, "dt": STEP_S, "seed": seed }).to_string()
 }
 
 fn take_prints(prints: &mut Vec<(f64, String)>, time_s: f64, reply: &Reply) -> Result<(), String> {

@@ -1,4 +1,4 @@
-//! Lines of a program: see docs/programs.md.
+//! Lines of a program: see docs/program-protocol.md.
 
 use serde::Deserialize;
 

@@ -1,6 +1,7 @@
 //! `robovac run`: programs of users, in the shell's language where no other is needed.
 #![cfg(unix)]
 
+use super::virtual_roomba::Program;
 use robovac_core::{floor_plan::room, robot::model};
 use robovac_sim::{
     Conditions,
@@ -163,4 +164,41 @@ fn python_and_javascript_give_the_same_digest() {
             assert_eq!(digest(&format!("{example}.py")), digest(&format!("{example}.js")), "{example}");
         }
     }
+}
+
+/// In real time, as the robot answers in real time.
+#[test]
+fn a_program_drives_a_virtual_roomba_in_safe_mode() {
+    let mut robot = Program::start("driven", &["--room", "empty"]);
+    let port = robot.ready();
+    let before = robot.state();
+    let steps = "if [ $n -gt 40 ]; then echo '{\"done\":true}'; else echo '{\"left\":500,\"right\":500}'; fi";
+    let program = script("drive.sh", steps);
+    let mut robovac = Command::new(env!("CARGO_BIN_EXE_robovac"));
+    robovac.arg("drive").arg(&program).args(["--command", "sh", "--port", &port, "--speed", "0.2"]);
+    let output = robovac.output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(text.contains("in Safe mode, at most 0.2 m/s") && text.contains("done"), "{text}");
+    let after = robot.wait_for("it is released", |state| state["mode"] == "Off");
+    let [x, y] = ["x", "y"].map(|key| after["pose"][key].as_f64().unwrap() - before["pose"][key].as_f64().unwrap());
+    let moved = x.hypot(y);
+    assert!((0.03..0.4).contains(&moved), "{moved} m: {after}");
+}
+
+// slow: a second is the limit of a step
+#[test]
+fn a_program_that_hangs_is_ended_and_its_robot_stopped_before() {
+    let mut robot = Program::start("hanging", &["--room", "empty"]);
+    let port = robot.ready();
+    let steps = "if [ $n -gt 5 ]; then sleep 1000; else echo '{\"left\":200,\"right\":200}'; fi";
+    let program = script("hang.sh", steps);
+    let mut robovac = Command::new(env!("CARGO_BIN_EXE_robovac"));
+    let output = robovac.arg("drive").arg(&program).args(["--command", "sh", "--port", &port]).output().unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(5) && message.contains("a step took more than 1 s"), "{message}");
+    let state = robot.wait_for("it is released", |state| state["mode"] == "Off");
+    // The wheels were stopped 200 ms after the last answer, 800 ms before the program was ended.
+    let since = state["time_s"].as_f64().unwrap() - state["last_motion_s"].as_f64().unwrap();
+    assert!(since > 0.6, "{since} s: {state}");
 }

@@ -3,7 +3,6 @@
 //! The list [`SLOTS`] is the interface. The page's runtime reads the numbers from the memory of its simulation;
 //! `robovac run` sends them by name. Both get the list as JSON from [`layout_json`].
 
-use super::Lockstep;
 use robovac_core::robot::{RobotModel, SensorReadings};
 use serde::Serialize;
 
@@ -223,47 +222,32 @@ pub fn write_readings(numbers: &mut [f64], sensed: &SensorReadings, reckoned: &R
     put(&[scan.into()]);
 }
 
-impl Lockstep {
-    /// Readings as an object with their names, one line of JSON; the laser's ranges only with a new scan, `null` where
-    /// nothing is in range.
-    pub fn readings_json(&self, with_laser: bool) -> String {
-        let numbers = self.readings();
-        let mut text = String::with_capacity(900);
-        text.push('{');
-        for slot in &SLOTS {
-            if text.len() > 1 {
-                text.push(',');
-            }
-            text.push('"');
-            text.push_str(slot.name);
-            text.push_str("\":");
-            let values = &numbers[slot.index..slot.index + slot.count];
-            if slot.count > 1 {
-                text.push('[');
-            }
-            for (index, &value) in values.iter().enumerate() {
-                if index > 0 {
-                    text.push(',');
-                }
-                push_value(&mut text, value, slot.flag);
-            }
-            if slot.count > 1 {
-                text.push(']');
-            }
+/// Readings as an object with their names, one line of JSON; the laser's ranges only `with_laser`, `null` where nothing is in
+/// range.
+pub fn readings_json(numbers: &[f64], with_laser: bool) -> String {
+    let mut text = String::with_capacity(1200);
+    text.push('{');
+    let mut push = |name: &str, values: &[f64], is_list: bool, is_flag: bool| {
+        if text.len() > 1 {
+            text.push(',');
         }
-        if with_laser {
-            text.push_str(",\"laser\":[");
-            for (index, &range) in numbers[LASER..].iter().enumerate() {
-                if index > 0 {
-                    text.push(',');
-                }
-                push_value(&mut text, range, false);
-            }
-            text.push(']');
+        text.extend(["\"", name, "\":"]);
+        text.push_str(if is_list { "[" } else { "" });
+        for (index, &value) in values.iter().enumerate() {
+            text.push_str(if index > 0 { "," } else { "" });
+            push_value(&mut text, value, is_flag);
         }
-        text.push('}');
-        text
+        text.push_str(if is_list { "]" } else { "" });
+    };
+    for slot in &SLOTS {
+        let values = numbers.get(slot.index..slot.index + slot.count).unwrap_or_default();
+        push(slot.name, values, slot.count > 1, slot.flag);
     }
+    if with_laser {
+        push("laser", numbers.get(LASER..).unwrap_or_default(), true, false);
+    }
+    text.push('}');
+    text
 }
 
 fn push_value(text: &mut String, value: f64, is_flag: bool) {

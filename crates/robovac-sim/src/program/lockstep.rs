@@ -1,12 +1,11 @@
 //! A simulation that a program drives step by step.
 
 use super::{
-    CommandLog, LASER, LogEnd, Logged, SharedLog,
-    layout::{Reckoned, RobotFacts, wheel_command, write_readings},
+    CommandLog, LogEnd, Logged, ProgramSenses, SharedLog,
+    layout::{RobotFacts, readings_json, wheel_command},
 };
 use crate::{Conditions, Input, Run, experiment::RoomSetup};
 use robovac_core::robot::RobotModel;
-use std::sync::Arc;
 
 /// Most steps until a robot that got no more commands is at rest.
 const COAST: u32 = 400;
@@ -38,24 +37,16 @@ pub struct Lockstep {
     run: Run,
     log: SharedLog,
     robot: RobotModel,
+    senses: ProgramSenses,
     /// A person's inputs, with the number of steps before each, and the number already applied.
     inputs: Vec<(u64, Input)>,
     applied: usize,
-    reckoned: Reckoned,
-    /// Encoder counts of the last reading.
-    counts: Option<[u16; 2]>,
-    /// The last scan.
-    laser: Option<Arc<[f32]>>,
-    readings: Vec<f64>,
 }
 
 /// The state of a [`Lockstep`] at one moment.
 pub struct LockstepFrame {
     run: Run,
-    reckoned: Reckoned,
-    counts: Option<[u16; 2]>,
-    laser: Option<Arc<[f32]>>,
-    readings: Vec<f64>,
+    senses: ProgramSenses,
 }
 
 impl Lockstep {
@@ -63,30 +54,23 @@ impl Lockstep {
     pub fn new(setup: &RoomSetup, conditions: Conditions, seed: u64, inputs: Vec<(u64, Input)>) -> Self {
         let log = SharedLog::default();
         let run = Run::new(&setup.setup(conditions, seed), Box::new(Logged::new(log.clone())));
-        let beams = setup.robot.sensors.laser.map_or(0, |laser| laser.beams);
-        let mut lockstep = Self {
-            run,
-            log,
-            robot: setup.robot.clone(),
-            inputs,
-            applied: 0,
-            reckoned: Reckoned::default(),
-            counts: None,
-            laser: None,
-            readings: vec![f64::INFINITY; LASER + beams],
-        };
-        lockstep.sense();
-        lockstep
+        let senses = ProgramSenses::new(&setup.robot, setup.floor.start, run.sensors());
+        Self { run, log, robot: setup.robot.clone(), senses, inputs, applied: 0 }
     }
 
-    /// The readings, as [`SLOTS`](super::SLOTS) lists them, then the laser's ranges.
+    /// The readings, as [`SLOTS`](super::SLOTS) lists them, then the laser's ranges; never at another address.
     pub fn readings(&self) -> &[f64] {
-        &self.readings
+        self.senses.numbers()
+    }
+
+    /// The readings as one line of JSON; see [`readings_json`].
+    pub fn readings_json(&self, with_laser: bool) -> String {
+        readings_json(self.senses.numbers(), with_laser)
     }
 
     /// Number of the latest scan of the laser; 0 before the first.
     pub fn scan(&self) -> u32 {
-        self.reckoned.scan
+        self.senses.scan()
     }
 
     /// Facts about the robot.
@@ -136,11 +120,11 @@ impl Lockstep {
             }
             self.log.get_mut().push(command);
             self.run.step();
-            self.reckon();
+            self.senses.take(self.run.sensors());
             taken += 1;
         }
-        self.reckoned.command = command.map(|speed| f64::from(speed) / 1000.0);
-        self.sense();
+        self.senses.command(command);
+        self.senses.write(self.run.sensors());
         taken
     }
 
@@ -153,10 +137,10 @@ impl Lockstep {
                 break;
             }
             self.run.step();
-            self.reckon();
+            self.senses.take(self.run.sensors());
         }
-        self.reckoned.command = [0.0; 2];
-        self.sense();
+        self.senses.command([0; 2]);
+        self.senses.write(self.run.sensors());
     }
 
     /// Replaces a person's inputs. Those before the present step must be the same: go back first.
@@ -168,22 +152,13 @@ impl Lockstep {
 
     /// The present state, to come back to.
     pub fn frame(&self) -> LockstepFrame {
-        LockstepFrame {
-            run: self.run.clone(),
-            reckoned: self.reckoned,
-            counts: self.counts,
-            laser: self.laser.clone(),
-            readings: self.readings.clone(),
-        }
+        LockstepFrame { run: self.run.clone(), senses: self.senses.clone() }
     }
 
     /// Goes back to `frame`; the log after it is forgotten.
     pub fn restore(&mut self, frame: &LockstepFrame) {
         self.run = frame.run.clone();
-        self.reckoned = frame.reckoned;
-        self.counts = frame.counts;
-        self.laser.clone_from(&frame.laser);
-        self.readings.clone_from(&frame.readings);
+        self.senses.restore(&frame.senses);
         let now = self.run.steps();
         self.log.get_mut().truncate(now as u32);
         // A frame is taken right after its step, before any input there.
@@ -196,42 +171,6 @@ impl Lockstep {
             self.applied += 1;
         }
     }
-
-    /// Adds up what the wheels have rolled; the first reading only sets the counters, as in odometry.
-    fn reckon(&mut self) {
-        let sensed = self.run.sensors();
-        let counts = [sensed.left_counts, sensed.right_counts];
-        if let Some(last) = self.counts.replace(counts) {
-            let [left, right] =
-                [0, 1].map(|i| f64::from(counts[i].wrapping_sub(last[i]) as i16) / self.robot.counts_per_metre);
-            self.reckoned.driven[0] += 0.5 * (left + right);
-            self.reckoned.driven[1] += (right - left) / self.robot.wheel_base;
-        }
-        let is_same = match (&self.laser, &sensed.laser) {
-            (Some(before), Some(now)) => Arc::ptr_eq(before, now),
-            (before, now) => before.is_none() && now.is_none(),
-        };
-        if !is_same {
-            self.laser.clone_from(&sensed.laser);
-            self.reckoned.scan += 1;
-        }
-    }
-
-    fn sense(&mut self) {
-        let start = self.run.floor().start;
-        let pose = self.run.estimate().unwrap_or(start);
-        self.reckoned.steps = self.run.steps();
-        self.reckoned.pose = [pose.x, pose.y, pose.heading];
-        let seen = self.readings[LASER - 1];
-        write_readings(&mut self.readings[..LASER], self.run.sensors(), &self.reckoned);
-        if seen != f64::from(self.reckoned.scan)
-            && let Some(laser) = &self.laser
-        {
-            for (place, &range) in self.readings[LASER..].iter_mut().zip(laser.iter()) {
-                *place = range.into();
-            }
-        }
-    }
 }
 
 impl LockstepFrame {
@@ -242,6 +181,6 @@ impl LockstepFrame {
 
     /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
-        self.run.bytes() + size_of_val(&*self.readings)
+        self.run.bytes() + size_of_val(self.senses.numbers())
     }
 }

@@ -5,6 +5,7 @@
 //! repeats them. As runs are deterministic, both are in the same state at each step, to the last bit.
 //!
 //! - [`SLOTS`]: the readings of a program, numbers at fixed places
+//! - [`ProgramSenses`]: keeps them up to date, of a simulated or a real robot
 //! - [`Lockstep`]: sense and drive, step by step
 //! - [`CommandLog`], [`Logged`]: the log, and the controller that repeats it
 //! - [`ProgramRoom`], [`check_walk`]: what a user's planner gets, and what its walk is checked for
@@ -16,14 +17,17 @@ mod lockstep;
 mod log;
 mod logged;
 mod room;
+mod senses;
 mod walk;
 
 pub use entries::{BEHAVIOUR_PROGRAM, PLANNER_PROGRAM};
 pub use layout::{
-    LASER, LaserFacts, Reckoned, RobotFacts, SLOTS, Slot, layout_json, top_speed_mm_s, wheel_command, write_readings,
+    LASER, LaserFacts, Reckoned, RobotFacts, SLOTS, Slot, layout_json, readings_json, top_speed_mm_s, wheel_command,
+    write_readings,
 };
 pub use lockstep::{Lockstep, LockstepFrame};
 pub use log::{CommandChange, CommandLog, LogEnd, LogError, LogPart};
 pub use logged::{Logged, SharedLog};
 pub use room::ProgramRoom;
+pub use senses::ProgramSenses;
 pub use walk::{MissedCells, WalkFault, check_walk};
