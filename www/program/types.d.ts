@@ -30,6 +30,8 @@ export interface Load {
   from: number;
   /** In place of the job's. */
   seed?: number;
+  /** Of a robot that isn't simulated, as JSON. */
+  facts?: string;
   /** Only the whole log is of interest. */
   isQuiet?: boolean;
 }
@@ -39,13 +41,16 @@ export type ToWorker =
   /** Run until that step; with `inspect`, then say line and variables. */
   | { type: "go"; id: number; until: number; inspect?: boolean }
   /** Let a planner plan. */
-  | { type: "plan"; id: number };
+  | { type: "plan"; id: number }
+  /** Answer to a robot's readings. */
+  | { type: "sense"; id: number; readings: Float64Array };
 
 export type FromWorker = (
   | { type: "ready" }
   | { type: "loaded"; id: number; kind: "step" | "run" | "plan" }
   | { type: "busy"; id: number }
   | { type: "ran"; id: number; log: Uint8Array; steps: number; output: Output[]; isOver: boolean }
+  | { type: "drive"; id: number; left: number; right: number; isDone: boolean }
   | { type: "planned"; id: number; cells: Uint32Array; output: Output[] }
   | { type: "state"; id: number; step: number; line: number; variables: [name: string, text: string, type: string][] }
   | { type: "failed"; id: number; step: number; message: string; line: number; column: number }

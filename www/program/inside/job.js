@@ -58,7 +58,7 @@ export class Job {
   }
 
   async begin() {
-    const { id, job, seed, language, source, traced, breakpoints } = this.#order;
+    const { id, job, seed, facts, language, source, traced, breakpoints } = this.#order;
     try {
       const runner = new this.#kit.ProgramRunner(job, seed);
       this.#runner = runner;
@@ -68,7 +68,7 @@ export class Job {
       this.#program = await load({
         language, source, traced, breakpoints, seed: runner.seed(), parser, micropython,
         name: language === "python" ? "program.py" : "program.js",
-        facts: JSON.parse(runner.facts()),
+        facts: JSON.parse(facts ?? runner.facts()),
         layout: JSON.parse(this.#kit.ProgramRunner.layout()),
       });
       this.#send({ type: "loaded", id, kind: this.#program.kind });
@@ -79,6 +79,10 @@ export class Job {
 
   /** @param {ToWorker} message @returns {boolean} Whether an answer will come. */
   hear(message) {
+    if (message.type === "sense" && message.id === this.#order.id && this.#program && !this.#hasFailed) {
+      this.#answer(message.readings);
+      return true;
+    }
     if (message.type === "plan" && message.id === this.#order.id && this.#program?.kind === "plan" && !this.#hasFailed) {
       try {
         this.#plan();
@@ -174,6 +178,18 @@ export class Job {
     this.#wanted = -1;
     const program = /** @type {Running} */ (this.#program);
     this.#send({ type: "state", id: this.#order.id, step, line: program.line, variables: program.variables().slice(0, 200) });
+  }
+
+  /** A robot that isn't simulated asks. @param {Float64Array} readings */
+  #answer(readings) {
+    const program = /** @type {Running} */ (this.#program);
+    try {
+      const isDone = !program.step(readings);
+      program.output.length = 0;
+      this.#send({ type: "drive", id: this.#order.id, left: program.left, right: program.right, isDone });
+    } catch (error) {
+      this.#fail(error);
+    }
   }
 
   #plan() {
