@@ -3,7 +3,6 @@
 import { button, byId, make } from "../dom.js";
 import { currentTab } from "../tabs.js";
 
-/** @returns {() => void} To be called when the tab is shown. */
 export function startPlace() {
   const fields = ["room", "robot"].map((id) => {
     const field = /** @type {HTMLElement} */ (byId(id).closest(".field"));
@@ -31,5 +30,4 @@ export function startPlace() {
     byId("program-run").focus();
   });
   document.addEventListener("tab", move);
-  return move;
 }

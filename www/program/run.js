@@ -78,6 +78,13 @@ export class ProgramRun {
     await this.#launch(0);
   }
 
+  /** A program that the session has chosen already: it runs as soon as it is asked for. @param {Program} program */
+  adopt(program) {
+    this.program = program;
+    this.#version = -1;
+    this.#set("running", undefined);
+  }
+
   /** Ends it now; what was simulated stays. */
   stop() {
     this.#inmate?.end();
@@ -226,6 +233,7 @@ export class ProgramRun {
       return;
     }
     this.#isSearching = false;
+    if (this.#planId >= 0) this.#app.act((p) => p.plan_failed(this.#planId, "it took too long"));
     if (this.state !== "failed") this.#set("failed", { message, line: 0, step: shown });
   }
 

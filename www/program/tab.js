@@ -83,7 +83,9 @@ export async function startProgram(app) {
   button("program-run").addEventListener("click", () => void start(true));
   button("program-stop").addEventListener("click", () => run.stop());
   planWith((request) => run.plan(request));
-  const place = startPlace();
+  startPlace();
+  // By its button, or by a link: then the address says which program.
+  document.addEventListener("tab", () => currentTab() === "program" && enter(location.hash.includes("tab=program") ? location.hash.slice(1) : ""));
   const draw = startMarks(app, run);
   tellMore(
     () => run.outputVersion,
@@ -144,6 +146,13 @@ export async function startProgram(app) {
     }
   };
 
+  /** The tab is shown: a program runs, unless it waits to be read. @param {string} link */
+  const enter = async (link) => {
+    isOpened = true;
+    await open(link);
+    if (!isHeld && (run.state === "idle" || !app.view.program)) await start(!calm);
+  };
+
   return {
     frame() {},
     key: () => false,
@@ -157,17 +166,16 @@ export async function startProgram(app) {
       return `code=${code}`;
     },
     /** @param {string} link */
-    restore(link) {
-      isOpened = true;
-      place();
-      void open(link).then(() => run.state === "idle" && !isHeld && start(!calm));
-    },
+    restore: (link) => void enter(link),
     /** Keeps the program of a link for a session that says that it drives; another tab may be shown. @param {string} link */
     async hold(link) {
       await open(link);
       const program = shelf.current;
       const kind = /(^|&)planner=/.test(link) ? "planner" : "behaviour";
-      if (program) app.act((p) => p.set_program(program.name, program.language, kind, program.source, false));
+      if (!program) return;
+      app.act((p) => p.set_program(program.name, program.language, kind, program.source, false));
+      if (!isHeld) run.adopt(program);
+      else if (!isOpened) complain("A program drives in this link. Read it in the tab Program, then press Run there.");
     },
     setDark() {},
     /** @param {File[]} files */

@@ -25,6 +25,8 @@ const BATCH = 16;
 /** Most that a program prints or draws in a run, and the longest text. */
 const MOST_OUTPUT = 20_000;
 const LONGEST = 400;
+/** Statements of a step, when lines are followed, after which it counts as endless. */
+const BUDGET = 2_000_000;
 /** Longest plan, twice its cells. */
 const MOST_CELLS = 4_000_000;
 
@@ -66,7 +68,7 @@ export class Job {
       if (language === "javascript") refuseImports(source, parser);
       allowText();
       this.#program = await load({
-        language, source, traced, breakpoints, seed: runner.seed(), parser, micropython,
+        language, source, traced, breakpoints, budget: traced ? BUDGET : undefined, seed: runner.seed(), parser, micropython,
         name: language === "python" ? "program.py" : "program.js",
         facts: JSON.parse(facts ?? runner.facts()),
         layout: JSON.parse(this.#kit.ProgramRunner.layout()),
@@ -157,7 +159,7 @@ export class Job {
     for (const one of found) {
       if ((this.#outputs += 1) > MOST_OUTPUT && one.kind !== "break") break;
       if (typeof one.text === "string" && one.text.length > LONGEST) one.text = `${one.text.slice(0, LONGEST)}…`;
-      this.#output.push({ ...one, step });
+      this.#output.push({ ...one, variables: undefined, step });
     }
     if (this.#outputs === MOST_OUTPUT) this.#output.push({ kind: "print", step, text: `(more than ${MOST_OUTPUT} prints and marks: the rest is left out)` });
     found.length = 0;
