@@ -1,4 +1,4 @@
-/* A program for "robovac run" in C: drives straight, and turns away when it bumps or comes near something.
+/* A program for "robovac run" in C: drives straight; backs off and turns away when it bumps.
  *
  *   cc -O2 -o bounce bounce.c
  *   robovac run bounce.c --command ./bounce --room bedroom
@@ -30,16 +30,20 @@ int main(void) {
     puts("{\"ready\":\"behaviour\"}");
     fflush(stdout);
 
-    int turning = 0; /* steps of 15 ms that are left to turn */
+    int backing = 0, turning = 0; /* steps of 15 ms that are left */
     while (fgets(line, sizeof line, stdin)) {
-        int bump_left = flag("bump_left"), bump_right = flag("bump_right");
-        if (!turning && (bump_left || bump_right)) {
+        int bumped = flag("bump_left") || flag("bump_right");
+        if (bumped && !backing) {
             random = (random * 1103515245ul + 12345ul) & 0x7ffffffful;
-            turning = 30 + (int)((random >> 16) % 60);
-            printf("{\"left\":-100,\"right\":-100,\"print\":[\"bump, %d steps to turn\"]}\n", turning);
+            backing = 20;
+            turning = 60 + (int)((random >> 16) % 60);
+            printf("{\"left\":-200,\"right\":-200,\"print\":[\"bump, %d steps to turn\"]}\n", turning);
+        } else if (backing > 0) {
+            backing--;
+            puts("{\"left\":-200,\"right\":-200}");
         } else if (turning > 0) {
             turning--;
-            printf("{\"left\":%d,\"right\":%d}\n", -150, 150);
+            puts("{\"left\":-150,\"right\":150}");
         } else {
             puts("{\"left\":300,\"right\":300}");
         }

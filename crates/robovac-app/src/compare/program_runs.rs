@@ -80,9 +80,11 @@ mod tests {
     fn drive(job: &[u8], seed: Option<u64>, duration_s: f64) -> Lockstep {
         let job = ProgramJob::from_bytes(job).unwrap().lay_out().unwrap();
         let mut lockstep = Lockstep::new(&job.room, job.conditions, seed.unwrap_or(job.seed), job.inputs);
-        while lockstep.run().time_s() < duration_s {
+        let steps = (duration_s / STEP_S).round() as u64;
+        while lockstep.run().steps() < steps {
             let is_near = lockstep.run().sensors().bumped();
-            lockstep.steps(if is_near { [-200.0, 0.0] } else { [300.0, 290.0] }, if is_near { 60 } else { 1 });
+            let most = if is_near { 60.min(steps - lockstep.run().steps()) } else { 1 };
+            lockstep.steps(if is_near { [-200.0, 0.0] } else { [300.0, 290.0] }, most as u32);
         }
         lockstep
     }

@@ -156,8 +156,10 @@ mod tests {
         sandbox.set_inputs(job.inputs);
         drive(&mut sandbox, 2500);
         sandbox.finish(LogEnd::Done);
-        assert!(session.extend_program(version(&session), &sandbox.log_bytes(0)).is_err(), "the past isn't changed");
-        assert!(session.extend_program(version(&session), &sandbox.log_bytes(1000)).unwrap());
+        let mut other = lockstep(&session);
+        other.steps([-100.0, 100.0], 1200);
+        assert!(session.extend_program(version(&session), &other.log_bytes(0)).is_err(), "the past isn't changed");
+        assert!(session.extend_program(version(&session), &sandbox.log_bytes(900)).unwrap(), "it may be repeated");
         session.run_ahead(1e4);
         let run = session.recording().unwrap().run();
         assert!(run.is_finished());

@@ -144,6 +144,28 @@ impl CommandLog {
         Ok(())
     }
 
+    /// The same, but refuses to change what holds before step `shown`. The part may repeat it.
+    pub fn extend_beyond(&mut self, shown: u32, mut part: LogPart) -> Result<(), LogError> {
+        if part.from < shown {
+            let index = |changes: &[CommandChange], step| changes.partition_point(|change| change.step < step);
+            let [from, to] = [part.from, shown].map(|step| index(&self.changes, step));
+            let repeated = index(&part.log.changes, shown);
+            let is_same = self.changes[from..to] == part.log.changes[..repeated];
+            // A run goes on for a moment after its program has ended.
+            let same_end = (part.log.until, part.log.end) == (self.until, self.end);
+            if !is_same || part.log.end.is_some() && part.log.until < shown && !same_end {
+                return Err(LogError::Past { from: part.from, shown });
+            }
+            if part.log.until < shown {
+                // Nothing new.
+                return Ok(());
+            }
+            part.log.changes.drain(..repeated);
+            part.from = shown;
+        }
+        self.extend(part)
+    }
+
     /// What holds from the step `from` on, as bytes.
     pub fn to_bytes_from(&self, from: u32) -> Vec<u8> {
         let from = from.min(self.until);
@@ -265,6 +287,28 @@ mod tests {
         let mut still = CommandLog::default();
         still.push([0, 0]);
         assert_eq!((still.changes().len(), still.until()), (0, 1), "a robot stands still at first");
+    }
+
+    #[test]
+    fn what_was_shown_is_not_changed() {
+        let long = log(40);
+        let mut other = log(10);
+        other.push([7, 7]);
+        let part = |log: &CommandLog, from| LogPart::from_bytes(&log.to_bytes_from(from)).unwrap();
+        for from in [0, 5, 20] {
+            let mut grows = log(20);
+            assert_eq!(grows.extend_beyond(20, part(&long, from)), Ok(()));
+            assert_eq!(grows, long, "{from}");
+            let mut stays = log(20);
+            assert_eq!(stays.extend_beyond(20, part(&log(10), from.min(10))), Ok(()));
+            assert_eq!(stays, log(20), "{from}");
+        }
+        let mut stays = log(20);
+        assert_eq!(stays.extend_beyond(20, part(&other, 5)), Err(LogError::Past { from: 5, shown: 20 }));
+        let mut ended = log(10);
+        ended.finish(LogEnd::Done);
+        assert!(stays.extend_beyond(20, part(&ended, 5)).is_err());
+        assert_eq!(stays, log(20));
     }
 
     #[test]

@@ -66,13 +66,10 @@ impl Session {
         if version != self.program.version || !self.program_drives() {
             return Ok(false);
         }
-        let part = LogPart::from_bytes(part)?;
         // What was shown isn't changed behind the user's back.
         let shown = self.recording.as_ref().map_or(0, RunRecording::end_steps);
-        if u64::from(part.from()) < shown {
-            return Err(LogError::Past { from: part.from(), shown: shown as u32 });
-        }
-        self.program.log.get_mut().extend(part)?;
+        let shown = u32::try_from(shown).unwrap_or(u32::MAX);
+        self.program.log.get_mut().extend_beyond(shown, LogPart::from_bytes(part)?)?;
         Ok(true)
     }
 
