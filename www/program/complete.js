@@ -4,7 +4,16 @@ import * as cm from "../../codemirror.js";
 import { make } from "../dom.js";
 
 /**
- * @typedef {{ name: string, js: string, kind: string, args?: string, unit?: string, text: string }} Part
+ * @typedef {object} Part As programs/interface.json lists them.
+ * @property {string} name
+ * @property {string} js
+ * @property {string} kind
+ * @property {string} group
+ * @property {string} [args]
+ * @property {string} [jsArgs]
+ * @property {string} [unit]
+ * @property {string} text
+ * @property {Record<"python" | "javascript", string>} [example]
  */
 
 /** @type {Part[]} */
@@ -18,8 +27,10 @@ const nameIn = ({ name, js }, language) => (language === "python" ? name : js);
 
 /** @param {Part} part @param {import("./editor.js").Language} language */
 function about(part, language) {
-  const head = make("code", {}, nameIn(part, language) + (part.args === undefined || part.kind === "property" ? "" : `(${part.args})`));
-  return make("div", { className: "cm-about" }, head, part.unit ? ` ${part.unit}` : "", make("p", {}, part.text));
+  const args = (language === "python" ? part.args : part.jsArgs) ?? "";
+  const head = make("code", {}, nameIn(part, language) + (part.kind === "property" ? "" : `(${args})`));
+  const example = part.example?.[language];
+  return make("div", { className: "cm-about" }, head, part.unit ? `, ${part.unit}` : "", make("p", {}, part.text), ...(example ? [make("pre", {}, example)] : []));
 }
 
 /** @param {import("./editor.js").Language} language @returns {(context: import("@codemirror/autocomplete").CompletionContext) => import("@codemirror/autocomplete").CompletionResult | null} */
@@ -29,7 +40,7 @@ function complete(language) {
     if (!member) return null;
     const owner = member.text.slice(0, member.text.indexOf("."));
     const isRoom = owner === "room";
-    const own = parts.filter(({ kind }) => kind.startsWith("room") === isRoom);
+    const own = parts.filter((part) => part.kind !== "function" && (part.group === "planner") === isRoom);
     if (!isRoom && owner !== "robot" && owner !== "r") return null;
     return {
       from: member.from + owner.length + 1,
@@ -37,8 +48,8 @@ function complete(language) {
       options: own.map((part) => ({
         label: nameIn(part, language),
         detail: part.unit ?? "",
-        type: part.args === undefined ? "property" : "method",
-        apply: nameIn(part, language) + (part.args === "" ? "()" : part.args === undefined ? "" : "("),
+        type: part.kind,
+        apply: nameIn(part, language) + (part.kind === "property" ? "" : part.args ? "(" : "()"),
         info: () => about(part, language),
       })),
     };
@@ -54,8 +65,8 @@ const hover = (language) =>
       if (pos < start || pos > end) continue;
       const before = text.slice(0, index);
       const isRoom = /\broom\.$/.test(before);
-      if (!before.endsWith(".")) return null;
-      const part = parts.find((one) => nameIn(one, language) === word && one.kind.startsWith("room") === isRoom);
+      const isMember = before.endsWith(".");
+      const part = parts.find((one) => nameIn(one, language) === word && (one.kind === "function" ? !isMember : isMember && (one.group === "planner") === isRoom));
       return part ? { pos: start, end, above: true, create: () => ({ dom: about(part, language) }) } : null;
     }
     return null;
