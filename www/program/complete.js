@@ -40,7 +40,7 @@ function complete(language) {
     if (!member) return null;
     const owner = member.text.slice(0, member.text.indexOf("."));
     const isRoom = owner === "room";
-    const own = parts.filter((part) => part.kind !== "function" && (part.group === "planner") === isRoom);
+    const own = parts.filter((part) => part.kind !== "function" && (part.group === "room") === isRoom);
     if (!isRoom && owner !== "robot" && owner !== "r") return null;
     return {
       from: member.from + owner.length + 1,
@@ -66,7 +66,7 @@ const hover = (language) =>
       const before = text.slice(0, index);
       const isRoom = /\broom\.$/.test(before);
       const isMember = before.endsWith(".");
-      const part = parts.find((one) => nameIn(one, language) === word && (one.kind === "function" ? !isMember : isMember && (one.group === "planner") === isRoom));
+      const part = parts.find((one) => nameIn(one, language) === word && (one.kind === "function" ? !isMember : isMember && (one.group === "room") === isRoom));
       return part ? { pos: start, end, above: true, create: () => ({ dom: about(part, language) }) } : null;
     }
     return null;

@@ -5,7 +5,9 @@ import { STEP } from "./run.js";
 
 /** @typedef {import("./types").Output} Output */
 
-/** Colours of programs that name none, by what is drawn. */
+/** The colours that programs can name: those of Okabe and Ito, which also the colour-blind tell apart. */
+const COLOURS = new Map(Object.entries({ blue: "#0072b2", orange: "#e69f00", green: "#009e73", red: "#d55e00", purple: "#cc79a7", grey: "#808080" }));
+/** Of what names none. */
 const INK = "#d55e00";
 
 /** @param {import("../main.js").App} app @param {import("./run.js").ProgramRun} run */
@@ -48,10 +50,7 @@ function visible(output, now) {
 
 /** @param {CanvasRenderingContext2D} context @param {Output} one @param {(x: number) => number} across @param {(y: number) => number} up */
 function draw(context, { kind, x = 0, y = 0, x1 = 0, y1 = 0, x2 = 0, y2 = 0, text, colour }, across, up) {
-  const ink = typeof colour === "string" ? colour : INK;
-  // An unknown colour leaves the last one.
-  context.fillStyle = context.strokeStyle = INK;
-  context.fillStyle = context.strokeStyle = ink;
+  context.fillStyle = context.strokeStyle = COLOURS.get(String(colour)) ?? INK;
   if (kind === "mark") {
     context.beginPath();
     context.arc(across(x), up(y), 4, 0, 2 * Math.PI);
@@ -68,7 +67,7 @@ function draw(context, { kind, x = 0, y = 0, x1 = 0, y1 = 0, x2 = 0, y2 = 0, tex
     context.lineWidth = 3;
     context.lineJoin = "round";
     context.strokeStyle = "rgb(255 255 255 / 0.85)";
-    context.fillStyle = typeof colour === "string" ? ink : "#1d2129";
+    context.fillStyle = COLOURS.get(String(colour)) ?? "#1d2129";
     context.strokeText(String(text ?? ""), across(x), up(y));
     context.fillText(String(text ?? ""), across(x), up(y));
   }
