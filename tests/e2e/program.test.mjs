@@ -117,3 +117,22 @@ test("a planner in Python plans, and a wrong one is told what is wrong", async (
   await page.keyboard.press("Control+Enter");
   await page.getByText("The program's plan can't be driven").waitFor();
 });
+
+test("Explore names the program, and it takes part in the race and in many runs", async (t) => {
+  const { page } = await openProgram(t);
+  await driven(page);
+  await page.locator("#tab-explore").click();
+  assert.match(await page.locator("#algorithm option:checked").textContent(), /Your program: Turn when you bump/);
+  await page.locator("#tab-compare").click();
+  await page.locator("#entrants li", { hasText: "Your program" }).locator("input[type=checkbox]").first().check();
+  await page.locator("#lanes figure", { hasText: "Your program" }).waitFor();
+  await page.locator("#race-play").click();
+  await page.waitForFunction(() => [...document.querySelectorAll("#lanes figure")].some((lane) => lane.textContent.includes("Your program") && Number.parseFloat(lane.querySelector("output").textContent) > 0.5));
+  await page.locator("#view-runs").click();
+  for (const box of await page.locator("#panel-compare .runs-choices input:checked, #runs-behaviours input:checked, #runs-planners input:checked").all()) await box.uncheck();
+  await page.locator("#runs-behaviours li", { hasText: "Your program" }).locator("input").check();
+  await page.locator("#runs-seeds").selectOption({ index: 0 });
+  await page.locator("#runs-minutes").selectOption({ index: 0 });
+  await page.locator("#runs-go").click();
+  await page.locator("#runs-behaviours li", { hasText: "Your program" }).getByText("✓").waitFor();
+});

@@ -27,9 +27,11 @@ export async function startProgram(app) {
   let isHeld = false;
   /** Whether its text differs from what runs. */
   let isChanged = false;
+  /** Where a breakpoint paused: the steps after it, and its line. */
+  let broke = { step: 0, line: 0 };
   const editor = new Editor(byId("program-editor"), { changed: () => edited(), run: () => void start(true), stop: () => run.stop(), marked: () => marked() });
   const run = new ProgramRun(app, () => show());
-  const watch = new Watch(app, run, (line) => editor.light(line));
+  const watch = new Watch(app, run, (line) => editor.light(line && broke.line && broke.step === Math.round(app.view.time_s / STEP) ? broke.line : line));
   const shelf = await new Shelf({
     open(program) {
       const isOther = program.id !== run.program?.id || program.source !== editor.text;
@@ -125,8 +127,10 @@ export async function startProgram(app) {
     const hit = isPlaying && now > shown ? run.output.find(({ kind, step = 0 }) => kind === "break" && step > shown && step <= now) : undefined;
     shown = now;
     if (!hit) return;
-    shown = hit.step ?? now;
-    app.act((p) => (p.pause(), p.seek((hit.step ?? 0) * STEP)));
+    // The line ran in the step that follows what it had read.
+    broke = { step: (hit.step ?? 0) + 1, line: Number(hit.line) || 0 };
+    shown = broke.step;
+    app.act((p) => (p.pause(), p.seek(broke.step * STEP)));
   };
 
   /** Opens the program of a link, else the last one, else the first. @param {string} link */
