@@ -143,7 +143,7 @@ impl Comparison {
         Ok(())
     }
 
-    /// Includes an entrant once more, to be given other parameters. Does nothing beyond [`MOST_COPIES`].
+    /// Includes an entrant once more, to be given other parameters. Does nothing beyond the largest number of copies.
     pub fn copy(&mut self, entrant: usize) {
         let original = self.entrants.get(entrant).filter(|entrant| !entrant.algorithm.is_program()).cloned();
         let Some(original) = original else { return };
