@@ -7,7 +7,9 @@ let last = 0;
 let until = 0;
 
 function step(robot) {
-  const [right, ahead] = [robot.light[5], Math.max(robot.light[2], robot.light[3], robot.light[4])];
+  const light = robot.light;
+  const right = light[5];
+  const ahead = Math.max(light[2], light[3], light[4]);
   if (robot.bump || robot.cliff) {
     state = "back";
     until = robot.time + 0.25;

@@ -8,7 +8,8 @@ until = 0
 
 def step(robot):
     global state, last, until
-    right, ahead = robot.light[5], max(robot.light[2], robot.light[3], robot.light[4])
+    light = robot.light
+    right, ahead = light[5], max(light[2:5])
     if robot.bump or robot.cliff:
         state = "back"
         until = robot.time + 0.25

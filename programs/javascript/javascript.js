@@ -86,10 +86,15 @@ export function loadJavaScript(options) {
     Math.random = robot.random;
     parts = make(print, console, clock, tracer);
   } catch (error) {
-    throw located(error, name, tree, source);
+    throw located(error, name, line);
   }
   const found = KINDS.filter((kind) => typeof parts[kind] === "function");
-  if (found.length === 0) throw new SourceError(nothing(source));
+  if (found.length === 0 && output.length > 0 && !meant(source)) {
+    // A first lesson: it prints, and that is all.
+    found.push("run");
+    parts.run = function* () {};
+  }
+  if (found.length === 0) throw new SourceError(missing(source));
   if (found.length > 1) throw new SourceError(`there are ${found.slice(0, -1).join(", ")} and ${found.at(-1)}: a program has one of them`);
   const kind = found[0];
   const own = parts[kind];
@@ -134,6 +139,7 @@ export function loadJavaScript(options) {
     /** @param {Float64Array} readings */
     step(readings) {
       robot._readings = readings;
+      robot._step++;
       printed = 0;
       left = budget;
       isRunning = true;
@@ -147,7 +153,7 @@ export function loadJavaScript(options) {
         program.left = whole(robot._left, robot.topSpeed);
         program.right = whole(robot._right, robot.topSpeed);
       } catch (error) {
-        throw located(error, name, tree, source);
+        throw located(error, name, line);
       } finally {
         if (robot._sayings.length) {
           output.push(...robot._sayings);
@@ -171,7 +177,7 @@ export function loadJavaScript(options) {
           yield [x, y];
         }
       } catch (error) {
-        throw located(error, name, tree, source);
+        throw located(error, name, line);
       }
     },
   };
@@ -181,19 +187,26 @@ export function loadJavaScript(options) {
 /** A program may be written as a module. @param {string} source */
 const tidy = (source) => source.replace(/^export (?=(async )?(function|const|let|class)\b)/gm, "       ");
 
-/** @param {string} source */
-function nothing(source) {
+/** What was meant to be the behaviour: the kind and the name that it has. @param {string} source */
+function meant(source) {
   for (const [, name] of source.matchAll(/function\s*\*?\s*(\w+)/g)) {
-    const meant = nearest(name, KINDS);
-    if (meant) return `there is no function step(robot), function* run(robot) or plan(room); did you mean ${meant} instead of ${name}?`;
+    const kind = nearest(name, KINDS);
+    if (kind) return { kind, name };
   }
+  return undefined;
+}
+
+/** @param {string} source */
+function missing(source) {
+  const instead = meant(source);
+  if (instead) return `there is no function step(robot), function* run(robot) or plan(room); did you mean ${instead.kind} instead of ${instead.name}?`;
   return "there is no function step(robot) (called every 15 ms), function* run(robot) (with yield) or plan(room) (a planner)";
 }
 
-/** An error with the program's line. @param {any} error @param {string} name @param {any} tree @param {string} source */
-function located(error, name, tree, source) {
+/** An error with the program's line. @param {any} error @param {string} name @param {number} at the line that is known otherwise */
+function located(error, name, at) {
   if (error instanceof SourceError && error.line) return error;
-  let [line, column] = [undefined, undefined];
+  let [line, column] = [at || undefined, undefined];
   const escaped = name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
   // The innermost place in the program.
   const place = new RegExp(`${escaped}:(\\d+)(?::(\\d+))?`).exec(String(error?.stack ?? "").split("\n").slice(error?.stack?.startsWith?.(error?.name) ? 1 : 0).join("\n"));

@@ -10,11 +10,19 @@ import { SourceError, number, shown } from "./words.js";
 export const RADIANS = 0.017453292519943295;
 /** Slowest wheel speed at which a motion ends, m/s. */
 const CREEP = 0.02;
+/** What may be left of a way at its end, m: what it creeps in a step. */
+const CLOSE = 0.0003;
 /** Steps in a second. */
 const PER_SECOND = 1 / 0.015;
 
 /** Three times as many steps as the way takes, and 2 s. @param {number} length @param {number} speed */
 const patience = (length, speed) => Math.trunc(((3 * length) / speed + 2) * PER_SECOND);
+
+/** The speed with so much left of the way; brakes by 0.5 m/s². @param {number} left @param {number} speed */
+function pace(left, speed) {
+  const slow = left < 1 ? Math.sqrt(left) : speed;
+  return Math.max(CREEP, Math.min(speed, slow));
+}
 
 /** @param {string} place @param {unknown} value */
 function positive(place, value) {
@@ -32,12 +40,11 @@ function way(name, isBlockable, begin) {
   let limit = 0;
   const step = (/** @type {Robot} */ robot) => {
     const left = going.left(robot);
-    if ((isBlockable && robot.blocked()) || left <= 0.001 || --limit === 0) {
+    if (left <= CLOSE || --limit === 0 || (isBlockable && robot.blocked())) {
       robot.drive(0, 0);
-      return left <= 0.001;
+      return left <= CLOSE;
     }
-    // Brakes by 0.5 m/s².
-    going.drive(robot, Math.max(CREEP, Math.min(going.speed, Math.sqrt(left))));
+    going.drive(robot, pace(left, going.speed));
     return undefined;
   };
   return {

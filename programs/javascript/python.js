@@ -33,6 +33,7 @@ export async function loadPython(options) {
   /** @type {Record<string, unknown>[]} */
   const output = [];
   let isDead = false;
+  let hint = 0;
 
   /** @param {any} error */
   const inWords = (error) => {
@@ -42,7 +43,9 @@ export async function loadPython(options) {
       return new SourceError("this line is run again and again: the step never ends", heap.words[traceAt]);
     }
     if (!error?.python) return error;
-    return pythonError(error.message, name, text.lines);
+    const inPython = pythonError(error.message, name, text.lines);
+    if (hint && inPython.message.endsWith("no such name")) inPython.message = String(python.call(hint, inPython.message));
+    return inPython;
   };
   /** @template T @param {() => T} work @returns {T} */
   const guarded = (work) => {
@@ -56,6 +59,7 @@ export async function loadPython(options) {
 
   guarded(() => python.run("from robovac_program import page\nfrom robovac_program.page import *\nfrom robovac_program.page import trace"));
   const named = (/** @type {string} */ of) => python.named(of);
+  hint = named("hinted");
   const traceAt = Number(call(named("trace"))) >> 2;
   const most = Math.min(budget, 2 ** 30);
   heap.words[traceAt + 1] = most;
@@ -99,17 +103,20 @@ export async function loadPython(options) {
   const floatFrom = FLOATS.map((slot) => indices[slot] ?? -1);
   const any = (/** @type {string} */ slot) => ({ bump: ["bump_left", "bump_right"], wheel_drop: ["wheel_drop_left", "wheel_drop_right"], cliff: ["cliff_left", "cliff_right"] })[slot]?.map((part) => indices[part]);
   /** First and last reading of each attribute: it is their greatest. */
-  const spans = names.map((slot) => {
+  const spans = names.slice(0, -2).map((slot) => {
     const list = /^_([bs])(\d)$/.exec(slot);
     if (list) return [0, 1].map(() => indices[list[1] === "b" ? "light_bumper" : "light"] + Number(list[2]));
     return any(slot) ?? [indices[slot], indices[slot]];
   });
-  const isFlag = names.map((slot, index) => index < flags || slot.startsWith("_b"));
+  const isFlag = spans.map((_, index) => index < flags || names[index].startsWith("_b"));
+  // Behind them: whether the lists of six have to be put together again.
+  const [bumperAt, signalsAt] = [names.indexOf("_b0"), names.indexOf("_s0")];
+  const [oldBumper, oldSignals] = [names.length - 2, names.length - 1];
   const first = Int32Array.from(spans, ([from]) => from ?? -1);
   const isSingle = Uint8Array.from(spans, ([from, to]) => (from === to ? 1 : 0));
   const last = Int32Array.from(spans, ([, to]) => to ?? -1);
   const flag = Uint8Array.from(isFlag, Number);
-  const sent = new Float64Array(names.length).fill(NaN);
+  const sent = new Float64Array(spans.length).fill(NaN);
   let scan = -1;
 
   /** @param {Float64Array} readings */
@@ -121,11 +128,14 @@ export async function loadPython(options) {
     }
     for (let index = 0; index < floatFrom.length; index++) doubles[floatsAt + index] = readings[floatFrom[index]];
     for (let index = 0; index < first.length; index++) {
-      let value = readings[first[index]];
-      if (isSingle[index] === 0) for (let at = first[index] + 1; at <= last[index]; at++) if (readings[at] > value) value = readings[at];
+      const from = first[index];
+      let value = readings[from];
+      if (isSingle[index] === 0) for (let at = from + 1; at <= last[index]; at++) if (readings[at] > value) value = readings[at];
       if (value === sent[index]) continue;
       sent[index] = value;
       words[places[index]] = flag[index] === 1 ? (value === 0 ? FALSE : TRUE) : small(value);
+      if (index >= signalsAt) words[places[oldSignals]] = TRUE;
+      else if (index >= bumperAt) words[places[oldBumper]] = TRUE;
     }
     if (beams > 0 && readings[indices.laser_scan] !== scan) {
       scan = readings[indices.laser_scan];
@@ -136,7 +146,7 @@ export async function loadPython(options) {
   const trial = Float64Array.from({ length: laserAt + beams }, (_, index) => index % 2);
   write(trial);
   const seen = JSON.parse(String(call(named("check"))));
-  const wrong = names.findIndex((_, index) => seen[index] !== (flag[index] ? sent[index] !== 0 : sent[index]));
+  const wrong = spans.findIndex((_, index) => seen[index] !== (flag[index] ? sent[index] !== 0 : sent[index]));
   if (wrong >= 0) throw new Error(`MicroPython's robot.${names[wrong]} is not where it was expected: this needs version 1.27.0`);
   write(trial.fill(0));
 

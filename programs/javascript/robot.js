@@ -35,6 +35,8 @@ class Base {
     this._half = motions.RADIANS * this.wheelBase * 0.5;
     /** Readings of this step, in the host's layout. */
     this._readings = new Float64Array(0);
+    /** Counts the readings. */
+    this._step = 0;
     /** Whether the program is a generator, and the motion that it has made but not yet yielded. */
     this._waits = false;
     /** @type {Motion | undefined} */
@@ -163,8 +165,19 @@ export function makeRobot(facts, seed, layout) {
       set() { throw new SourceError(`robot.${camel(name)} is measured: a program can't set it`); },
     });
   for (const { name, index, count, flag } of layout.slots) {
-    if (count > 1 && flag) reading(name, function () { return Array.from(this._readings.subarray(index, index + count), Boolean); });
-    else if (count > 1) reading(name, function () { return Array.from(this._readings.subarray(index, index + count)); });
+    if (count > 1) {
+      // A new list for each step, as a program may keep it.
+      let step = -1;
+      /** @type {(number | boolean)[]} */
+      let list = [];
+      reading(name, function () {
+        if (step === this._step) return list;
+        step = this._step;
+        list = [];
+        for (let at = index; at < index + count; at++) list.push(flag ? this._readings[at] !== 0 : this._readings[at]);
+        return list;
+      });
+    }
     else if (flag) reading(name, function () { return this._readings[index] !== 0; });
     else reading(name, function () { return this._readings[index]; });
   }

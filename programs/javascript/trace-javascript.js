@@ -42,7 +42,12 @@ export function instrument(source, tree, breakpoints) {
     enter: ({ node }) => {
       const parent = node.parent;
       if (node.name === "export") inserts.push([node.from, "/*"], [node.to, "*/"]);
-      if (!parent || !isStatement(node)) return;
+      if (!parent) return;
+      // A loop over nothing.
+      if (node.name === ";" && (/^(For|While)Statement$/.test(parent.name) || (parent.name === "DoStatement" && parent.firstChild?.nextSibling?.from === node.from))) {
+        inserts.push([node.from, `{${call(node.from)}`], [node.to, "}"]);
+      }
+      if (!isStatement(node)) return;
       if (["Script", "Block", "ExportDeclaration"].includes(parent.name)) {
         // Its loop or function says where it is.
         if (node.name !== "Block" && parent.name !== "ExportDeclaration") inserts.push([node.from, call(node.from)]);

@@ -34,10 +34,10 @@ function distance(a, b) {
 export function nearest(name, names) {
   const plain = (/** @type {string} */ text) => text.replaceAll("_", "").toLowerCase();
   let best;
-  let least = 1 + Math.floor(plain(name).length / 3);
+  let least = Math.max(1, Math.floor(plain(name).length / 3)) + 1;
   for (const other of names) {
     const off = distance(plain(name), plain(other));
-    if (off < least || (off === least && best === undefined)) [best, least] = [other, off];
+    if (off < least) [best, least] = [other, off];
   }
   return best;
 }

@@ -4,7 +4,7 @@ from math import atan2, cos, degrees, radians, sin, sqrt
 
 from robovac_program.motions import Arc, Forward, Turn, Wait
 from robovac_program.program import current, registered
-from robovac_program.words import ProgramError, unknown
+from robovac_program.words import ProgramError, names, unknown
 
 from .color import Color
 from .event import Event, Pause
@@ -55,6 +55,7 @@ class Robot:
         if not current:
             raise ProgramError("this program is run by robovac: open it in the page, or `robovac run` it")
         self._robot = current[0]
+        names[:] = [name for name in Robot.__dict__ if not name.startswith("_")]
         self.vars = Robot.Vars()
         self.pose = Pose()
         self.bumpers = Values(left=False, right=False)
@@ -367,6 +368,11 @@ class Robot:
         await Pause()
         return "0.0.0"
 
+    async def get_ipv4_address(self):
+        self._cannot("get_ipv4_address", "this robot has no network")
+        await Pause()
+        return Values(wlan0=[0, 0, 0, 0], wlan1=[0, 0, 0, 0], usb0=[0, 0, 0, 0])
+
     async def dock(self):
         self._cannot("dock", "a program of this kind can't find the dock; the behaviour Dock can")
         await Pause()
@@ -456,4 +462,4 @@ class Robot:
     def __getattr__(self, name):
         if name.startswith("_"):
             raise AttributeError(name)
-        raise AttributeError(unknown("robot", name, [n for n in dir(Robot) if not n.startswith("_")]))
+        raise AttributeError(unknown(name))

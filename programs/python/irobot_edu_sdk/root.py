@@ -16,20 +16,21 @@ class Root(Robot):
         WHEN_MARKER = 2
 
     class ColorID:
+        SKIP = IGNORE = -1
         WHITE = 0
         BLACK = 1
         RED = 2
         GREEN = 3
         BLUE = 4
-        ORANGE = 5
+        ORANGE = RED_YELLOW = YELLOW_RED = 5
         YELLOW = 6
         MAGENTA = 7
-        LIME = 8
-        CYAN = 9
-        VIOLET = 10
-        CERISE = 11
-        LOW_INTENSITY = 13
-        LOW_SATURATION = 14
+        LIME = YELLOW_GREEN = GREEN_YELLOW = 8
+        CYAN = GREEN_BLUE = BLUE_GREEN = 9
+        VIOLET = BLUE_MAGENTA = MAGENTA_BLUE = 10
+        CERISE = MAGENTA_RED = RED_MAGENTA = 11
+        LOW_INT = LOW_INTENSITY = 13
+        LOW_SAT = LOW_SATURATION = 14
 
     class ColorLighting:
         OFF = 0

@@ -11,6 +11,8 @@ from .words import ProgramError, number
 RADIANS = 0.017453292519943295
 # Slowest wheel speed at which a motion ends, m/s.
 _CREEP = 0.02
+# What may be left of a way at its end, m: what it creeps in a step.
+_CLOSE = 0.0003
 # Steps in a second.
 _PER_SECOND = 1.0 / 0.015
 
@@ -27,11 +29,6 @@ class Motion:
     def step(self, robot):
         """None while it goes on."""
 
-    def late(self):
-        """Counts a step; whether there were too many."""
-        self.limit -= 1
-        return self.limit == 0
-
     # So that `await` and `yield from` take it, too.
     def __iter__(self):
         done = yield self
@@ -40,6 +37,15 @@ class Motion:
     def __await__(self):
         done = yield self
         return done
+
+
+def pace(left, speed):
+    """The speed with so much left of the way; brakes by 0.5 m/s²."""
+    if left < 1.0:
+        slow = sqrt(left)
+        if slow < speed:
+            speed = slow
+    return speed if speed > _CREEP else _CREEP
 
 
 def _patience(length, speed):
@@ -71,12 +77,11 @@ class Forward(Motion):
         left = self.end - robot.distance
         if not ahead:
             left = -left
-        stopped = ahead and robot.blocked()
-        if stopped or left <= 0.001 or self.late():
+        self.limit -= 1
+        if left <= _CLOSE or self.limit == 0 or (ahead and robot.blocked()):
             robot.drive(0.0, 0.0)
-            return left <= 0.001
-        # Brakes by 0.5 m/s².
-        speed = max(_CREEP, min(self.speed, sqrt(left)))
+            return left <= _CLOSE
+        speed = pace(left, self.speed)
         if not ahead:
             speed = -speed
         robot.drive(speed, speed)
@@ -100,10 +105,11 @@ class Turn(Motion):
         left = (self.end - robot.turned) * self.scale
         if self.way < 0.0:
             left = -left
-        if left <= 0.001 or self.late():
+        self.limit -= 1
+        if left <= _CLOSE or self.limit == 0:
             robot.drive(0.0, 0.0)
-            return left <= 0.001
-        speed = max(_CREEP, min(self.rate * self.scale, sqrt(left)))
+            return left <= _CLOSE
+        speed = pace(left, self.rate * self.scale)
         if self.way < 0.0:
             speed = -speed
         robot.drive(-speed, speed)
@@ -131,10 +137,11 @@ class Arc(Motion):
         left = (self.end - robot.turned) * RADIANS * outer
         if self.way < 0.0:
             left = -left
-        if robot.blocked() or left <= 0.001 or self.late():
+        self.limit -= 1
+        if left <= _CLOSE or self.limit == 0 or robot.blocked():
             robot.drive(0.0, 0.0)
-            return left <= 0.001
-        fast = max(_CREEP, min(self.speed, sqrt(left)))
+            return left <= _CLOSE
+        fast = pace(left, self.speed)
         slow = fast * (self.radius - half) / outer
         if self.way < 0.0:
             robot.drive(fast, slow)
@@ -172,5 +179,6 @@ class Until(Motion):
     def step(self, robot):
         if self.condition(robot):
             return True
-        if self.late():
+        self.limit -= 1
+        if self.limit == 0:
             return False

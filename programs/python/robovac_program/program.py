@@ -2,10 +2,10 @@
 
 import sys
 
-from .robot import DONE, EVENTS, FLAGS, FLOATS, LEFT, RIGHT, WHOLE, Robot
+from .robot import DONE, FLAGS, FLOATS, LEFT, NAMES, RIGHT, WHOLE, Robot
 from .motions import Motion
 from .room import Room
-from .words import ProgramError, nearest
+from .words import ProgramError, hinted, names, nearest
 
 KINDS = ("step", "run", "plan")
 
@@ -29,18 +29,27 @@ class Program:
     def __init__(self, source, name, facts, seed, extra=None):
         self.name = name
         self.robot = robot = Robot(facts, seed)
-        self.scope = scope = {"__name__": "__main__"}
+        self.has_printed = False
+        self.scope = scope = {"__name__": "__main__", "print": self.print}
         if extra:
             scope.update(extra)
         registered[:] = []
         current[:] = [robot]
-        exec(compile(source, name, "exec"), scope)
+        names[:] = NAMES
+        try:
+            exec(compile(source, name, "exec"), scope)
+        except SystemExit:
+            pass
         found = [kind for kind in KINDS if callable(scope.get(kind))]
         if registered:
             found = ["run"]
             scope = {"run": registered[-1]}
+        if not found and self.has_printed and not _meant(scope):
+            # A first lesson: it prints, and that is all.
+            found = ["run"]
+            scope = {"run": _nothing}
         if not found:
-            raise ProgramError(_nothing(self.scope))
+            raise ProgramError(_missing(scope))
         if len(found) > 1:
             raise ProgramError("there are %s and %s: a program has one of them" % (" and ".join(found[:-1]), found[-1]))
         self.kind = found[0]
@@ -51,6 +60,10 @@ class Program:
             self.generator = self.function(robot)
             if not hasattr(self.generator, "send"):
                 raise ProgramError("run has no yield: def run(robot) waits with yield; a function for every step is def step(robot)")
+
+    def print(self, *values, **options):
+        self.has_printed = True
+        print(*values, **options)
 
     def work(self):
         """One step of a behaviour, with the readings that the robot has. Sets the robot's command."""
@@ -72,17 +85,23 @@ class Program:
                 return
         try:
             motion = self.generator.send(result)
-        except StopIteration:
+        except (StopIteration, SystemExit):
             robot.done()
             return
         if motion is not None:
             if not isinstance(motion, Motion):
-                raise ProgramError("yield takes a motion such as robot.forward(0.3), or nothing for one step; not %r" % (motion,))
+                self.complain("yield takes a motion such as robot.forward(0.3), or nothing for one step; not %r" % (motion,))
             if motion is robot._made:
                 robot._made = None
             motion.start(robot)
-        robot._all_yielded()
+        if robot._made is not None:
+            self.complain(robot._unyielded())
         self.motion = motion
+
+    def complain(self, words):
+        """Raises the error where the program waits, so that it has a line."""
+        self.generator.throw(ProgramError(words))
+        raise ProgramError(words)
 
     def step(self, readings):
         """One step with new readings, an object of the protocol. The command in whole mm/s, left and right."""
@@ -122,6 +141,7 @@ def feed(robot, readings):
     robot.bump = robot.bump_left or robot.bump_right
     robot.wheel_drop = robot.wheel_drop_left or robot.wheel_drop_right
     robot.cliff = robot.cliff_left or robot.cliff_front_left or robot.cliff_front_right or robot.cliff_right
+    robot._old_b = robot._old_s = True
     six = get("light_bumper")
     if six:
         robot._b0, robot._b1, robot._b2, robot._b3, robot._b4, robot._b5 = [bool(flag) for flag in six]
@@ -135,12 +155,25 @@ def feed(robot, readings):
             index += 1
 
 
-def _nothing(scope):
+def _nothing(robot):
+    """A program that has ended."""
+    return
+    yield
+
+
+def _meant(scope):
+    """What was meant to be the behaviour, as a pair of the kind and the name that it has; None if nothing was."""
     for name in scope:
-        if callable(scope[name]) and not name.startswith("_"):
-            meant = nearest(name, KINDS)
-            if meant:
-                return "there is no def step(robot), run(robot) or plan(room); did you mean %s instead of %s?" % (meant, name)
+        if callable(scope[name]) and name != "print" and not name.startswith("_"):
+            kind = nearest(name, KINDS)
+            if kind:
+                return kind, name
+
+
+def _missing(scope):
+    meant = _meant(scope)
+    if meant:
+        return "there is no def step(robot), run(robot) or plan(room); did you mean %s instead of %s?" % meant
     return "there is no def step(robot) (called every 15 ms), def run(robot) (with yield) or def plan(room) (a planner)"
 
 
@@ -170,7 +203,7 @@ def error_of(error, name):
 def said(error):
     """An error in words."""
     if isinstance(error, (ProgramError, AttributeError)):
-        return str(error)
+        return hinted(str(error))
     text = getattr(error, "msg", None) or str(error)
     kind = type(error).__name__
     return "%s: %s" % (kind, text) if text else kind

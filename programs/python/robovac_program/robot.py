@@ -45,6 +45,9 @@ class Robot:
             setattr(self, name, 0)
         # One attribute for each of the six, as a host sets whole numbers and flags only.
         self._b0 = self._b1 = self._b2 = self._b3 = self._b4 = self._b5 = False
+        # Whether they have changed since they were last put together.
+        self._old_b = self._old_s = True
+        self._b = self._s = None
         self._s0 = self._s1 = self._s2 = self._s3 = self._s4 = self._s5 = 0
         # Left and right wheel (m/s), number of events, whether it is done.
         self._out = array("d", [0.0] * 4)
@@ -103,11 +106,17 @@ class Robot:
 
     @property
     def light_bumper(self):
-        return (self._b0, self._b1, self._b2, self._b3, self._b4, self._b5)
+        if self._old_b:
+            self._old_b = False
+            self._b = (self._b0, self._b1, self._b2, self._b3, self._b4, self._b5)
+        return self._b
 
     @property
     def light(self):
-        return (self._s0, self._s1, self._s2, self._s3, self._s4, self._s5)
+        if self._old_s:
+            self._old_s = False
+            self._s = (self._s0, self._s1, self._s2, self._s3, self._s4, self._s5)
+        return self._s
 
     @property
     def laser(self):
@@ -167,16 +176,14 @@ class Robot:
     def _motion(self, name, motion):
         if not self._waits:
             raise ProgramError("robot.%s takes time, so it needs def run(robot) and yield robot.%s(...)" % (name, name))
-        self._all_yielded()
+        if self._made is not None:
+            raise ProgramError(self._unyielded())
         motion.name = name
         self._made = motion
         return motion
 
-    def _all_yielded(self):
-        if self._made is not None:
-            name = self._made.name
-            self._made = None
-            raise ProgramError("robot.%s(...) does nothing without yield: write yield robot.%s(...)" % (name, name))
+    def _unyielded(self):
+        return "robot.%s(...) does nothing without yield: write yield robot.%s(...)" % (self._made.name, self._made.name)
 
     # Chance.
 
@@ -221,7 +228,7 @@ class Robot:
     def __getattr__(self, name):
         if name.startswith("_"):
             raise AttributeError(name)
-        raise AttributeError(unknown("robot", name, [n for n in NAMES]))
+        raise AttributeError(unknown(name))
 
 
 def _colour(colour):

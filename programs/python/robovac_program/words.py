@@ -22,19 +22,31 @@ def distance(a, b):
 def nearest(name, names):
     """The one of `names` that is meant by `name`, or None."""
     plain = name.replace("_", "").lower()
-    best, least = None, 1 + len(plain) // 3
+    best, least = None, max(1, len(plain) // 3) + 1
     for other in names:
         off = distance(plain, other.replace("_", "").lower())
-        if off < least or (off == least and best is None):
+        if off < least:
             best, least = other, off
     return best
 
 
-def unknown(what, name, names):
-    """Says that `what` has no `name`, and what may be meant."""
-    meant = nearest(name, names)
-    hint = "; did you mean %s?" % meant if meant else ""
-    return "%s.%s: there is no such name%s" % (what, name, hint)
+# What may come after "robot.", for hints.
+names = []
+
+
+def unknown(name):
+    """Says that a robot has no `name`. What may be meant is looked for only when somebody reads it: dir() tries many."""
+    return "robot.%s: there is no such name" % name
+
+
+def hinted(message):
+    """The same with what may be meant."""
+    parts = message.split(": there is no such name")
+    if len(parts) == 2 and not parts[1] and parts[0].startswith("robot."):
+        meant = nearest(parts[0][6:], names)
+        if meant:
+            return "%s; did you mean %s?" % (message, meant)
+    return message
 
 
 def number(place, value):
