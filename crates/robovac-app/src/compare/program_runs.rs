@@ -55,7 +55,10 @@ mod tests {
         compare::{Comparison, Study},
         explore::Session,
     };
-    use robovac_core::program::{Program, ProgramKind, ProgramLanguage};
+    use robovac_core::{
+        program::{Program, ProgramKind, ProgramLanguage},
+        registry::Params,
+    };
     use robovac_sim::{
         STEP_S,
         experiment::{Algorithm, Entrant},
@@ -175,7 +178,7 @@ mod tests {
         let jump = request.judge(&arena, vec![job.start, Cell::new(-1, -1)], 0.0).unwrap_err();
         assert!(jump.contains("step 1 leaves the grid: (-1, -1)"), "{jump}");
         let planner = coverage_planners::find("boustrophedon").unwrap();
-        let path = planner.build(&Default::default()).plan(&job, &mut coverage_planners::PlanContext::new(0)).unwrap();
+        let path = planner.build(&Params::default()).plan(&job, &mut coverage_planners::PlanContext::new(0)).unwrap();
         let outcome = request.judge(&arena, path.cells, 0.5).unwrap();
         comparison.trial_finished(request.id, Ok(outcome));
         assert_eq!(comparison.table(None).rows[0].trials, 1);

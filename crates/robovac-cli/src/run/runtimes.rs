@@ -22,6 +22,7 @@ pub const PYTHON: &[(&str, &str)] = &[
     file!("python/irobot_edu_sdk/robot.py"),
     file!("python/irobot_edu_sdk/robots.py"),
     file!("python/irobot_edu_sdk/root.py"),
+    file!("python/irobot_edu_sdk/utils.py"),
     file!("python/robovac_program/__init__.py"),
     file!("python/robovac_program/__main__.py"),
     file!("python/robovac_program/chance.py"),

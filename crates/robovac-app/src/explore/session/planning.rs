@@ -161,9 +161,10 @@ impl Session {
     }
 
     fn planner_failed(&mut self, text: &str) {
-        let text = match self.settings.algorithm.is_program() {
-            true => format!("The program failed: {text}."),
-            false => format!("The planner failed: {text}. Try another planner or room."),
+        let text = if self.settings.algorithm.is_program() {
+            sentence(&format!("the program failed: {text}"))
+        } else {
+            format!("The planner failed: {text}. Try another planner or room.")
         };
         self.say("error", text);
     }
