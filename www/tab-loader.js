@@ -63,10 +63,11 @@ export class TabLoader {
     if (this.#wanted === next) go(next);
   }
 
-  /** Shows files as a floor plan. @param {File[]} files */
+  /** Shows files: programs, or else a floor plan. @param {File[]} files */
   async bring(files) {
-    await this.enter("floor-plan");
-    this.#loaded["floor-plan"]?.take?.(files);
+    const next = files.some(({ name }) => /\.(py|m?js)$/i.test(name)) ? "program" : "floor-plan";
+    await this.enter(next);
+    this.#loaded[next]?.take?.(files);
   }
 
   /** @param {boolean} dark */

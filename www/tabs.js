@@ -22,8 +22,10 @@ export function go(next) {
   for (const name of TABS) {
     panelOf(name).hidden = panelOf(name) !== panelOf(next);
     const tab = byId(`tab-${name}`);
-    if (name === next) tab.setAttribute("aria-current", "page");
-    else tab.removeAttribute("aria-current");
+    if (name === next) {
+      tab.setAttribute("aria-current", "page");
+      tab.scrollIntoView({ block: "nearest", inline: "nearest" });
+    } else tab.removeAttribute("aria-current");
   }
   document.body.dataset.tab = next;
   // Messages show in every tab.

@@ -55,10 +55,11 @@ export class Shelf {
   async #example(id) {
     const [name, wanted] = id.split(".");
     const example = this.#examples.find((one) => one.id === name);
+    /** @type {"python" | "javascript"} */
     const language = wanted === "javascript" ? "javascript" : "python";
     if (!example) return undefined;
     const source = await (await fetched(example.id + endingOf(language))).text();
-    return { id: `${example.id}.${language}`, name: example.title, language: /** @type {const} */ (language), source };
+    return { id: `${example.id}.${language}`, name: example.title, language, source };
   }
 
   /** The first one that a new user sees. */
@@ -115,7 +116,7 @@ export class Shelf {
       opener.setAttribute("aria-expanded", String(isOpen));
       if (isOpen) items()[0]?.focus();
     };
-    opener.addEventListener("click", () => open(menu.hidden));
+    opener.addEventListener("click", () => open(menu.hidden === true));
     menu.addEventListener("keydown", (event) => {
       const [all, step] = [items(), { ArrowDown: 1, ArrowUp: -1 }[event.key] ?? 0];
       if (event.key === "Escape") {

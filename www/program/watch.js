@@ -32,7 +32,9 @@ export class Watch {
 
   /** @param {import("../main.js").App} app @param {import("./run.js").ProgramRun} run @param {(line: number) => void} light */
   constructor(app, run, light) {
-    [this.#app, this.#run, this.#light] = [app, run, light];
+    this.#app = app;
+    this.#run = run;
+    this.#light = light;
   }
 
   /** In every frame. */

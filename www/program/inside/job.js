@@ -141,7 +141,7 @@ export class Job {
   /** @param {Runner} runner @param {Running} program */
   #step(runner, program) {
     const goesOn = program.step(this.#sensed(runner));
-    if (program.output.length) this.#collect(program.output, runner.steps());
+    if (program.output.length) this.#collect(said(program), runner.steps());
     if (!goesOn) {
       runner.finish(false);
       this.#isOver = true;
@@ -159,7 +159,7 @@ export class Job {
     for (const one of found) {
       if ((this.#outputs += 1) > MOST_OUTPUT && one.kind !== "break") break;
       if (typeof one.text === "string" && one.text.length > LONGEST) one.text = `${one.text.slice(0, LONGEST)}…`;
-      this.#output.push({ ...one, variables: undefined, step });
+      this.#output.push(Object.assign(one, { variables: undefined, step }));
     }
     if (this.#outputs === MOST_OUTPUT) this.#output.push({ kind: "print", step, text: `(more than ${MOST_OUTPUT} prints and marks: the rest is left out)` });
     found.length = 0;
@@ -202,7 +202,7 @@ export class Job {
       cells.push(x, y);
       if (cells.length > MOST_CELLS) throw { message: `The plan has more than ${MOST_CELLS / 2} cells. Let it end.`, line: program.line };
     }
-    this.#collect(program.output, 0);
+    this.#collect(said(program), 0);
     this.#isOver = true;
     this.#send({ type: "planned", id: this.#order.id, cells: new Uint32Array(cells), output: this.#output });
   }
@@ -226,11 +226,13 @@ export class Job {
   }
 
   close() {
-    this.#program?.close?.();
     this.#runner?.free();
     this.#program = this.#runner = undefined;
   }
 }
+
+/** What it printed and drew. @param {Running} program */
+const said = (program) => /** @type {import("../types").Output[]} */ (program.output);
 
 /** Nothing can be fetched here, and a program that tries a thousand times a second would only keep the browser busy. @param {string} source @param {Kit["parser"]} parser */
 function refuseImports(source, parser) {

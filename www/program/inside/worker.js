@@ -1,4 +1,5 @@
 // @ts-check
+/// <reference path="./python-files.d.ts" />
 // Runs in a worker of the sandbox: a program and the simulation that it drives, in slices, so that messages are heard in
 // between. What crosses to the page is the log of what the program commanded, and what it printed and drew.
 import { parser } from "@lezer/javascript";
