@@ -181,7 +181,7 @@ export function loadJavaScript(options) {
       }
     },
   };
-  return /** @type {Program} */ (program);
+  return /** @type {Program} */ (/** @type {unknown} */ (program));
 }
 
 /** A program may be written as a module. @param {string} source */
@@ -206,6 +206,7 @@ function missing(source) {
 /** An error with the program's line. @param {any} error @param {string} name @param {number} at the line that is known otherwise */
 function located(error, name, at) {
   if (error instanceof SourceError && error.line) return error;
+  /** @type {(number | undefined)[]} */
   let [line, column] = [at || undefined, undefined];
   const escaped = name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
   // The innermost place in the program.

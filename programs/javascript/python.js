@@ -250,8 +250,9 @@ function returned(value, kind) {
 /** MicroPython's traceback in words. @param {string} trace @param {string} name @param {number[] | null} lines */
 function pythonError(trace, name, lines) {
   const all = trace.trimEnd().split("\n");
-  const from = all.findLastIndex((words) => words.startsWith("  File "));
-  const own = all.findLast((words) => words.startsWith(`  File "${name}", line `));
+  const places = all.filter((words) => words.startsWith("  File "));
+  const from = all.lastIndexOf(places[places.length - 1]);
+  const own = places.filter((words) => words.startsWith(`  File "${name}", line `)).pop();
   const number = Number(/line (\d+)/.exec(own ?? "")?.[1] ?? 0);
   let message = all.slice(from + 1).join("\n");
   message = message.replace(/^(ProgramError|AttributeError): (?=.)/, "");
