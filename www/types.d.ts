@@ -109,9 +109,9 @@ sensors: [[string, string], [string, string], [string, string], [string, string]
 metrics: Array<MetricInfo>, cell_sizes_m: [number, number, number, number, number, number, number, number], speeds: [number, number, number, number, number, number, number], };
 
 /** A planner or behaviour. Claims that only the other kind has are false. */
-export type CatalogueEntry = { id: string, title: string, summary: string, source: string, link: string,
+export type CatalogueEntry = { id: string, title: string, summary: string,
 /** `planner` or `behaviour`. */
-kind: "planner" | "behaviour", mark: Mark, complete: boolean, deterministic: boolean, fast: boolean, anytime: boolean, ends: boolean, cleans: boolean, manual: boolean, idea: string, complexity: string, use_when: string, shines: ExampleEntry, fails: ExampleEntry, params: Array<Param>, };
+kind: "planner" | "behaviour", mark: Mark, complete: boolean, deterministic: boolean, fast: boolean, anytime: boolean, ends: boolean, cleans: boolean, manual: boolean, params: Array<Param>, };
 
 /** Snapshot of a comparison, one per frame. */
 export type ComparisonView = { version: number, set: string, sets: Array<[string, string]>, seeds: number, rooms: Array<string>,
@@ -288,6 +288,9 @@ progress: number, message: string, };
 export type EntryKind = "line" | "mode" | "hazard" | "frames" | "battery" | "command" | "robot";
 
 export type ExampleEntry = { room: string, why: string, };
+
+/** An explanation. The page loads all of them from a file, `www/explainers.json`, after its first picture. */
+export type ExplainerEntry = { idea: string, complexity: string, use_when: string, shines: ExampleEntry, fails: ExampleEntry, source: string, link: string, };
 
 /** Progress of a film. */
 export type FilmView = {
@@ -494,7 +497,8 @@ activity: string,
 params: Params,
 /** How the robot estimates its pose. */
 tracking: string,
-/** What to expect of the robot's maps, if it has nothing but a bumper; else empty. */
+/** What to expect of the robot's maps, if it has nothing but a bumper, or lacks what the method needs;
+ * else empty. */
 expectation: string,
 /** How wheel counts are converted to motion. */
 counts: string,
@@ -657,6 +661,10 @@ start_charge_percent: number,
 shows: Shows,
 /** How the follower computes its pose. */
 odometry: string,
+/** Whether the corners of plans are rounded, and whether this robot can do that. */
+smooth: boolean,
+/** See above. */
+can_smooth: boolean,
 /** Set speed, times real time; 0 for as fast as possible. */
 speed: number,
 /** Achieved speed, times real time. */
@@ -944,7 +952,9 @@ quantised: boolean | null,
 /** Charge of the battery at the start, percent. */
 start_charge_percent: number | null,
 /** How the robot computes its pose. */
-odometry: string | null, };
+odometry: string | null,
+/** Whether the corners of plans are rounded. */
+smooth: boolean | null, };
 
 /** The planner's search in words. */
 export type SearchView = {

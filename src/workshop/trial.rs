@@ -2,7 +2,7 @@
 
 use super::plan_job::reporter;
 use js_sys::{Function, Object, Reflect};
-use robovac_playground::wire::{clock, to_js, walk::path_to_js};
+use robovac_playground::wire::{clock, to_js, trajectory::trajectory_to_js, walk::path_to_js};
 use robovac_sim::experiment::{Arena, TrialRequest};
 use wasm_bindgen::prelude::*;
 
@@ -23,7 +23,7 @@ impl TrialRunner {
 
     /// Runs a trial of `Comparison.take_trial`. Blocks until it is done.
     ///
-    /// `on_progress(done, cells)` as for `plan`. Returns `{ cells, numbers }`; throws a message if there is no result.
+    /// `on_progress(done, cells)` as for `plan`. Returns `{ cells, numbers, knots }`; throws a message if there is no result.
     pub fn run(&mut self, request: JsValue, on_progress: &Function) -> Result<JsValue, JsValue> {
         let request: TrialRequest = serde_wasm_bindgen::from_value(request).map_err(|e| e.to_string())?;
         if self.arena.as_ref().is_none_or(|(place, _)| *place != request.place) {
@@ -36,6 +36,8 @@ impl TrialRunner {
         let result = Object::new();
         Reflect::set(&result, &"cells".into(), &path_to_js(&outcome.path.cells, &outcome.path.line))?;
         Reflect::set(&result, &"numbers".into(), &to_js(&outcome.numbers)?)?;
+        let knots = outcome.smooth.as_deref().map(trajectory_to_js);
+        Reflect::set(&result, &"knots".into(), &knots.map_or(JsValue::UNDEFINED, Into::into))?;
         Ok(result.into())
     }
 }

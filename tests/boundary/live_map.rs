@@ -122,7 +122,7 @@ fn a_plan_becomes_a_line_to_drive() {
     assert!(guest.corners().is_empty());
     let request = guest.take_plan_request().unwrap();
     let result = plan(&request, &Function::new_no_args("")).unwrap();
-    let cells = Uint32Array::new(&Reflect::get(&result, &"cells".into()).unwrap()).to_vec();
+    let cells = Reflect::get(&result, &"cells".into()).unwrap();
     guest.plan_finished(number(&request, "id") as u32, &cells, number(&result, "seconds")).unwrap();
     let corners = guest.corners();
     assert!(corners.len() >= 8 && corners.len().is_multiple_of(2), "{} numbers", corners.len());
@@ -134,7 +134,8 @@ fn a_plan_becomes_a_line_to_drive() {
 fn a_plan_through_walls_is_refused() {
     let mut guest = guest("room=empty&planner=boustrophedon&robot=roomba600");
     let request = guest.take_plan_request().unwrap();
-    let refusal = guest.plan_finished(number(&request, "id") as u32, &[0, 0, 500, 500], 0.0).unwrap_err();
+    let refusal =
+        guest.plan_finished(number(&request, "id") as u32, &Uint32Array::from(&[0, 0, 500, 500][..]), 0.0).unwrap_err();
     assert!(refusal.as_string().unwrap().contains("planner failed"), "{refusal:?}");
     assert!(guest.corners().is_empty());
 }

@@ -1,7 +1,7 @@
 //! The boundary to JavaScript, in a real browser.
 #![cfg(target_arch = "wasm32")]
 
-use js_sys::{Array, Float64Array, Function, Object, Reflect, Uint8Array, Uint32Array};
+use js_sys::{Array, Float64Array, Function, Object, Reflect, Uint8Array};
 use page::Playground;
 use robovac_link::connection::TransportView;
 use robovac_playground::wire::to_js;
@@ -39,9 +39,14 @@ fn serve(playground: &mut Playground) {
     let request = playground.take_plan_request().unwrap();
     assert!(!request.is_undefined(), "nothing to plan");
     let result = plan(&request, &Function::new_no_args("")).unwrap();
-    let cells = Uint32Array::new(&get(&result, "cells")).to_vec();
     playground
-        .plan_finished(number(&request, "id") as u32, &cells, number(&result, "seconds"), get(&result, "trace"), None)
+        .plan_finished(
+            number(&request, "id") as u32,
+            &get(&result, "cells"),
+            number(&result, "seconds"),
+            get(&result, "trace"),
+            None,
+        )
         .unwrap();
 }
 

@@ -75,6 +75,11 @@ test("every behaviour of the menu maps, whatever its parameters are called", asy
     // The speed of "edge" took the identifier of the play bar's speed.
     const twice = await page.evaluate(() => [...document.querySelectorAll("[id]")].map(({ id }) => id).filter((id, index, all) => all.indexOf(id) !== index));
     assert.deepEqual(twice, [], behaviour);
+    // A Roomba has no laser scanner.
+    if ((await page.locator("#map-expected").innerText()).includes("needs a laser scanner")) {
+      assert.ok(await page.locator("#map-play[aria-disabled=true]").count());
+      continue;
+    }
     await explore(app, 1);
   }
 });

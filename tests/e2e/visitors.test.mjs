@@ -22,7 +22,7 @@ test("the end of a run is told, with what to try next", async (t) => {
   assert.equal(await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.id, [x, y]), "floor");
   await page.locator("#ending").getByRole("button", { name: /slip/ }).click();
   await app.settled();
-  assert.equal((await app.link()).slip, "typical");
+  assert.equal(await app.linked("slip"), "typical");
   await app.until("finished");
   await page.locator("#ending .sheet-close, #ending button[aria-label=Dismiss]").click();
   await page.locator("#ending").waitFor({ state: "hidden" });

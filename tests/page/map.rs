@@ -358,8 +358,10 @@ fn every_explorer_can_be_chosen_and_links_bring_choices_back() {
         assert_eq!(other.setup().to_link(), link);
         assert_eq!(other.recipe(), survey.recipe());
         other.run_ahead(5.0);
-        // A Roomba has no laser.
-        assert!(info.claims.needs_laser || other.run().is_some_and(|run| run.steps() > 0), "{}", info.id);
+        // A Roomba has no laser, and is said to lack it.
+        let drives = other.run().is_some_and(|run| run.steps() > 0);
+        let needs_laser = other.expectation().is_some_and(|text| text.contains("laser scanner"));
+        assert_eq!((drives, needs_laser), (!info.claims.needs_laser, info.claims.needs_laser), "{}", info.id);
     }
     let mut survey = small();
     let before = survey.setup().to_link();

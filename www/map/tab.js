@@ -140,7 +140,7 @@ function show(view) {
   }
   setText(byId("map-room"), view.title);
   // A robot that has come to its end would look as if it hung; one that is lost has explored less, and says so itself.
-  const isDone = view.phase === "finished" && view.is_sure !== false;
+  const isDone = view.phase === "finished" && view.is_sure !== false && view.time_s > 0;
   const next = view.can.clean ? " Next: clean with this map." : "";
   const activity = isDone && !view.is_cleaning ? `Done: nothing left to explore.${next}` : view.activity;
   setText(byId("map-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");

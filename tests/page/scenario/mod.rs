@@ -185,7 +185,7 @@ const STRUCTURE: &[Case] = &[
     (
         "\"name\": \"Nook\"",
         "\"title\": \"Nook\"",
-        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `own_robot`, `planner`, `behaviour`, `params`, `path`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`; fix that line or export the file again",
+        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `own_robot`, `planner`, `behaviour`, `params`, `path`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`, `smooth`; fix that line or export the file again",
     ),
     (
         "\"radius\": 0.02",
@@ -502,6 +502,7 @@ fn version_1_has_no_keys_of_version_2() {
         ("quantised", "false"),
         ("start_charge_percent", "50"),
         ("odometry", "\"arc\""),
+        ("smooth", "true"),
         ("own_robot", "{}"),
         ("path", "[[1, 1]]"),
     ] {

@@ -23,11 +23,19 @@ pub const BY_BUMPER: [ByBumper; 3] = [
 ];
 
 impl MapSession {
-    /// What to expect of the maps of the chosen robot, if it has nothing but a bumper.
+    /// What to expect of the maps of the chosen robot, if it has nothing but a bumper, or lacks what the method needs.
     pub fn expectation(&self) -> Option<String> {
-        self.prepared().and_then(|prepared| expectation(&prepared.robot))
+        let robot = &self.prepared()?.robot;
+        if self.setup().behaviour.claims.needs_laser && robot.sensors.laser.is_none() {
+            return Some(NO_LASER.to_owned());
+        }
+        expectation(robot)
     }
 }
+
+/// Said of a method that needs a laser scanner, for a robot without one.
+const NO_LASER: &str = "This method needs a laser scanner, which this robot lacks: it won't drive. Choose the CBot or the \
+                        Roomba 600 with laser.";
 
 fn expectation(robot: &RobotModel) -> Option<String> {
     let ByBumper { position_m: [corrected, odometry], boundary, .. } =

@@ -24,7 +24,8 @@ pub struct MapView {
     pub params: robovac_core::registry::Params,
     /// How the robot estimates its pose.
     pub tracking: &'static str,
-    /// What to expect of the robot's maps, if it has nothing but a bumper; else empty.
+    /// What to expect of the robot's maps, if it has nothing but a bumper, or lacks what the method needs;
+    /// else empty.
     pub expectation: String,
     /// How wheel counts are converted to motion.
     pub counts: &'static str,

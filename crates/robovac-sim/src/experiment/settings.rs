@@ -56,6 +56,8 @@ pub struct Settings {
     pub conditions: Conditions,
     /// How the follower computes its pose.
     pub odometry: OdometryModel,
+    /// Whether the corners of plans are rounded.
+    pub smooth: bool,
     /// Start chosen by the user, if not the room's own.
     pub start: Option<Pose>,
     /// Speed, times real time; 0 for as fast as possible.
@@ -121,6 +123,7 @@ impl Settings {
             seed: 1,
             conditions: Conditions::default(),
             odometry: OdometryModel::Arc,
+            smooth: false,
             start: None,
             speed: DEFAULT_SPEED,
             left_speed: DEFAULT_SPEED,
@@ -315,16 +318,11 @@ impl Settings {
 
     /// Whether `other` gives the same plan in the same room.
     pub fn plans_like(&self, other: &Self) -> bool {
-        (self.algorithm.id(), &self.params, self.robot, &self.custom, &self.path, self.cell_size, self.seed)
-            == (
-                other.algorithm.id(),
-                &other.params,
-                other.robot,
-                &other.custom,
-                &other.path,
-                other.cell_size,
-                other.seed,
-            )
+        let plan = |it: &Self| (it.algorithm.id(), it.robot, it.cell_size, it.seed, it.smooth);
+        plan(self) == plan(other)
+            && self.params == other.params
+            && self.custom == other.custom
+            && self.path == other.path
     }
 
     /// The robot, which for the idealised one depends on the size of a cell.
@@ -374,6 +372,9 @@ impl Settings {
         if self.odometry != default.odometry {
             push("odometry", self.odometry.id().to_owned());
         }
+        if self.smooth {
+            push("smooth", self.smooth.to_string());
+        }
         if let Some(start) = self.start {
             push("start", format!("{:.3},{:.3},{:.1}", start.x, start.y, start.heading.to_degrees()));
         }
@@ -419,6 +420,7 @@ impl Settings {
             "quantised" => self.conditions.quantised = value == "true",
             "charge" => self.set_start_charge(value.parse().ok(), value)?,
             "odometry" => self.set_odometry(value)?,
+            "smooth" => self.smooth = value == "true",
             "show" => self.shows = Shows::from_link(value)?,
             "speed" => self.speed = number("the speed", "a number, 0 for as fast as possible")?.max(0.0),
             "start" => {

@@ -29,7 +29,7 @@ pub struct RunOutcome {
     pub falls: u32,
     /// Remaining share of the dirt at the end, 0 to 1; `None` if there was none.
     pub dirt_left: Option<f64>,
-    /// How far distance and time exceed the least of any run that sweeps as much floor, as shares of that; see [`excess`]. `None` if
+    /// How far distance and time exceed the least of any run that sweeps as much floor, as shares of that. `None` if
     /// nothing was swept, and for a robot that fills a cell.
     pub excess: Option<[f64; 2]>,
     /// Digest of the final state, exact to the last bit.
