@@ -1,8 +1,10 @@
 // @ts-check
 // The description of an algorithm: idea, claims, colours, cost, when to use it, the paper.
 import { make } from "./dom.js";
+import { text } from "./parts.js";
 
 /** @typedef {import("./types").CatalogueEntry} AlgorithmEntry */
+/** @typedef {Record<string, import("./types").ExplainerEntry>} Explainers */
 /** @typedef {[claim: keyof AlgorithmEntry, yes: string, no: string, tipYes: string, tipNo: string]} Claim */
 
 /** @type {Claim[]} */
@@ -22,13 +24,34 @@ const BEHAVIOUR_CLAIMS = [
 /** @type {Claim[]} */
 const MANUAL_CLAIMS = [["manual", "you drive", "", "You drive; only commands that would do harm are blocked.", ""]];
 
+/** The texts, fetched once. @type {Promise<Explainers> | undefined} */
+let texts;
+
+async function load() {
+  texts ??= text(new URL("./explainers.json", import.meta.url)).then((json) => JSON.parse(json));
+  try {
+    return await texts;
+  } catch (error) {
+    // Fetched again for the next algorithm; until then the claims have to do.
+    texts = undefined;
+    console.warn(error);
+    return /** @type {Explainers} */ ({});
+  }
+}
+
 /**
- * The explainer of an algorithm.
+ * Explains an algorithm in `into`, once the texts are there.
+ * @param {HTMLElement} into
  * @param {AlgorithmEntry} algorithm
  * @param {import("./types").Catalogue["rooms"]} rooms
  * @param {((room: string) => void) | undefined} openRoom What to do when an example room is chosen.
+ * @param {boolean} withColours Whether the floor has the colours of Explore.
  */
-export function explainer(algorithm, rooms, openRoom) {
+export async function explain(into, algorithm, rooms, openRoom, withColours = true) {
+  into.dataset.about = algorithm.id;
+  const explained = (await load())[algorithm.id];
+  // Another one was chosen meanwhile.
+  if (into.dataset.about !== algorithm.id) return;
   const plans = algorithm.kind === "planner";
   const told = (plans ? PLANNER_CLAIMS : algorithm.manual ? MANUAL_CLAIMS : BEHAVIOUR_CLAIMS).filter(([key, , no]) => algorithm[key] || no);
   const claims = told.map(([key, yes, no, tipYes, tipNo]) =>
@@ -41,18 +64,23 @@ export function explainer(algorithm, rooms, openRoom) {
     const place = openRoom ? make("button", { type: "button", className: "link", onclick: () => openRoom(room) }, name) : name;
     return [make("dt", {}, title), make("dd", {}, place, ": ", why)];
   };
-  const source = make("p", { className: "source" }, algorithm.source);
-  if (algorithm.link) source.append(" ", make("a", { href: algorithm.link, target: "_blank", rel: "noopener" }, "Read it"));
-  return [
-    make("p", {}, algorithm.idea),
+  const source = make("p", { className: "source" }, explained?.source ?? "");
+  if (explained?.link) source.append(" ", make("a", { href: explained.link, target: "_blank", rel: "noopener" }, "Read it"));
+  const advice = explained
+    ? [
+        make("dt", {}, "When to use it"), make("dd", {}, explained.use_when),
+        ...example("Works well in", explained.shines),
+        ...example("Works poorly in", explained.fails),
+        make("dt", {}, "Cost"), make("dd", {}, explained.complexity),
+      ]
+    : [];
+  into.replaceChildren(
+    make("p", {}, explained?.idea ?? algorithm.summary),
     make("ul", { className: "claims" }, ...claims),
     make("dl", { className: "explained" },
-      make("dt", {}, "When to use it"), make("dd", {}, algorithm.use_when),
-      ...example("Works well in", algorithm.shines),
-      ...example("Works poorly in", algorithm.fails),
-      make("dt", {}, "Cost"), make("dd", {}, algorithm.complexity),
-      make("dt", {}, "Colours"), make("dd", {}, `Blue floor was swept once, yellow floor often. ${plans ? "The thin line is the plan, the thick line" : "The line is"} where the robot drove recently.`),
+      ...advice,
+      ...(withColours ? [make("dt", {}, "Colours"), make("dd", {}, `Blue floor was swept once, yellow floor often. ${plans ? "The thin line is the plan, the thick line" : "The line is"} where the robot drove recently.`)] : []),
     ),
     source,
-  ];
+  );
 }

@@ -6,7 +6,8 @@
  * @typedef {import("./worker-types").Proof | undefined} Proof
  * @typedef {object} Listeners
  * @property {(id: number, done: number, cells: import("./worker-types").WirePath, proof: Proof, film: unknown[]) => void} progress
- * @property {(id: number, cells: import("./worker-types").WirePath, seconds: number, trace: unknown, proof: Proof) => void} finished
+ * @property {(id: number, cells: import("./worker-types").WirePath, seconds: number, trace: unknown, proof: Proof, knots: import("./worker-types").Knots) => void} finished
+ * @property {(id: number, knots: Float64Array) => void} [smoothed] Receives the rounded corners of a plan that was kept.
  * @property {(id: number, proof: Proof, least: Float64Array | undefined) => void} [proven] Receives what is proven of a plan already received.
  * @property {(id: number, message: string) => void} failed
  */
@@ -108,6 +109,7 @@ export class Planning {
   /** @param {FromWorker} message */
   #hear(message) {
     const { id } = message;
+    if (message.type === "smoothed" && message.knots && id === this.#proving) this.#listeners.smoothed?.(id, message.knots);
     if (message.type === "proven" && id === this.#proving) {
       this.#proving = NaN;
       this.#sent = false;
@@ -122,7 +124,7 @@ export class Planning {
     this.#busy = undefined;
     this.#sent = message.type === "finished";
     if (this.#sent) this.#proving = id;
-    if (message.type === "finished") this.#listeners.finished(id, message.cells, message.seconds, message.trace, message.proof);
+    if (message.type === "finished") this.#listeners.finished(id, message.cells, message.seconds, message.trace, message.proof, message.knots);
     else if (message.type === "failed") this.#listeners.failed(id, message.message);
   }
 }

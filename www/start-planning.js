@@ -17,7 +17,11 @@ export function startPlanning(playground, guard) {
   /** @type {import("./planning.js").Listeners} */
   const listeners = {
     progress: (id, done, cells, proof, film) => guard(() => playground.plan_progress(id, done, cells, proof, film)),
-    finished: (id, cells, seconds, trace, proof) => guard(() => playground.plan_finished(id, cells, seconds, trace, proof)),
+    finished: (id, cells, seconds, trace, proof, knots) => {
+      guard(() => playground.plan_finished(id, cells, seconds, trace, proof));
+      if (knots) guard(() => playground.plan_smoothed(id, knots));
+    },
+    smoothed: (id, knots) => guard(() => playground.plan_smoothed(id, knots)),
     proven: (id, proof, least) => guard(() => playground.plan_proven(id, proof, least)),
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),
   };

@@ -109,9 +109,9 @@ sensors: [[string, string], [string, string], [string, string], [string, string]
 metrics: Array<MetricInfo>, cell_sizes_m: [number, number, number, number, number, number, number, number], speeds: [number, number, number, number, number, number, number], };
 
 /** A planner or behaviour. Claims that only the other kind has are false. */
-export type CatalogueEntry = { id: string, title: string, summary: string, source: string, link: string,
+export type CatalogueEntry = { id: string, title: string, summary: string,
 /** `planner` or `behaviour`. */
-kind: "planner" | "behaviour", mark: Mark, complete: boolean, deterministic: boolean, fast: boolean, anytime: boolean, ends: boolean, cleans: boolean, manual: boolean, idea: string, complexity: string, use_when: string, shines: ExampleEntry, fails: ExampleEntry, params: Array<Param>, };
+kind: "planner" | "behaviour", mark: Mark, complete: boolean, deterministic: boolean, fast: boolean, anytime: boolean, ends: boolean, cleans: boolean, manual: boolean, params: Array<Param>, };
 
 /** Snapshot of a comparison, one per frame. */
 export type ComparisonView = { version: number, set: string, sets: Array<[string, string]>, seeds: number, rooms: Array<string>,
@@ -277,7 +277,7 @@ can_rearm: boolean, };
 export type EntrantView = { id: string, kind: "planner" | "behaviour",
 /** With a number for copies. */
 title: string, mark: Mark,
-/** 1, or 2 and up for copies; 0 for one that was removed. */
+/** 1, or 2 and up for copies; 0 for one that was removed, and for a program that isn't there. */
 copy: number, chosen: boolean, params: Params,
 /** `out`, `trying`, `done` or `failed`. */
 state: "out" | "trying" | "done" | "failed",
@@ -288,6 +288,9 @@ progress: number, message: string, };
 export type EntryKind = "line" | "mode" | "hazard" | "frames" | "battery" | "command" | "robot";
 
 export type ExampleEntry = { room: string, why: string, };
+
+/** An explanation. The page loads all of them from a file, `www/explainers.json`, after its first picture. */
+export type ExplainerEntry = { idea: string, complexity: string, use_when: string, shines: ExampleEntry, fails: ExampleEntry, source: string, link: string, };
 
 /** Progress of a film. */
 export type FilmView = {
@@ -494,7 +497,8 @@ activity: string,
 params: Params,
 /** How the robot estimates its pose. */
 tracking: string,
-/** What to expect of the robot's maps, if it has nothing but a bumper; else empty. */
+/** What to expect of the robot's maps, if it has nothing but a bumper, or lacks what the method needs;
+ * else empty. */
 expectation: string,
 /** How wheel counts are converted to motion. */
 counts: string,
@@ -629,6 +633,8 @@ path_corners: number,
 algorithm: string,
 /** `planner` or `behaviour`. */
 kind: "planner" | "behaviour",
+/** The user's program, if it is chosen. */
+program: ProgramView | null,
 /** The robot's activity, in a few words; empty for none. */
 activity: string,
 /** Changes whenever the list of events does. */
@@ -657,6 +663,10 @@ start_charge_percent: number,
 shows: Shows,
 /** How the follower computes its pose. */
 odometry: string,
+/** Whether the corners of plans are rounded, and whether this robot can do that. */
+smooth: boolean,
+/** See above. */
+can_smooth: boolean,
 /** Set speed, times real time; 0 for as fast as possible. */
 speed: number,
 /** Achieved speed, times real time. */
@@ -769,7 +779,45 @@ how: string, };
 /** Buttons of the robot on the page. */
 export type PressedButton = "clean" | "spot" | "max" | "dock" | "power";
 
-export type RaceView = { state: SessionState, time_s: number, end_s: number, planned_s: number, speed: number, lanes: Array<LaneView>, };
+/** A program that a user wrote. */
+export type Program = {
+/** Name in lists and of its file, without an ending. */
+name: string,
+/** Its language. */
+language: ProgramLanguage,
+/** What it does. */
+kind: ProgramKind,
+/** Its text. */
+source: string, };
+
+/** Kinds of programs. */
+export type ProgramKind = "behaviour" | "planner";
+
+/** Languages of programs. */
+export type ProgramLanguage = "python" | "javascript";
+
+/** A user's program that is chosen. */
+export type ProgramView = {
+/** Its name. */
+name: string,
+/** Its language. */
+language: ProgramLanguage,
+/** What it does. */
+kind: ProgramKind,
+/** Changes when it has to be run again: from the start, or from a person's last input on. */
+version: number,
+/** Steps for which it has commanded; `None` for a planner. */
+reach_steps: number | null,
+/** How it ended, if it has. */
+end: "done" | "failed" | null,
+/** Whether the run stands still because the program hasn't got farther. */
+waits: boolean,
+/** Steps before a person's last input; `None` without one. */
+input: number | null, };
+
+export type RaceView = { state: SessionState, time_s: number, end_s: number, planned_s: number, speed: number,
+/** Whether it stands still because the user's program hasn't got farther. */
+waits: boolean, lanes: Array<LaneView>, };
 
 /** User requests to a robot. In JavaScript, `{ do: "arm", full: false }` and the like. */
 export type Request = { "do": "connect" } | { "do": "disconnect" } | { "do": "arm",
@@ -929,6 +977,8 @@ cell_size: number | null,
 planner: string | null,
 /** Id of the behaviour. */
 behaviour: string | null,
+/** The user's program, if that is the planner or behaviour. */
+program: Program | null,
 /** Parameters of the planner or behaviour, by name. */
 params: Array<[string, string]>,
 /** A path that is driven in place of the planner's, as in links. */
@@ -944,7 +994,9 @@ quantised: boolean | null,
 /** Charge of the battery at the start, percent. */
 start_charge_percent: number | null,
 /** How the robot computes its pose. */
-odometry: string | null, };
+odometry: string | null,
+/** Whether the corners of plans are rounded. */
+smooth: boolean | null, };
 
 /** The planner's search in words. */
 export type SearchView = {
@@ -1084,7 +1136,9 @@ kind: "planner" | "behaviour",
 /** Whether it is measured by the boundary that it has met rather than by clean floor. */
 explores: boolean, mark: Mark, params: Array<Param>, };
 
-export type StudyEntrantView = { chosen: boolean, params: Params,
+export type StudyEntrantView = { chosen: boolean,
+/** Whether it can take part: the user's program only if there is one of its kind. */
+offered: boolean, params: Params,
 /** Finished runs among the required ones. */
 runs: number, failure: string, };
 

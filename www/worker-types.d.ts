@@ -10,6 +10,9 @@ export type BagRequest = { snapshot: SessionSnapshot } & ({ corners: Float64Arra
 /** A path from a worker, x, y, x, y, ...: the cells of a walk, or the corners of a path in metres. */
 export type WirePath = Uint32Array | Float64Array;
 
+/** A trajectory with rounded corners, if there is one. */
+export type Knots = Float64Array | undefined;
+
 /** Messages to and from the planning worker. */
 export type ToWorker =
   | { type: "init"; module: WebAssembly.Module }
@@ -25,14 +28,16 @@ export type Proof = Float64Array;
 export type FromWorker =
   | { type: "progress"; id: number; done: number; cells: WirePath; proof: Proof | undefined; film: unknown[] | undefined }
   /** The planner's own proof; the proof in the weights of comparisons comes later. */
-  | { type: "finished"; id: number; cells: WirePath; seconds: number; trace: unknown; proof: Proof | undefined }
+  | { type: "finished"; id: number; cells: WirePath; seconds: number; trace: unknown; proof: Proof | undefined; knots: Knots }
+  /** What was rounded of a plan that was kept. */
+  | { type: "smoothed"; id: number; knots: Knots }
   /** `least`: length and time of any path that sweeps as much. */
   | { type: "proven"; id: number; proof: Proof | undefined; least: Float64Array | undefined }
   | { type: "failed"; id: number; message: string };
 
 export type FromTrial =
   | { type: "progress"; id: number; done: number; cells: WirePath }
-  | { type: "tried"; id: number; cells: WirePath; numbers: unknown }
+  | { type: "tried"; id: number; cells: WirePath; numbers: unknown; knots: Knots }
   | { type: "failed"; id: number; message: string };
 
 /** Outcomes of runs, the argument of `MonteCarlo.batch_finished`. */

@@ -1,6 +1,6 @@
 // @ts-check
 // Plans and reads maps away from the page, which stays responsive; to cancel, the page ends this worker.
-import init, { Runner, TrialRunner, fit_cells, least, map_bag, plan, prove, read_map, run_bag } from "../workshop.js";
+import init, { Runner, TrialRunner, fit_cells, least, map_bag, plan, prove, read_map, run_bag, smooth } from "../workshop.js";
 
 /** @typedef {import("./worker-types").FromWorker | import("./worker-types").FromTrial | import("./worker-types").FromRuns | import("./worker-types").FromReader | import("./worker-types").FromFit | import("./worker-types").FromBag} Answer */
 
@@ -36,9 +36,10 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
   try {
     if (message.type === "plan") {
       const { cells, seconds, trace, proof } = plan(message.request, report);
-      answer({ type: "finished", id, cells, seconds, trace, proof });
+      answer({ type: "finished", id, cells, seconds, trace, proof, knots: smooth(message.request, cells) });
       tellProof(message.request, cells);
     } else if (message.type === "prove") {
+      answer({ type: "smoothed", id, knots: smooth(message.request, message.cells) });
       tellProof(message.request, message.cells);
     } else if (message.type === "read") {
       const map = read_map(message.request.files);
@@ -55,8 +56,8 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
       answer({ type: "ran", id, outcomes }, [outcomes.buffer]);
     } else {
       trials ??= new TrialRunner();
-      const { cells, numbers } = trials.run(message.request, report);
-      answer({ type: "tried", id, cells, numbers }, [cells.buffer]);
+      const { cells, numbers, knots } = trials.run(message.request, report);
+      answer({ type: "tried", id, cells, numbers, knots }, [cells.buffer]);
     }
   } catch (error) {
     answer({ type: "failed", id, message: error instanceof Error ? error.message : String(error) });

@@ -1,22 +1,23 @@
-// Drives lane after lane, a little less than a tool's width apart. Where it can't move over, it goes on in another direction.
+// Drives lanes to and fro, a little less than a tool's width apart. After a while, or where it can't move over, it looks
+// for another place.
 function* run(robot) {
-  let side = 90;
-  let short = 0;
   while (true) {
-    const before = robot.distance;
-    yield robot.forward(10);
-    short = robot.distance - before < 0.3 ? short + 1 : 0;
-    yield robot.forward(-0.05);
-    yield robot.turn(side);
-    const moved = yield robot.forward(0.85 * robot.toolWidth);
-    if (!moved || short > 2) {
-      // The room ends here, or this corner is done.
+    let side = robot.choice([90, -90]);
+    for (let lane = 0; lane < 12; lane++) {
+      const before = robot.distance;
+      yield robot.forward(10);
+      const short = lane > 0 && robot.distance - before < 0.2;
       yield robot.forward(-0.05);
-      yield robot.turn(robot.randint(30, 150));
-      short = 0;
-    } else {
       yield robot.turn(side);
+      const moved = yield robot.forward(0.85 * robot.toolWidth);
+      if (short || !moved) break;
+      yield robot.turn(side);
+      side = -side;
     }
-    side = -side;
+    for (let bounce = 0; bounce < 4; bounce++) {
+      yield robot.forward(-0.05);
+      yield robot.turn(robot.randint(90, 270));
+      yield robot.forward(10);
+    }
   }
 }

@@ -17,7 +17,7 @@ function* run(robot) {
     for (let bounce = 0; bounce < 4; bounce++) {
       yield robot.forward(-0.06);
       yield robot.turn(100 + 80 * robot.random());
-      yield robot.forward(0.5 + 2.5 * robot.random());
+      yield robot.forward(1 + 4 * robot.random());
     }
   }
 }

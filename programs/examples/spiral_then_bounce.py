@@ -15,4 +15,4 @@ def run(robot):
         for bounce in range(4):
             yield robot.forward(-0.06)
             yield robot.turn(100 + 80 * robot.random())
-            yield robot.forward(0.5 + 2.5 * robot.random())
+            yield robot.forward(1 + 4 * robot.random())

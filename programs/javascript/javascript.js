@@ -74,17 +74,25 @@ export function loadJavaScript(options) {
   }
   if (traced && !tree) throw new SourceError("a JavaScript program is traced by a parser, and none was given");
   const text = traced ? instrument(source, tree, breakpoints) : tidy(source);
+  // The only clock is the robot's.
   const clock = { now: () => robot.time * 1000 };
+  const Time = class extends Date {
+    constructor(/** @type {any[]} */ ...parts) {
+      // @ts-ignore: as Date takes them.
+      super(...(parts.length > 0 ? parts : [clock.now()]));
+    }
+    static now = clock.now;
+  };
   const console = { log: print, info: print, warn: print, error: print, debug: print };
   /** @type {Record<string, any>} */
   let parts;
   try {
     // On one line with the program's first, so that the lines of errors are the program's own. Its `let` and `function`
     // are inside a function: programs can be loaded one after the other.
-    const make = (0, eval)(`(function (print, console, performance, $trace) { "use strict"; ${text}\n;return {${KINDS.map((kind) => `${kind}: typeof ${kind} === "undefined" ? undefined : ${kind}`).join(", ")}}; })\n//# sourceURL=${name}`);
+    const make = (0, eval)(`(function (print, console, performance, Date, $trace) { "use strict"; ${text}\n;return {${KINDS.map((kind) => `${kind}: typeof ${kind} === "undefined" ? undefined : ${kind}`).join(", ")}}; })\n//# sourceURL=${name}`);
     // Chance is the seed's.
     Math.random = robot.random;
-    parts = make(print, console, clock, tracer);
+    parts = make(print, console, clock, Time, tracer);
   } catch (error) {
     throw located(error, name, line);
   }
@@ -181,7 +189,7 @@ export function loadJavaScript(options) {
       }
     },
   };
-  return /** @type {Program} */ (program);
+  return /** @type {Program} */ (/** @type {unknown} */ (program));
 }
 
 /** A program may be written as a module. @param {string} source */
@@ -206,6 +214,7 @@ function missing(source) {
 /** An error with the program's line. @param {any} error @param {string} name @param {number} at the line that is known otherwise */
 function located(error, name, at) {
   if (error instanceof SourceError && error.line) return error;
+  /** @type {(number | undefined)[]} */
   let [line, column] = [at || undefined, undefined];
   const escaped = name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
   // The innermost place in the program.

@@ -1,6 +1,7 @@
 // @ts-check
 // A program in Python, in MicroPython. Readings get there without a call: its memory is written directly. Fractions go to
 // an array of the package; flags and whole numbers that have changed go straight into the robot's attributes.
+import { chance } from "./chance.js";
 import { MOST_PRINTED, whole } from "./javascript.js";
 import { NONE, startMicroPython } from "./micropython.js";
 import { instrument } from "./trace-python.js";
@@ -63,8 +64,9 @@ export async function loadPython(options) {
   const traceAt = Number(call(named("trace"))) >> 2;
   const most = Math.min(budget, 2 ** 30);
   heap.words[traceAt + 1] = most;
-  const random = { ref: 0 };
-  state.chance = () => seed / 4294967296 % 1 + random.ref++ * 0.618033988749895 % 1;
+  // What Python's `random` begins with: always the same, as it may begin again behind a restored state.
+  const first = chance(seed)();
+  state.chance = () => first;
   const { kind, floats, out } = JSON.parse(String(call(named("load"), text.source, name, JSON.stringify(facts), String(seed))));
   const [floatsAt, outAt] = [floats >> 3, out >> 3];
   python.run("robot = page.program.robot\nfunction = page.program.function");
@@ -112,7 +114,7 @@ export async function loadPython(options) {
   // Behind them: whether the lists of six have to be put together again.
   const [bumperAt, signalsAt] = [names.indexOf("_b0"), names.indexOf("_s0")];
   const [oldBumper, oldSignals] = [names.length - 2, names.length - 1];
-  const first = Int32Array.from(spans, ([from]) => from ?? -1);
+  const begin = Int32Array.from(spans, ([from]) => from ?? -1);
   const isSingle = Uint8Array.from(spans, ([from, to]) => (from === to ? 1 : 0));
   const last = Int32Array.from(spans, ([, to]) => to ?? -1);
   const flag = Uint8Array.from(isFlag, Number);
@@ -127,8 +129,8 @@ export async function loadPython(options) {
       sent.fill(NaN);
     }
     for (let index = 0; index < floatFrom.length; index++) doubles[floatsAt + index] = readings[floatFrom[index]];
-    for (let index = 0; index < first.length; index++) {
-      const from = first[index];
+    for (let index = 0; index < begin.length; index++) {
+      const from = begin[index];
       let value = readings[from];
       if (isSingle[index] === 0) for (let at = from + 1; at <= last[index]; at++) if (readings[at] > value) value = readings[at];
       if (value === sent[index]) continue;
@@ -250,8 +252,9 @@ function returned(value, kind) {
 /** MicroPython's traceback in words. @param {string} trace @param {string} name @param {number[] | null} lines */
 function pythonError(trace, name, lines) {
   const all = trace.trimEnd().split("\n");
-  const from = all.findLastIndex((words) => words.startsWith("  File "));
-  const own = all.findLast((words) => words.startsWith(`  File "${name}", line `));
+  const places = all.filter((words) => words.startsWith("  File "));
+  const from = all.lastIndexOf(places[places.length - 1]);
+  const own = places.filter((words) => words.startsWith(`  File "${name}", line `)).pop();
   const number = Number(/line (\d+)/.exec(own ?? "")?.[1] ?? 0);
   let message = all.slice(from + 1).join("\n");
   message = message.replace(/^(ProgramError|AttributeError): (?=.)/, "");

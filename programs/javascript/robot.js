@@ -33,7 +33,7 @@ class Base {
     this._right = 0;
     this._isDone = false;
     this._half = motions.RADIANS * this.wheelBase * 0.5;
-    /** Readings of this step, in the host's layout. */
+    /** Readings of this step, in the host's layout. @type {Float64Array} */
     this._readings = new Float64Array(0);
     /** Counts the readings. */
     this._step = 0;

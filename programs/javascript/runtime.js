@@ -19,7 +19,7 @@ export { SourceError } from "./words.js";
  *   scripts/micropython.mjs writes, and the package: paths in programs/python with their texts
  * @property {any} [parser] for JavaScript: the one of `@lezer/javascript`; mistakes then have a line, and it can be traced
  * @property {boolean} [traced] keeps the line; needed for `budget` and `breakpoints`; takes about twice the time
- * @property {number} [budget] statements in one step, after which it counts as endless
+ * @property {number} [budget] turns of loops in one step (in JavaScript: statements), after which it counts as endless
  * @property {{line: number, condition?: string}[]} [breakpoints]
  * @property {number} [memory] the most that Python may use, MB
  */

@@ -1,7 +1,7 @@
 // @ts-check
-// Which line a Python program is in: MicroPython has no sys.settrace, so a call stands before each statement. Inserting
-// lines at the indentation of the next statement needs no parser, only where statements begin; `lines` leads back from
-// the text that is run to the program's own.
+// Which line a Python program is in: MicroPython has no sys.settrace, so before each statement stands one that sets the
+// line; in loops it is a call that also counts. Inserting lines at the indentation of the next statement needs no parser,
+// only where statements begin; `lines` leads back from the text that is run to the program's own.
 
 /** @typedef {{line: number, condition?: string}} Breakpoint */
 /** A statement, or the head of one: its first line, counted from 0, its indentation, and its text with all its lines.
@@ -104,7 +104,9 @@ export function instrument(source, breakpoints) {
     const number = at + 1;
     for (; next < at; next++) put(lines[next], next + 1);
     if (!PARTS.test(statement.text) && !isDecorated) {
-      put(`${indent}_trace_at(${number})`, number);
+      const before = all[index - 1];
+      const isInLoop = before && LOOP.test(before.text) && indent.length > before.indent.length;
+      put(`${indent}${isInLoop ? `_trace_at(${number})` : `_trace_line[0] = ${number}`}`, number);
       const stop = breakpoints.find(({ line }) => line === number);
       if (stop) put(`${indent}_trace_stop(${number}, lambda: (${stop.condition?.trim().replace(/\n/g, " ") || "True"}))`, number);
     }

@@ -19,7 +19,10 @@ use robovac_core::{
 use robovac_playground::wire::message;
 use robovac_playground::{
     canvas::Canvas,
-    wire::{clock, frames::frames_from_js, map_file, proof::proof_from_js, request, to_js, walk},
+    wire::{
+        clock, frames::frames_from_js, map_file, proof::proof_from_js, request, to_js, trajectory::trajectory_from_js,
+        walk,
+    },
 };
 use robovac_sim::{
     controller,
@@ -200,6 +203,11 @@ impl Playground {
         Ok(())
     }
 
+    /// The worker has rounded the corners of its plan; see `smooth`.
+    pub fn plan_smoothed(&mut self, id: u32, knots: &[f64]) {
+        self.session.plan_smoothed(id, trajectory_from_js(knots));
+    }
+
     /// The worker has proven bounds of its plan: its cost and the least, and the least length, m, and time, s.
     pub fn plan_proven(&mut self, id: u32, proof: Option<Vec<f64>>, least: Option<Vec<f64>>) {
         let least = least.and_then(|least| least.try_into().ok());
@@ -291,6 +299,15 @@ impl Playground {
     pub fn set_quantised(&mut self, on: bool) -> Result<(), JsValue> {
         let set = |s: &mut robovac_sim::experiment::Settings| {
             s.conditions.quantised = on;
+            Ok::<(), SettingsError>(())
+        };
+        self.session.configure(set).map_err(message)
+    }
+
+    /// Rounds the corners of plans, or not.
+    pub fn set_smooth(&mut self, on: bool) -> Result<(), JsValue> {
+        let set = |s: &mut robovac_sim::experiment::Settings| {
+            s.smooth = on;
             Ok::<(), SettingsError>(())
         };
         self.session.configure(set).map_err(message)

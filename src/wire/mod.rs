@@ -5,6 +5,7 @@ pub mod frames;
 pub mod map_file;
 pub mod proof;
 pub mod request;
+pub mod trajectory;
 pub mod walk;
 
 use serde::Serialize;

@@ -62,20 +62,21 @@ pub fn request_from_js(object: &JsValue) -> Result<PlanRequest, JsValue> {
     let given = wire.params.iter().map(|(id, value)| (id.as_str(), value.clone()));
     let params = Params::checked(planner.params, given).map_err(|e| e.to_string())?;
     let job = match laid_out(object)? {
-        Some(room) if planner.claims.in_metres => room.job,
+        Some((room, _)) if planner.claims.in_metres => room.job,
         _ => wire.job(&free).ok_or("the planning request has no free start")?,
     };
     Ok(PlanRequest { id: wire.id, planner, params, seed: wire.seed, job })
 }
 
-/// The room of a request, laid out for its robot, if it is there.
-pub fn laid_out(object: &JsValue) -> Result<Option<RoomSetup>, JsValue> {
+/// The room of a request, laid out for its robot, if it is there, and whether corners are to be rounded.
+pub fn laid_out(object: &JsValue) -> Result<Option<(RoomSetup, bool)>, JsValue> {
     let place = Reflect::get(object, &"place".into())?;
     if place.is_undefined() {
         return Ok(None);
     }
     let place: SessionSnapshot = serde_wasm_bindgen::from_value(place).map_err(|e| e.to_string())?;
-    Ok(Some(place.lay_out().map_err(|e| e.to_string())?.0))
+    let room = place.lay_out().map_err(|e| e.to_string())?.0;
+    Ok(Some((room, place.choices.smooth == Some(true))))
 }
 
 impl WireRequest {

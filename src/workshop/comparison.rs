@@ -10,9 +10,10 @@ use robovac_app::{
 use robovac_playground::wire::message;
 use robovac_playground::{
     canvas::Canvas,
-    wire::{clock, to_js, walk},
+    wire::{clock, to_js, trajectory::trajectory_from_js, walk},
 };
 use robovac_sim::experiment::PlanOutcome;
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -129,9 +130,17 @@ impl Comparison {
     }
 
     /// A worker has finished.
-    pub fn trial_finished(&mut self, id: u32, path: &JsValue, numbers: JsValue) -> Result<(), JsValue> {
+    pub fn trial_finished(
+        &mut self,
+        id: u32,
+        path: &JsValue,
+        numbers: JsValue,
+        knots: Option<Vec<f64>>,
+    ) -> Result<(), JsValue> {
         let numbers: PlanNumbers = serde_wasm_bindgen::from_value(numbers).map_err(|e| e.to_string())?;
-        self.state.trial_finished(id, Ok(PlanOutcome { numbers, path: walk::path_from_js(path), smooth: None }));
+        let path = walk::path_from_js(path);
+        let smooth = knots.map(|knots| Arc::new(trajectory_from_js(&knots)));
+        self.state.trial_finished(id, Ok(PlanOutcome { numbers, path, smooth }));
         Ok(())
     }
 

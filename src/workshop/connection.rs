@@ -3,12 +3,13 @@
 use super::session_mirror::SessionMirror;
 use robovac_core::geometry::Point;
 use robovac_link::connection;
-use robovac_playground::wire::to_js;
+use robovac_playground::wire::{to_js, trajectory::trajectory_from_js};
 use robovac_sim::{
     controller::{Controller, Setup},
-    experiment::Algorithm,
+    experiment::{Algorithm, planning::Driven},
     program::{Pilot, Piloted, RobotFacts},
 };
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
 /// A connection to a robot. Times are in seconds of one clock, the worker's.
@@ -101,8 +102,16 @@ impl Connection {
     }
 
     /// Starts the algorithm chosen in `mirror`: a behaviour, or the planned line with these `corners`, x and y in turn,
-    /// m. Brushes and vacuum run for one that cleans, if `cleans`.
-    pub fn ride(&mut self, now: f64, mirror: &SessionMirror, corners: &[f64], cleans: bool) -> Result<(), JsValue> {
+    /// m, and its trajectory with rounded corners, `knots`, if it isn't empty. Brushes and vacuum run for one that cleans, if
+    /// `cleans`.
+    pub fn ride(
+        &mut self,
+        now: f64,
+        mirror: &SessionMirror,
+        corners: &[f64],
+        knots: &[f64],
+        cleans: bool,
+    ) -> Result<(), JsValue> {
         let session = mirror.session();
         let prepared = session.prepared().ok_or("The robot doesn't fit into the room.")?;
         let (settings, start) = (session.settings(), prepared.floor.start);
@@ -121,8 +130,11 @@ impl Connection {
             }
             Algorithm::Planner(_) => {
                 let line: Vec<Point> = corners.as_chunks().0.iter().map(|&[x, y]| Point::new(x, y)).collect();
+                let line: Arc<[Point]> = line.into();
+                let smooth = (!knots.is_empty()).then(|| Arc::new(trajectory_from_js(knots)));
                 // The stairs of a real flat aren't in the room.
-                Box::new(prepared.follower(&robot, &line.into(), odometry).carefully())
+                let follower = prepared.follower(&robot, &line, odometry).carefully();
+                Driven { line, smooth }.controller(&robot, follower)
             }
         };
         let (title, cleans) = (settings.algorithm.title(), cleans && settings.algorithm.cleans());

@@ -3,6 +3,7 @@
 use coverage_planners::{
     Bounds, Film, ProgressReport, Proof,
     metrics::{DriveMetrics, MetricExcess, WalkMetrics},
+    smooth::SmoothSetup,
 };
 use js_sys::{Float64Array, Function, Object, Reflect};
 use robovac_playground::wire::{
@@ -10,6 +11,7 @@ use robovac_playground::wire::{
     frames::frames_to_js,
     proof::proof_to_js,
     request::{laid_out, request_from_js},
+    trajectory::trajectory_to_js,
     walk::{path_from_js, path_to_js},
 };
 use std::ops::ControlFlow;
@@ -63,11 +65,21 @@ pub fn prove(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
     Ok(proof_to_js(proof))
 }
 
+/// The trajectory with rounded corners of a plan for that request, see [`trajectory_to_js`]; `undefined` if corners aren't to be
+/// rounded, or the robot can't.
+#[wasm_bindgen]
+pub fn smooth(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
+    let Some((room, true)) = laid_out(request)? else { return Ok(JsValue::UNDEFINED) };
+    let line = room.line(&path_from_js(path)).map_err(|e| e.to_string())?;
+    let path = room.smooth(&line, &SmoothSetup::default(), false);
+    Ok(path.map_or(JsValue::UNDEFINED, |path| trajectory_to_js(&path.trajectory).into()))
+}
+
 /// Least length, m, and time, s, of any path that sweeps as much as a plan for that request; `undefined` for a robot that fills
 /// a cell, and if the request leaves the room out.
 #[wasm_bindgen]
 pub fn least(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
-    let Some(room) = laid_out(request)? else { return Ok(JsValue::UNDEFINED) };
+    let Some((room, _)) = laid_out(request)? else { return Ok(JsValue::UNDEFINED) };
     let line = room.line(&path_from_js(path)).map_err(|e| e.to_string())?;
     let drive = DriveMetrics::of(&room.floor, &room.robot, &line);
     let excess = MetricExcess::of(&room.floor, &room.robot, &line, &drive);

@@ -4,6 +4,7 @@ use super::plan_job::reporter;
 use js_sys::{Function, Object, Reflect, Uint32Array};
 use robovac_playground::wire::{
     clock, to_js,
+    trajectory::trajectory_to_js,
     walk::{self, path_to_js},
 };
 use robovac_sim::experiment::{Arena, TrialRequest};
@@ -27,7 +28,7 @@ impl TrialRunner {
     /// Runs a trial of `Comparison.take_trial`. Blocks until it is done.
     ///
     /// A request with a `job` is for the user's program: the page adds its plan as `cells` and the `seconds` that it took.
-    /// `on_progress(done, cells)` as for `plan`. Returns `{ cells, numbers }`; throws a message if there is no result.
+    /// `on_progress(done, cells)` as for `plan`. Returns `{ cells, numbers, knots }`; throws a message if there is no result.
     pub fn run(&mut self, request: JsValue, on_progress: &Function) -> Result<JsValue, JsValue> {
         let cells = Reflect::get(&request, &"cells".into())?;
         let seconds = Reflect::get(&request, &"seconds".into())?.as_f64().unwrap_or(0.0);
@@ -46,6 +47,8 @@ impl TrialRunner {
         let result = Object::new();
         Reflect::set(&result, &"cells".into(), &path_to_js(&outcome.path.cells, &outcome.path.line))?;
         Reflect::set(&result, &"numbers".into(), &to_js(&outcome.numbers)?)?;
+        let knots = outcome.smooth.as_deref().map(trajectory_to_js);
+        Reflect::set(&result, &"knots".into(), &knots.map_or(JsValue::UNDEFINED, Into::into))?;
         Ok(result.into())
     }
 }

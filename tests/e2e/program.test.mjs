@@ -124,7 +124,8 @@ test("Explore names the program, and it takes part in the race and in many runs"
   await page.locator("#tab-explore").click();
   assert.match(await page.locator("#algorithm option:checked").textContent(), /Your program: Turn when you bump/);
   await page.locator("#tab-compare").click();
-  await page.locator("#entrants li", { hasText: "Your program" }).locator("input[type=checkbox]").first().check();
+  await page.getByText("Behaviours, in the race only").click();
+  await page.locator("#racing-behaviours li", { hasText: "Your program" }).locator("input[type=checkbox]").first().check();
   await page.locator("#lanes figure", { hasText: "Your program" }).waitFor();
   await page.locator("#race-play").click();
   await page.waitForFunction(() => [...document.querySelectorAll("#lanes figure")].some((lane) => lane.textContent.includes("Your program") && Number.parseFloat(lane.querySelector("output").textContent) > 0.5));

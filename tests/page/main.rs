@@ -3,6 +3,7 @@
 mod compare;
 mod docs;
 mod drawing;
+mod explainers;
 mod floor_plan_tab;
 mod furnish;
 mod map;

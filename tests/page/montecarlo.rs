@@ -15,7 +15,7 @@ use serde_json::Value;
 /// A lab in an empty room, for runs of so many seconds.
 fn lab(duration_s: f64) -> Lab {
     let conditions = Conditions { slip: SlipLevel::Typical, ..Conditions::default() };
-    let terms = Terms { conditions, odometry: OdometryModel::Arc, duration_s, plan_seed: 1 };
+    let terms = Terms { conditions, odometry: OdometryModel::Arc, smooth: false, duration_s, plan_seed: 1 };
     let robot = model("roomba600").expect("it ships");
     Lab::new(&(room("room12ft").expect("it ships").build)(), robot, 0.12, None, terms).expect("the robot fits")
 }

@@ -7,7 +7,7 @@ use robovac_core::{
     geometry::{Point, Pose},
     grid::Cell,
 };
-use robovac_sim::experiment::planning::PlanAnswer;
+use robovac_sim::experiment::{SettingsError, planning::PlanAnswer};
 use std::ops::ControlFlow;
 
 fn opened() -> Session {
@@ -169,6 +169,42 @@ fn link_brings_the_same_session_back() {
     finish(&mut other);
     let digest = |s: &Session| s.recording().unwrap().run().digest();
     assert_eq!(digest(&session), digest(&other));
+}
+
+#[test]
+fn rounded_corners_take_less_time_and_are_kept_by_links_and_scenarios() {
+    let mut session = opened();
+    session.select_room("bedroom").unwrap();
+    session.plan_now(|| 0.0);
+    let stopping = session.planned().unwrap().drive;
+    assert!(!session.link().contains("smooth") && !session.view().smooth);
+    session
+        .configure(|settings| {
+            settings.smooth = true;
+            Ok::<(), SettingsError>(())
+        })
+        .unwrap();
+    session.plan_now(|| 0.0);
+    let smooth = session.planned().unwrap().clone();
+    assert!(smooth.drive.duration_s < 0.9 * stopping.duration_s, "{:?} {stopping:?}", smooth.drive);
+    finish(&mut session);
+    let view = session.view();
+    assert!((view.time_s - smooth.drive.duration_s).abs() < 0.03 * view.time_s, "{} s", view.time_s);
+    assert!(view.coverage > stopping.coverage - 0.01, "{}", view.coverage);
+    let mut second = opened();
+    second.restore(&session.link()).unwrap();
+    let file = SourceFile { name: "room.json".to_owned(), bytes: session.scenario_json().into_bytes() };
+    let mut third = opened();
+    third.load(&[file]).unwrap();
+    for mut other in [second, third] {
+        other.plan_now(|| 0.0);
+        assert!(other.view().smooth);
+        assert_eq!(other.planned().unwrap().drive, smooth.drive);
+    }
+    // A robot without corners keeps to its line.
+    session.configure(|settings| settings.select_robot("octagon")).unwrap();
+    session.plan_now(|| 0.0);
+    assert!(!session.view().can_smooth && session.planned().unwrap().smooth.is_none());
 }
 
 #[test]

@@ -90,6 +90,28 @@ test("Tracing changes no command", async () => {
   }
 });
 
+test("Clocks and chance of the languages are the run's", async () => {
+  const sources = {
+    python: "import random, time\ndef step(robot):\n    print(random.random(), time.ticks_ms() == int(robot.time * 1000))\n",
+    javascript: "function step(robot) {\n  print(Math.random(), Date.now() === robot.time * 1000 && new Date().getTime() === Math.trunc(Date.now()) && performance.now() === Date.now());\n}",
+  };
+  for (const [language, source] of Object.entries(sources)) {
+    const said = [];
+    for (const seed of [1, 1, 2]) {
+      const program = await loaded(language, source, { seed });
+      const toy = new Toy();
+      for (let step = 0; step < 5; step++) {
+        program.step(toy.readings);
+        toy.step(100, 100);
+      }
+      said.push(program.output.map(({ text }) => text));
+    }
+    assert.deepEqual(said[0], said[1]);
+    assert.notDeepEqual(said[0], said[2]);
+    assert.ok(said[0].every((text) => /true$/i.test(text)), said[0].join());
+  }
+});
+
 test("Python programs reach neither JavaScript nor files", async () => {
   for (const source of ["import js\nprint(js.fetch)\n", "import js\njs.fetch('x')\n", "open('/etc/passwd')\n", "open('/lib/x', 'w')\n", "import os\nos.mkdir('/x')\n", "from js import globalThis\n"]) {
     await assert.rejects(loaded("python", `${source}def step(robot): pass\n`), { name: "SourceError" }, source);

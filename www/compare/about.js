@@ -1,7 +1,7 @@
 // @ts-check
 // About one algorithm: its path in this room, and its explainer.
 import { button, byId, setHidden, typed } from "../dom.js";
-import { explainer } from "../explainer.js";
+import { explain } from "../explainer.js";
 
 /** @param {import("./tab.js").Comparing} it @returns {(entrant: number) => void} */
 export function startAbout(it) {
@@ -30,13 +30,11 @@ export function startAbout(it) {
     if (!planner) return;
     shown = entrant;
     byId("about-title").textContent = title;
-    byId("about-text").replaceChildren(
-      ...explainer(planner, app.catalogue.rooms, (room) =>
-        explore((p) => {
-          p.select_room(room);
-          p.select_algorithm(planner.id);
-        }),
-      ),
+    void explain(byId("about-text"), planner, app.catalogue.rooms, (room) =>
+      explore((p) => {
+        p.select_room(room);
+        p.select_algorithm(planner.id);
+      }),
     );
     dialog.showModal();
     // A new canvas: the old one and its content are dropped.

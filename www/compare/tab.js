@@ -125,7 +125,7 @@ const trialsOf = (comparison, program) => ({
   isWanted: (id) => comparison.is_wanted(id),
   answered: (answer) => {
     if (answer.type === "progress") comparison.trial_progress(answer.id, answer.done);
-    else if (answer.type === "tried") comparison.trial_finished(answer.id, answer.cells, answer.numbers);
+    else if (answer.type === "tried") comparison.trial_finished(answer.id, answer.cells, answer.numbers, answer.knots);
     else if (answer.type === "failed") comparison.trial_failed(answer.id, answer.message);
   },
   failed: (id, message) => comparison.trial_failed(id, message),

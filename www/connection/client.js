@@ -125,14 +125,15 @@ export class ConnectionClient {
 
   /**
    * Starts the algorithm of the followed snapshot: a behaviour, or the planned line with these corners, x and y in
-   * turn, m. With `cleans`, brushes and vacuum run for one that is for cleaning. Resolves to whether it drives.
+   * turn, m, or its trajectory with rounded corners. With `cleans`, brushes and vacuum run for one that is for cleaning. Resolves to whether it drives.
    * @param {Float64Array | number[]} corners
    * @param {boolean} cleans
+   * @param {Float64Array} [knots]
    * @returns {Promise<boolean>}
    */
-  async ride(corners, cleans) {
+  async ride(corners, cleans, knots = new Float64Array()) {
     this.#movesUntil = performance.now() + 500;
-    return (await this.#ask({ type: "ride", id: 0, corners: Float64Array.from(corners), cleans })) === true;
+    return (await this.#ask({ type: "ride", id: 0, corners: Float64Array.from(corners), knots, cleans })) === true;
   }
 
   /** Facts about the robot for the user's program, as JSON; empty if there are none. */

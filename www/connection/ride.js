@@ -44,6 +44,8 @@ export function startRide(it) {
     if (!(await it.request({ do: "odometry", model: /** @type {import("../types").OdometryModel} */ (odometry.value) }))) odometry.value = it.view.odometry;
   });
 
+  /** The last plan with rounded corners. @type {import("../worker-types").Knots} */
+  let knots;
   /** Resolves the pending plan. @type {((worked: boolean) => void) | undefined} */
   let waiting;
   const answer = (/** @type {boolean} */ worked) => {
@@ -53,7 +55,8 @@ export function startRide(it) {
   };
   const planning = new Planning({
     progress: (_, done) => setText(byId("connection-planning"), `Planning… ${Math.round(100 * done)} %`),
-    finished: (id, cells, seconds) => {
+    finished: (id, cells, seconds, _trace, _proof, rounded) => {
+      knots = rounded;
       answer(it.app.act(() => room.mirror.plan_finished(id, cells, seconds)));
       it.live.map.set_planned(room.mirror.corners());
     },
@@ -107,7 +110,7 @@ export function startRide(it) {
     if (room.algorithm?.id === PROGRAM && !(await takeSeat(it))) return;
     if (!it.view.can.ride) return;
     it.live.map.set_planned(line);
-    await it.connection.ride(line, wantsCleaning);
+    await it.connection.ride(line, wantsCleaning, room.algorithm?.kind === "planner" ? knots : undefined);
   });
   button("connection-end").addEventListener("click", () => {
     cancel();

@@ -99,7 +99,7 @@ export type ToConnection =
   | { type: "open"; id: number; target: WorkerTarget }
   | { type: "close"; id: number }
   | { type: "request"; id: number; request: Request }
-  | { type: "ride"; id: number; corners: Float64Array; cleans: boolean }
+  | { type: "ride"; id: number; corners: Float64Array; knots: Float64Array; cleans: boolean }
   | { type: "virtual"; touch: Touch }
   | { type: "recording"; id: number }
   /** Facts about the robot for the user's program, as JSON. */

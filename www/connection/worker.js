@@ -195,7 +195,7 @@ async function answer(message) {
   if (message.type === "request" && message.request.do !== "disconnect") {
     attempt(() => connection.request(now(), message.request));
   } else if (message.type === "ride") {
-    attempt(() => connection.ride(now(), mirror, message.corners, message.cleans));
+    attempt(() => connection.ride(now(), mirror, message.corners, message.knots, message.cleans));
   } else if (message.type === "follow") {
     const { snapshot, algorithm } = message;
     if (mirror.is_behind(snapshot, algorithm)) {

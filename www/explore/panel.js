@@ -1,7 +1,6 @@
 // @ts-check
 // The forms: what cleans which room, made from the catalogue.
 import { button, byId, changed, fill, input, make, select, setHidden, setText, typed } from "../dom.js";
-import { explainer } from "../explainer.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { complain } from "../messages.js";
 import { paramField } from "../params.js";
@@ -72,6 +71,7 @@ export function startPanel(app) {
   const noises = sensors.map(([sensor, title]) => noiseMenu(title, (level) => change((p) => p.set_noise(sensor, level))));
   byId("noises").replaceChildren(...noises.map(({ field }) => field));
   bind("odometry", (p, id) => p.set_odometry(id));
+  input("smooth").addEventListener("change", () => change((p) => p.set_smooth(input("smooth").checked)));
   bind("seed", (p, text) => p.set_seed(seed(text)));
   input("show-search").addEventListener("change", () => act((p) => p.show_search(input("show-search").checked)));
   button("reseed").addEventListener("click", () => change((p) => p.set_seed(Math.floor(Math.random() * 1e6))));
@@ -152,6 +152,9 @@ export function startPanel(app) {
     showRealism(view, show);
     noises.forEach(({ menu }, index) => show(menu, view.noise[index] ?? "off"));
     show(select("odometry"), view.odometry);
+    show(input("smooth"), String(view.smooth && view.can_smooth));
+    input("smooth").disabled = !view.can_smooth;
+    setHidden(byId("smooth-refusal"), view.can_smooth);
     show(input("seed"), String(view.seed));
     const { offered, on, refusal } = view.search;
     show(input("show-search"), String(on));
@@ -167,7 +170,7 @@ export function startPanel(app) {
       setText(byId("algorithm-kind"), view.path_corners ? "planned path" : algorithm.manual ? "you drive" : algorithm.kind === "planner" ? "path planner" : "reactive behaviour");
       setText(byId("algorithm-note"), view.path_corners ? `Planned in the tab Floor plan: ${view.path_corners.toLocaleString("en")} corners, driven as they are` : algorithm.summary);
       setText(byId("explainer-title"), algorithm.title);
-      byId("explainer-text").replaceChildren(...explainer(algorithm, rooms, (room) => change((p) => p.select_room(room))));
+      void import("../explainer.js").then(({ explain }) => explain(byId("explainer-text"), algorithm, rooms, (room) => change((p) => p.select_room(room))));
     }
     if (view.program && changed(byId("params"), "algorithm", `${view.algorithm} ${view.program.name}`)) tellProgram((title = view.program.name));
     for (const [id, controls] of paramControls) {

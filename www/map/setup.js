@@ -1,7 +1,7 @@
 // @ts-check
 // The settings of the Map tab: the behaviour and its parameters, tracking, wheels and sensors.
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText } from "../dom.js";
-import { explainer } from "../explainer.js";
+import { explain } from "../explainer.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { paramField } from "../params.js";
 
@@ -47,7 +47,8 @@ export function startSetup(it) {
     byId("map-params").replaceChildren(...fields);
     setText(byId("map-explorer-note"), entry.summary);
     setText(byId("map-explainer-title"), entry.title);
-    byId("map-explainer-text").replaceChildren(...explainer(entry, it.app.catalogue.rooms, (room) => void it.app.act((p) => p.select_room(room))).filter(isAboutIt));
+    // The colours of Explore's floor aren't those of this one.
+    void explain(byId("map-explainer-text"), entry, it.app.catalogue.rooms, (room) => void it.app.act((p) => p.select_room(room)), false);
   };
 
   /** @param {import("../types").MapView} view */
@@ -77,13 +78,4 @@ export function startSetup(it) {
     setText(byId("map-seed"), String(it.app.view.seed));
     setText(byId("map-robot"), it.app.catalogue.robots.find(({ id }) => id === it.app.view.robot)?.title ?? "");
   };
-}
-
-/** The colours of Explore's floor aren't those of this one. @param {Node} node */
-function isAboutIt(node) {
-  if (!(node instanceof HTMLElement)) return true;
-  const colours = [...node.querySelectorAll("dt")].find((term) => term.textContent === "Colours");
-  colours?.nextElementSibling?.remove();
-  colours?.remove();
-  return true;
 }

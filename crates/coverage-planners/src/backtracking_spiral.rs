@@ -50,23 +50,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "backtracking_spiral",
     title: "Backtracking spiral (BSA)",
     summary: "Spirals inwards along walls and clean floor, then goes to the nearest uncleaned cell and spirals again.",
-    source: "González, Álvarez, Díaz, Parra & Bustacara 2005, BSA: a complete coverage algorithm, ICRA",
-    link: "https://www.academia.edu/103916763/BSA_A_Complete_Coverage_Algorithm",
-    explainer: Explainer {
-        idea: "The robot keeps walls and clean floor on one side and spirals inwards until it is enclosed. Then it \
-               backtracks to the nearest cell that it passed without cleaning. There the next spiral starts.",
-        complexity: "O(n) time and memory for n cells, plus a local search at the end of every spiral.",
-        use_when: "Uses only neighbouring cells; best in corridors and empty rooms. Slanted walls and scattered \
-                   furniture cause ragged spirals with many turns.",
-        shines: Example {
-            room: "spiral",
-            why: "Follows the walls round every corner, all the way in and back, where lanes would end.",
-        },
-        fails: Example {
-            room: "slanted",
-            why: "A slanted wall is a staircase of cells, and every winding turns at each step.",
-        },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -81,6 +64,25 @@ pub const INFO: PlannerInfo = PlannerInfo {
         help: "Side on which it keeps walls and clean floor: the better one, or always the same.",
         kind: ParamKind::Choice { options: &[("auto", "the better"), ("left", "left"), ("right", "right")] },
     }],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "The robot keeps walls and clean floor on one side and spirals inwards until it is enclosed. Then it \
+           backtracks to the nearest cell that it passed without cleaning. There the next spiral starts.",
+    complexity: "O(n) time and memory for n cells, plus a local search at the end of every spiral.",
+    use_when: "Uses only neighbouring cells; best in corridors and empty rooms. Slanted walls and scattered \
+               furniture cause ragged spirals with many turns.",
+    shines: Example {
+        room: "spiral",
+        why: "Follows the walls round every corner, all the way in and back, where lanes would end.",
+    },
+    fails: Example {
+        room: "slanted",
+        why: "A slanted wall is a staircase of cells, and every winding turns at each step.",
+    },
+    source: "González, Álvarez, Díaz, Parra & Bustacara 2005, BSA: a complete coverage algorithm, ICRA",
+    link: "https://www.academia.edu/103916763/BSA_A_Complete_Coverage_Algorithm",
 };
 
 /// Makes the planner.

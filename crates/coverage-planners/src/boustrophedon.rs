@@ -39,27 +39,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "boustrophedon",
     title: "Boustrophedon (parallel lanes)",
     summary: "Decomposes the room at critical points, sweeps each part in lanes, and finds a good visiting order.",
-    source: "Choset & Pignon 1998, Coverage path planning: the boustrophedon cellular decomposition; \
-             Choset 2000, Coverage of known spaces, Autonomous Robots 9",
-    link: "https://doi.org/10.1023/A:1008958800904",
-    explainer: Explainer {
-        idea: "A line sweeps over the room, and wherever an obstacle splits or joins it, one part ends and others \
-               begin. Each part can be swept in straight lanes from one of its corners. The order of the parts is then \
-               chosen as in the travelling salesman problem.",
-        complexity: "Decomposition and lanes take O(n) time and memory for n cells; ordering b parts takes up to \
-            O(b²).",
-        use_when: "The first choice for known rooms: few turns, hardly any revisits, and fast even in a hall. Slanted \
-                   or ragged walls split the room into many small parts, which costs efficiency.",
-        shines: Example {
-            room: "empty",
-            why: "Long lanes from wall to wall; hardly any cell is visited twice. Swept again can still be high: it counts \
-                  the strips where a tool wider than a cell overlaps the neighbouring lane.",
-        },
-        fails: Example {
-            room: "spiral",
-            why: "All lanes have one direction, so half of the arms are swept across, in short lanes with many turns.",
-        },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -90,6 +69,29 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 4.0, unit: "cells" },
         },
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "A line sweeps over the room, and wherever an obstacle splits or joins it, one part ends and others \
+           begin. Each part can be swept in straight lanes from one of its corners. The order of the parts is then \
+           chosen as in the travelling salesman problem.",
+    complexity: "Decomposition and lanes take O(n) time and memory for n cells; ordering b parts takes up to \
+        O(b²).",
+    use_when: "The first choice for known rooms: few turns, hardly any revisits, and fast even in a hall. Slanted \
+               or ragged walls split the room into many small parts, which costs efficiency.",
+    shines: Example {
+        room: "empty",
+        why: "Long lanes from wall to wall; hardly any cell is visited twice. Swept again can still be high: it counts \
+              the strips where a tool wider than a cell overlaps the neighbouring lane.",
+    },
+    fails: Example {
+        room: "spiral",
+        why: "All lanes have one direction, so half of the arms are swept across, in short lanes with many turns.",
+    },
+    source: "Choset & Pignon 1998, Coverage path planning: the boustrophedon cellular decomposition; \
+             Choset 2000, Coverage of known spaces, Autonomous Robots 9",
+    link: "https://doi.org/10.1023/A:1008958800904",
 };
 
 /// Makes the planner.

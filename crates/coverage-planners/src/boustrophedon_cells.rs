@@ -36,23 +36,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "boustrophedon_cells",
     title: "Boustrophedon, lane direction per part",
     summary: "Sweeps each part of the room in the direction with the fewest lane ends, in a good order.",
-    source: "Huang 2001, Optimal line-sweep-based decompositions for coverage algorithms, ICRA; \
-             Arkin et al. 2005, Optimal covering tours with turn costs, SIAM J. Comput. 35(3)",
-    link: "https://doi.org/10.1137/S0097539703434267",
-    explainer: Explainer {
-        idea: "Every lane end costs a quarter turn, so the floor is divided into lanes along x and lanes along y with \
-               the fewest ends, which a minimum cut finds exactly. Neighbouring lanes form parts, ordered as in the \
-               travelling salesman problem. Finally, local search improves the order of the single lanes.",
-        complexity: "The cut takes up to O(p³) time for p rectangles between the wall lines, far less in practice; the \
-                     rest as for boustrophedon, with O(l²) for l lanes.",
-        use_when: "For rooms with arms in both directions: the fewest turns of all lane planners. Planning takes about \
-                   a second, ten times as long as plain lanes.",
-        shines: Example { room: "spiral", why: "Every arm is swept lengthwise, while plain lanes cross half of them." },
-        fails: Example {
-            room: "ushape",
-            why: "Rings along the walls pass both corners without a break and cost slightly less.",
-        },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -75,6 +58,25 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 4.0, unit: "cells" },
         },
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "Every lane end costs a quarter turn, so the floor is divided into lanes along x and lanes along y with \
+           the fewest ends, which a minimum cut finds exactly. Neighbouring lanes form parts, ordered as in the \
+           travelling salesman problem. Finally, local search improves the order of the single lanes.",
+    complexity: "The cut takes up to O(p³) time for p rectangles between the wall lines, far less in practice; the \
+                 rest as for boustrophedon, with O(l²) for l lanes.",
+    use_when: "For rooms with arms in both directions: the fewest turns of all lane planners. Planning takes about \
+               a second, ten times as long as plain lanes.",
+    shines: Example { room: "spiral", why: "Every arm is swept lengthwise, while plain lanes cross half of them." },
+    fails: Example {
+        room: "ushape",
+        why: "Rings along the walls pass both corners without a break and cost slightly less.",
+    },
+    source: "Huang 2001, Optimal line-sweep-based decompositions for coverage algorithms, ICRA; \
+             Arkin et al. 2005, Optimal covering tours with turn costs, SIAM J. Comput. 35(3)",
+    link: "https://doi.org/10.1137/S0097539703434267",
 };
 
 /// Makes the planner.

@@ -45,23 +45,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "contour",
     title: "Contour (rings along the walls)",
     summary: "Follows the walls, then drives concentric rings at growing distance from them.",
-    source: "Held 1991, On the Computational Geometry of Pocket Machining, LNCS 500; Held, Lukács & Andor 1994, \
-             Pocket machining based on contour-parallel tool paths, Computer-Aided Design 26(3)",
-    link: "https://doi.org/10.1007/3-540-54103-9",
-    explainer: Explainer {
-        idea: "Cells at equal distance from the nearest wall form rings, one inside the other. The robot drives a \
-               ring, then moves to the nearest one that is ready. A ring is ready when all rings between it and the \
-               wall are done, as in pocket milling.",
-        complexity: "Layers and rings take O(n) time and memory for n cells; so do the transitions between nearby \
-            rings.",
-        use_when: "Cleans along walls and furniture first. Rings around islands break where they meet, which costs \
-                   turns and detours in cluttered rooms.",
-        shines: Example { room: "ushape", why: "Follows the arms round both corners, where lanes would end." },
-        fails: Example {
-            room: "slanted",
-            why: "A slanted wall is a staircase of cells, and every ring repeats all of its steps.",
-        },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -76,6 +59,25 @@ pub const INFO: PlannerInfo = PlannerInfo {
         help: "Start at the walls or in the middle, farthest from them.",
         kind: ParamKind::Choice { options: &[("inwards", "from the walls"), ("outwards", "from the middle")] },
     }],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "Cells at equal distance from the nearest wall form rings, one inside the other. The robot drives a \
+           ring, then moves to the nearest one that is ready. A ring is ready when all rings between it and the \
+           wall are done, as in pocket milling.",
+    complexity: "Layers and rings take O(n) time and memory for n cells; so do the transitions between nearby \
+        rings.",
+    use_when: "Cleans along walls and furniture first. Rings around islands break where they meet, which costs \
+               turns and detours in cluttered rooms.",
+    shines: Example { room: "ushape", why: "Follows the arms round both corners, where lanes would end." },
+    fails: Example {
+        room: "slanted",
+        why: "A slanted wall is a staircase of cells, and every ring repeats all of its steps.",
+    },
+    source: "Held 1991, On the Computational Geometry of Pocket Machining, LNCS 500; Held, Lukács & Andor 1994, \
+             Pocket machining based on contour-parallel tool paths, Computer-Aided Design 26(3)",
+    link: "https://doi.org/10.1007/3-540-54103-9",
 };
 
 /// Makes the planner.

@@ -53,20 +53,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "energy",
     title: "Energy functional",
     summary: "Moves to the neighbour with the least energy: near, straight ahead, and surrounded by clean floor.",
-    source: "Bormann, Hampp & Hägele 2015, New brooms sweep clean, ICRA; \
-             Bormann, Jordan, Hampp & Hägele 2018, Indoor coverage path planning, ICRA",
-    link: "https://doi.org/10.1109/ICRA.2018.8460566",
-    explainer: Explainer {
-        idea: "Each cell beside the robot has an energy, and the robot moves to the one with the least. Distance and \
-               turning raise the energy; clean cells and walls around the cell lower it. So the robot stays close to \
-               cleaned floor, and lanes emerge by themselves.",
-        complexity: "O(n) time and memory for n cells, plus a search for the nearest uncleaned cell at each dead end; \
-                     repeated eight times in rooms of up to 100,000 cells.",
-        use_when: "Simple, fast greedy planning that also works online. It looks only one step ahead, so it leaves \
-                   corners that it must return to.",
-        shines: Example { room: "lshape", why: "One long meander round the corner, close to the best plan." },
-        fails: Example { room: "maze", why: "It can't see dead ends and drives back for cells it missed." },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -80,6 +66,22 @@ pub const INFO: PlannerInfo = PlannerInfo {
         weight("visited", "Clean floor", "Energy bonus for each clean cell among the eight neighbours.", 0.5),
         weight("walls", "Walls", "Energy bonus for each wall cell among the eight neighbours.", 0.09),
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "Each cell beside the robot has an energy, and the robot moves to the one with the least. Distance and \
+           turning raise the energy; clean cells and walls around the cell lower it. So the robot stays close to \
+           cleaned floor, and lanes emerge by themselves.",
+    complexity: "O(n) time and memory for n cells, plus a search for the nearest uncleaned cell at each dead end; \
+                 repeated eight times in rooms of up to 100,000 cells.",
+    use_when: "Simple, fast greedy planning that also works online. It looks only one step ahead, so it leaves \
+               corners that it must return to.",
+    shines: Example { room: "lshape", why: "One long meander round the corner, close to the best plan." },
+    fails: Example { room: "maze", why: "It can't see dead ends and drives back for cells it missed." },
+    source: "Bormann, Hampp & Hägele 2015, New brooms sweep clean, ICRA; \
+             Bormann, Jordan, Hampp & Hägele 2018, Indoor coverage path planning, ICRA",
+    link: "https://doi.org/10.1109/ICRA.2018.8460566",
 };
 
 /// Makes the planner.

@@ -51,19 +51,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "genetic",
     title: "Genetic algorithm",
     summary: "Evolves walks: the better ones are crossed and mutated, generation after generation.",
-    source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \
-             Yakoubi & Laskri 2016, The path planning of cleaner robot, Journal of Innovation in Digital Ecosystems",
-    link: "https://doi.org/10.1016/j.jides.2016.05.004",
-    explainer: Explainer {
-        idea: "A chromosome has one gene per cell for the direction to continue in, and so encodes a whole walk. \
-               Faster walks have more children, which inherit patches of the room from both parents. Sometimes a patch \
-               mutates, and the best walk so far always survives.",
-        complexity: "O(p · g · n) time for p walks in g generations of n cells, O(p · n) memory.",
-        use_when: "To watch a solution evolve from random walks, without any rule for a good one. It takes a thousand \
-                   times longer than lanes and seldom beats them.",
-        shines: Example { room: "thesis8", why: "Small enough to find a nearly optimal walk." },
-        fails: Example { room: "spiral", why: "Random mutations seldom straighten a whole lane." },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: false,
@@ -86,6 +73,21 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ),
         number("mutation", "Mutation rate", "Mean number of mutated patches per child.", 0.0, 5.0, 0.1, 1.0),
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "A chromosome has one gene per cell for the direction to continue in, and so encodes a whole walk. \
+           Faster walks have more children, which inherit patches of the room from both parents. Sometimes a patch \
+           mutates, and the best walk so far always survives.",
+    complexity: "O(p · g · n) time for p walks in g generations of n cells, O(p · n) memory.",
+    use_when: "To watch a solution evolve from random walks, without any rule for a good one. It takes a thousand \
+               times longer than lanes and seldom beats them.",
+    shines: Example { room: "thesis8", why: "Small enough to find a nearly optimal walk." },
+    fails: Example { room: "spiral", why: "Random mutations seldom straighten a whole lane." },
+    source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \
+             Yakoubi & Laskri 2016, The path planning of cleaner robot, Journal of Innovation in Digital Ecosystems",
+    link: "https://doi.org/10.1016/j.jides.2016.05.004",
 };
 
 /// Makes the planner.

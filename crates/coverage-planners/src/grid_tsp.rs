@@ -44,22 +44,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     title: "Grid-point TSP",
     summary: "Finds a travelling salesman tour of all cells: a first tour, then 2-opt and Or-opt moves that count \
         turns.",
-    source: "Bormann, Jordan, Hampp & Hägele 2018, Indoor coverage path planning: survey, implementation, analysis, ICRA",
-    link: "https://doi.org/10.1109/ICRA.2018.8460566",
-    explainer: Explainer {
-        idea: "Each cell is a city of a travelling salesman problem in which turns cost time. A first tour follows \
-               straight lanes, chosen to have few ends. Then parts of it are reversed and moved millions of times, \
-               sometimes accepting a worse tour, and the cheapest is kept.",
-        complexity: "A thousand moves for each of n cells, each O(1) to evaluate and up to O(n) to apply; O(n + l²) \
-                     memory for l lanes.",
-        use_when: "Takes seconds and usually finds the cheapest walk of all planners here. Worth it for rooms of up to \
-                   some ten thousand cells that are cleaned often.",
-        shines: Example {
-            room: "maze",
-            why: "Only forks and dead ends: moving single cells finds walks that lanes and rings can't.",
-        },
-        fails: Example { room: "lshape", why: "Rings along the walls need no search and are slightly better." },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -88,6 +72,24 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Choice { options: &[("both", "both"), ("two_opt", "2-opt"), ("or_opt", "Or-opt")] },
         },
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "Each cell is a city of a travelling salesman problem in which turns cost time. A first tour follows \
+           straight lanes, chosen to have few ends. Then parts of it are reversed and moved millions of times, \
+           sometimes accepting a worse tour, and the cheapest is kept.",
+    complexity: "A thousand moves for each of n cells, each O(1) to evaluate and up to O(n) to apply; O(n + l²) \
+                 memory for l lanes.",
+    use_when: "Takes seconds and usually finds the cheapest walk of all planners here. Worth it for rooms of up to \
+               some ten thousand cells that are cleaned often.",
+    shines: Example {
+        room: "maze",
+        why: "Only forks and dead ends: moving single cells finds walks that lanes and rings can't.",
+    },
+    fails: Example { room: "lshape", why: "Rings along the walls need no search and are slightly better." },
+    source: "Bormann, Jordan, Hampp & Hägele 2018, Indoor coverage path planning: survey, implementation, analysis, ICRA",
+    link: "https://doi.org/10.1109/ICRA.2018.8460566",
 };
 
 /// Makes the planner.

@@ -1,6 +1,6 @@
 //! Metadata of a planner.
 
-use robovac_core::registry::{Explainer, ParamKind, ParamSpec, Params, is_same};
+use robovac_core::registry::{ParamKind, ParamSpec, Params, is_same};
 
 /// Metadata of a planner for menus, forms and tests. For its construction see [`super::BuildPlanner`].
 #[derive(Debug)]
@@ -11,12 +11,6 @@ pub struct PlannerInfo {
     pub title: &'static str,
     /// One sentence on how it works.
     pub summary: &'static str,
-    /// Where it comes from: authors, year, title, section.
-    pub source: &'static str,
-    /// Address of the source or of a good description; empty if there is none.
-    pub link: &'static str,
-    /// The explanation shown in its panel.
-    pub explainer: Explainer,
     /// The properties that the contract tests check.
     pub claims: PlannerClaims,
     /// Its parameters, the important ones first.
@@ -80,14 +74,13 @@ impl PlannerInfo {
         if let Search::Anytime { turn, .. } = self.claims.search { Some(params.number(turn)) } else { None }
     }
 
-    /// Checks the texts and the parameters of the search.
+    /// Checks the parameters of the search.
     ///
     /// # Panics
     ///
-    /// If one of them is invalid. The registry has `const _: () = INFO.check();`, so an invalid entry is a compile
+    /// If one of them isn't there. The registry has `const _: () = INFO.check();`, so an invalid entry is a compile
     /// error.
     pub const fn check(&self) {
-        self.explainer.check(self.summary);
         let is_there = match self.claims.search {
             Search::None => true,
             Search::Limited { effort } => self.has_number(effort),

@@ -26,7 +26,8 @@
 //! - [`stage`]: parts to build planners from; [`sweep`]: another planner in metres, for a body of any outline
 //!
 //! A planner outside this crate implements [`Planner`]; the example `own_planner` has one. To add one to the registry, write
-//! its file with the constants `INFO` (a [`PlannerInfo`]) and `BUILD` (a [`BuildPlanner`]) and list it below; menus,
+//! its file with the constants `INFO` (a [`PlannerInfo`]), `EXPLAINER` (an [`Explainer`]) and `BUILD` (a [`BuildPlanner`]) and
+//! list it below; menus,
 //! parameter forms, command line, contract tests and benchmarks iterate [`PLANNERS`].
 
 mod backtracking_spiral;
@@ -93,14 +94,16 @@ pub trait Planner {
 /// Makes a planner for checked parameters.
 pub type BuildPlanner = fn(&Params) -> Box<dyn Planner>;
 
-/// Two lists of the same planners: their metadata and their constructors. They are separate so that a program which
-/// only needs the metadata, such as the page, doesn't contain the planners' code.
+/// Three lists of the same planners: their metadata, their explanations and their constructors. They are separate so that a
+/// program which only needs the metadata, such as the page, contains neither the texts nor the planners' code.
 macro_rules! registry {
     ($($planner:ident),* $(,)?) => {
         /// All planners, in the order of the menus.
         pub const PLANNERS: &[&PlannerInfo] = &[$(&$planner::INFO),*];
+        const EXPLAINERS: &[(&str, &Explainer)] = &[$(($planner::INFO.id, &$planner::EXPLAINER)),*];
         const BUILDERS: &[(&str, BuildPlanner)] = &[$(($planner::INFO.id, $planner::BUILD)),*];
         $(const _: () = $planner::INFO.check();)*
+        $(const _: () = $planner::EXPLAINER.check($planner::INFO.summary);)*
     };
 }
 
@@ -141,6 +144,11 @@ impl Planner for Unlisted {
     fn plan(&self, _: &CoverageJob, _: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         Err(PlanError::Unlisted)
     }
+}
+
+/// The explanation of the planner with that id.
+pub fn explainer(id: &str) -> Option<&'static Explainer> {
+    EXPLAINERS.iter().find(|(of, _)| *of == id).map(|(_, explainer)| *explainer)
 }
 
 /// The planner with that id.

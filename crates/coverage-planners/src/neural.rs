@@ -49,22 +49,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "neural",
     title: "Neural network",
     summary: "A neural field excited by uncleaned floor; the robot follows the highest activity.",
-    source: "Yang & Luo 2004, A neural network approach to complete coverage path planning, \
-             IEEE Trans. Systems, Man, and Cybernetics B 34(1)",
-    link: "",
-    explainer: Explainer {
-        idea: "Each cell is a neuron that is excited while its floor is dirty and excites its neighbours. Activity \
-               spreads from dirty floor like heat, and obstacles block it. The robot moves to the most active \
-               neighbour, with a bonus for driving straight.",
-        complexity: "O(n) memory for n cells; each step updates the neurons whose activity changes, at worst all.",
-        use_when: "Made for floors that change during cleaning: the field adapts by itself. It ignores detours and \
-                   turns, so other planners are cheaper in known rooms.",
-        shines: Example {
-            room: "empty",
-            why: "Neither walls nor clean floor excite neurons, so lanes line up side by side.",
-        },
-        fails: Example { room: "maze", why: "Uncleaned floor on many sides pulls the robot back and forth." },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -99,6 +83,24 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Number { min: 20.0, max: 200.0, step: 1.0, default: 100.0, unit: "" },
         },
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "Each cell is a neuron that is excited while its floor is dirty and excites its neighbours. Activity \
+           spreads from dirty floor like heat, and obstacles block it. The robot moves to the most active \
+           neighbour, with a bonus for driving straight.",
+    complexity: "O(n) memory for n cells; each step updates the neurons whose activity changes, at worst all.",
+    use_when: "Made for floors that change during cleaning: the field adapts by itself. It ignores detours and \
+               turns, so other planners are cheaper in known rooms.",
+    shines: Example {
+        room: "empty",
+        why: "Neither walls nor clean floor excite neurons, so lanes line up side by side.",
+    },
+    fails: Example { room: "maze", why: "Uncleaned floor on many sides pulls the robot back and forth." },
+    source: "Yang & Luo 2004, A neural network approach to complete coverage path planning, \
+             IEEE Trans. Systems, Man, and Cybernetics B 34(1)",
+    link: "",
 };
 
 /// Makes the planner.

@@ -41,19 +41,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "s_shape",
     title: "S-shaped pathway",
     summary: "Drives parallel lanes like the letter S; at a dead end it goes to the nearest uncleaned cell.",
-    source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \
-             Hasan, Abdullah-Al-Nahid & Reza 2014, Path planning algorithm development, ICIEV",
-    link: "",
-    explainer: Explainer {
-        idea: "The robot drives straight until it is blocked, steps aside and returns beside its lane. Floor already \
-               clean blocks it like a wall. At a dead end it takes a shortest path to the nearest uncleaned cell and \
-               continues in lanes from there.",
-        complexity: "O(n) steps and memory for n cells, plus a search at every dead end.",
-        use_when: "The simplest complete method, and hard to beat in halls with few obstacles. Behind every obstacle a \
-                   pocket is left that the robot must return to.",
-        shines: Example { room: "lshape", why: "Few obstacles: parallel lanes, and one return for the other arm." },
-        fails: Example { room: "maze", why: "Every dead end of the maze is a dead end of the walk, too." },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -75,6 +62,21 @@ pub const INFO: PlannerInfo = PlannerInfo {
             ],
         },
     }],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "The robot drives straight until it is blocked, steps aside and returns beside its lane. Floor already \
+           clean blocks it like a wall. At a dead end it takes a shortest path to the nearest uncleaned cell and \
+           continues in lanes from there.",
+    complexity: "O(n) steps and memory for n cells, plus a search at every dead end.",
+    use_when: "The simplest complete method, and hard to beat in halls with few obstacles. Behind every obstacle a \
+               pocket is left that the robot must return to.",
+    shines: Example { room: "lshape", why: "Few obstacles: parallel lanes, and one return for the other arm." },
+    fails: Example { room: "maze", why: "Every dead end of the maze is a dead end of the walk, too." },
+    source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \
+             Hasan, Abdullah-Al-Nahid & Reza 2014, Path planning algorithm development, ICIEV",
+    link: "",
 };
 
 /// Makes the planner.

@@ -68,18 +68,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "snake",
     title: "Improved snake",
     summary: "Drives straight until the next cell is blocked or clean, then turns to the least-visited neighbour.",
-    source: "Emu & Obaida 2020, thesis, East West University: section 4.2 and Appendix B",
-    link: "",
-    explainer: Explainer {
-        idea: "The robot counts its visits to every cell and drives straight while the cell ahead is new. Otherwise it \
-               turns to the least-visited neighbour and turns once more, which makes a lawn mower's U-turn. Between \
-               equal neighbours it takes the side with fewer uncleaned cells, so that no small corner remains.",
-        complexity: "O(n) steps by the rules, each O(width + height); O(n) memory for n cells.",
-        use_when: "Uses only neighbouring cells, so it runs online on a small controller. It leaves islands that it \
-                   must return to.",
-        shines: Example { room: "empty", why: "No obstacles: a lawn mower's U-turns from wall to wall." },
-        fails: Example { room: "maze", why: "Branches that it passes stay uncleaned, so it keeps coming back." },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -104,6 +92,20 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Number { min: 0.0, max: 20.0, step: 1.0, default: 2.0, unit: "" },
         },
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "The robot counts its visits to every cell and drives straight while the cell ahead is new. Otherwise it \
+           turns to the least-visited neighbour and turns once more, which makes a lawn mower's U-turn. Between \
+           equal neighbours it takes the side with fewer uncleaned cells, so that no small corner remains.",
+    complexity: "O(n) steps by the rules, each O(width + height); O(n) memory for n cells.",
+    use_when: "Uses only neighbouring cells, so it runs online on a small controller. It leaves islands that it \
+               must return to.",
+    shines: Example { room: "empty", why: "No obstacles: a lawn mower's U-turns from wall to wall." },
+    fails: Example { room: "maze", why: "Branches that it passes stay uncleaned, so it keeps coming back." },
+    source: "Emu & Obaida 2020, thesis, East West University: section 4.2 and Appendix B",
+    link: "",
 };
 
 /// Makes the planner.

@@ -46,24 +46,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "spiral",
     title: "Growing spirals",
     summary: "Spirals outwards in free space until it reaches an obstacle, then goes to the next free area.",
-    source: "Emu & Obaida 2020, thesis, East West University: section 4.1",
-    link: "",
-    explainer: Explainer {
-        idea: "In the middle of free floor the robot spirals outwards until it reaches an obstacle. It then goes to \
-               the nearby cell with the most free space and spirals there. Corners and narrow strips are cleaned along \
-               their edges.",
-        complexity: "O(n) steps and memory for n cells; each search for free space visits up to 400 cells.",
-        use_when: "For a dirty spot in the middle of open floor, which is cleaned first. Spirals don't fill \
-                   rectangles, so strips are left in between that it must return to.",
-        shines: Example {
-            room: "maze",
-            why: "Too narrow to spiral: it follows the walls, which suits a maze better than lanes.",
-        },
-        fails: Example {
-            room: "slanted",
-            why: "Spirals are square here: slanted walls stop them early and leave patches to return to.",
-        },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -92,6 +74,26 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Choice { options: &[("left", "left"), ("right", "right")] },
         },
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "In the middle of free floor the robot spirals outwards until it reaches an obstacle. It then goes to \
+           the nearby cell with the most free space and spirals there. Corners and narrow strips are cleaned along \
+           their edges.",
+    complexity: "O(n) steps and memory for n cells; each search for free space visits up to 400 cells.",
+    use_when: "For a dirty spot in the middle of open floor, which is cleaned first. Spirals don't fill \
+               rectangles, so strips are left in between that it must return to.",
+    shines: Example {
+        room: "maze",
+        why: "Too narrow to spiral: it follows the walls, which suits a maze better than lanes.",
+    },
+    fails: Example {
+        room: "slanted",
+        why: "Spirals are square here: slanted walls stop them early and leave patches to return to.",
+    },
+    source: "Emu & Obaida 2020, thesis, East West University: section 4.1",
+    link: "",
 };
 
 /// Makes the planner.

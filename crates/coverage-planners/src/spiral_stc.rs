@@ -44,25 +44,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "spiral_stc",
     title: "Spanning tree (Spiral-STC)",
     summary: "Divides the room into squares of 2 x 2 cells, connects them by a spanning tree and drives around it.",
-    source: "Gabriely & Rimon 2001, Spanning-tree based coverage of continuous areas, Ann. Math. Artif. Intell. 31; \
-             2003, Competitive on-line coverage of grid environments, Comput. Geom. 24",
-    link: "https://doi.org/10.1023/A:1016610507833",
-    explainer: Explainer {
-        idea: "Each mega-cell has four cells, and a spanning tree connects all mega-cells. Driving around the tree, \
-               with it always on the same side, visits every cell once and returns to the start. Trees with long \
-               straight branches need the fewest turns.",
-        complexity: "O(n α(n)) time, practically linear, and O(n) memory for n cells.",
-        use_when: "Hardly any revisits, wherever the furniture stands, and it ends near the start. Passages one cell \
-                   wide must be driven there and back.",
-        shines: Example {
-            room: "dining",
-            why: "Passes around every leg with hardly any revisits, where lanes end at each.",
-        },
-        fails: Example {
-            room: "spiral",
-            why: "Where 2 x 2 squares don't fit the corridor, it drives there and back, again and again.",
-        },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -79,6 +60,27 @@ pub const INFO: PlannerInfo = PlannerInfo {
             options: &[("auto", "the cheapest"), ("spiral", "spiral"), ("straight", "few turns")],
         },
     }],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "Each mega-cell has four cells, and a spanning tree connects all mega-cells. Driving around the tree, \
+           with it always on the same side, visits every cell once and returns to the start. Trees with long \
+           straight branches need the fewest turns.",
+    complexity: "O(n α(n)) time, practically linear, and O(n) memory for n cells.",
+    use_when: "Hardly any revisits, wherever the furniture stands, and it ends near the start. Passages one cell \
+               wide must be driven there and back.",
+    shines: Example {
+        room: "dining",
+        why: "Passes around every leg with hardly any revisits, where lanes end at each.",
+    },
+    fails: Example {
+        room: "spiral",
+        why: "Where 2 x 2 squares don't fit the corridor, it drives there and back, again and again.",
+    },
+    source: "Gabriely & Rimon 2001, Spanning-tree based coverage of continuous areas, Ann. Math. Artif. Intell. 31; \
+             2003, Competitive on-line coverage of grid environments, Comput. Geom. 24",
+    link: "https://doi.org/10.1023/A:1016610507833",
 };
 
 /// Makes the planner.

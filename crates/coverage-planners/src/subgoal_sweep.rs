@@ -52,21 +52,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "subgoal_sweep",
     title: "Subgoal sweep",
     summary: "Scans the room in lines, marks contact points as subgoals, and links each to the nearest.",
-    source: "Hyun, An Artificial Intelligent algorithm for an autonomous Cleaning Robot, Honam University: \
-             sections 3 to 5",
-    link: "",
-    explainer: Explainer {
-        idea: "The planner scans the room along lines from the upper left to the lower right, and every contact with a \
-               wall or an obstacle becomes a subgoal point. From each point the sweep crosses to the other end of its \
-               line, and from there to the nearest remaining point. Links that would cross an obstacle are routed \
-               around it.",
-        complexity: "O(n) steps and memory for n cells, plus a search at every detour.",
-        use_when: "Made for large halls known from an architect's drawing, and fast enough to plan while drawing. It \
-                   sweeps in one direction only and looks no further than the next point, so it must return to what it \
-                   left.",
-        shines: Example { room: "empty", why: "No obstacles: line after line, without revisits." },
-        fails: Example { room: "maze", why: "The nearest point is often behind a wall, at the end of a long detour." },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -89,6 +74,23 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Choice { options: &[("nearest", "nearest point"), ("printed", "across, as printed")] },
         },
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "The planner scans the room along lines from the upper left to the lower right, and every contact with a \
+           wall or an obstacle becomes a subgoal point. From each point the sweep crosses to the other end of its \
+           line, and from there to the nearest remaining point. Links that would cross an obstacle are routed \
+           around it.",
+    complexity: "O(n) steps and memory for n cells, plus a search at every detour.",
+    use_when: "Made for large halls known from an architect's drawing, and fast enough to plan while drawing. It \
+               sweeps in one direction only and looks no further than the next point, so it must return to what it \
+               left.",
+    shines: Example { room: "empty", why: "No obstacles: line after line, without revisits." },
+    fails: Example { room: "maze", why: "The nearest point is often behind a wall, at the end of a long detour." },
+    source: "Hyun, An Artificial Intelligent algorithm for an autonomous Cleaning Robot, Honam University: \
+             sections 3 to 5",
+    link: "",
 };
 
 /// Makes the planner.

@@ -42,25 +42,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "wavefront_distance",
     title: "Wavefront, distance transform",
     summary: "Numbers cells by their distance to a goal and always moves to the unvisited neighbour farthest from it.",
-    source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment by a \
-             mobile robot, International Conference on Advanced Robotics",
-    link: "",
-    explainer: Explainer {
-        idea: "A wave spreads from a goal and numbers every cell by its distance. The robot always moves to the \
-               unvisited neighbour with the highest number, so it drives along the wavefronts, from the farthest \
-               inwards. Where there is none, it goes to the nearest unvisited cell.",
-        complexity: "O(n) time and memory for n cells, plus a local search at every dead end.",
-        use_when: "Simple, and the walk ends near a goal of your choice, such as the dock. Wavefronts bend around \
-                   every obstacle, which causes many turns.",
-        shines: Example {
-            room: "empty",
-            why: "Wavefronts are right angles around a corner: hardly any revisits, but one more turn in every lane.",
-        },
-        fails: Example {
-            room: "slanted",
-            why: "Straight wavefronts meet slanted walls, and each leaves an uncleaned corner.",
-        },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -70,6 +51,27 @@ pub const INFO: PlannerInfo = PlannerInfo {
         search: Search::None,
     },
     params: &[GOAL],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "A wave spreads from a goal and numbers every cell by its distance. The robot always moves to the \
+           unvisited neighbour with the highest number, so it drives along the wavefronts, from the farthest \
+           inwards. Where there is none, it goes to the nearest unvisited cell.",
+    complexity: "O(n) time and memory for n cells, plus a local search at every dead end.",
+    use_when: "Simple, and the walk ends near a goal of your choice, such as the dock. Wavefronts bend around \
+               every obstacle, which causes many turns.",
+    shines: Example {
+        room: "empty",
+        why: "Wavefronts are right angles around a corner: hardly any revisits, but one more turn in every lane.",
+    },
+    fails: Example {
+        room: "slanted",
+        why: "Straight wavefronts meet slanted walls, and each leaves an uncleaned corner.",
+    },
+    source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment by a \
+             mobile robot, International Conference on Advanced Robotics",
+    link: "",
 };
 
 /// Makes the planner.

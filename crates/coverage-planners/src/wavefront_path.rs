@@ -39,26 +39,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "wavefront_path",
     title: "Wavefront, path transform",
     summary: "Like the distance transform, but waves avoid obstacles, so the robot follows outlines first.",
-    source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment by a \
-             mobile robot, International Conference on Advanced Robotics",
-    link: "",
-    explainer: Explainer {
-        idea: "Waves spread from a goal as in the distance transform, but more slowly near obstacles. So cells along \
-               walls get high numbers, and the robot, which always moves to the unvisited neighbour with the highest \
-               one, follows outlines first and cleans the middle last. Alpha sets how strongly the waves avoid \
-               obstacles.",
-        complexity: "O(n) time and memory for n cells, plus a local search at every dead end.",
-        use_when: "Better than the distance transform in corridors and mazes, as it follows their walls. In furnished \
-                   open rooms it turns as often.",
-        shines: Example {
-            room: "spiral",
-            why: "Down one wall and back along the other, with far fewer turns than lanes.",
-        },
-        fails: Example {
-            room: "slanted",
-            why: "Slanted walls are staircases of cells, and following them it turns at every step.",
-        },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: true,
@@ -76,6 +56,25 @@ pub const INFO: PlannerInfo = PlannerInfo {
         },
         GOAL,
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "Waves spread from a goal as in the distance transform, but more slowly near obstacles. So cells along \
+           walls get high numbers, and the robot, which always moves to the unvisited neighbour with the highest \
+           one, follows outlines first and cleans the middle last. Alpha sets how strongly the waves avoid \
+           obstacles.",
+    complexity: "O(n) time and memory for n cells, plus a local search at every dead end.",
+    use_when: "Better than the distance transform in corridors and mazes, as it follows their walls. In furnished \
+               open rooms it turns as often.",
+    shines: Example { room: "spiral", why: "Down one wall and back along the other, with far fewer turns than lanes." },
+    fails: Example {
+        room: "slanted",
+        why: "Slanted walls are staircases of cells, and following them it turns at every step.",
+    },
+    source: "Zelinsky, Jarvis, Byrne & Yuta 1993, Planning paths of complete coverage of an unstructured environment by a \
+             mobile robot, International Conference on Advanced Robotics",
+    link: "",
 };
 
 /// Makes the planner.

@@ -5,7 +5,6 @@ use crate::{
     param::{Param, params},
 };
 use coverage_planners::PlannerInfo;
-use robovac_core::registry;
 use robovac_sim::experiment::Algorithm;
 use serde::Serialize;
 
@@ -17,8 +16,6 @@ pub struct CatalogueEntry {
     id: &'static str,
     title: &'static str,
     summary: &'static str,
-    source: &'static str,
-    link: &'static str,
     /// `planner` or `behaviour`.
     #[cfg_attr(feature = "types", ts(type = "\"planner\" | \"behaviour\""))]
     kind: &'static str,
@@ -30,36 +27,21 @@ pub struct CatalogueEntry {
     ends: bool,
     cleans: bool,
     manual: bool,
-    idea: &'static str,
-    complexity: &'static str,
-    use_when: &'static str,
-    shines: ExampleEntry,
-    fails: ExampleEntry,
     params: Vec<Param>,
-}
-
-#[derive(Serialize)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS))]
-struct ExampleEntry {
-    room: &'static str,
-    why: &'static str,
 }
 
 impl CatalogueEntry {
     /// The entry of an algorithm.
     pub fn new(algorithm: Algorithm) -> Self {
-        let explainer = algorithm.explainer();
-        let (summary, source, link) = match algorithm {
-            Algorithm::Planner(p) => (p.summary, p.source, p.link),
-            Algorithm::Behaviour(b) => (b.summary, b.source, b.link),
+        let summary = match algorithm {
+            Algorithm::Planner(p) => p.summary,
+            Algorithm::Behaviour(b) => b.summary,
         };
         let (plans, reacts) = (algorithm.planner().map(|p| p.claims), algorithm.behaviour().map(|b| b.claims));
         Self {
             id: algorithm.id(),
             title: algorithm.title(),
             summary,
-            source,
-            link,
             kind: algorithm.kind(),
             mark: Mark::of(algorithm),
             complete: plans.is_some_and(|c| c.complete),
@@ -69,18 +51,7 @@ impl CatalogueEntry {
             ends: reacts.is_some_and(|c| c.ends),
             cleans: reacts.is_some_and(|c| c.cleans),
             manual: reacts.is_some_and(|c| c.manual),
-            idea: explainer.idea,
-            complexity: explainer.complexity,
-            use_when: explainer.use_when,
-            shines: ExampleEntry::new(&explainer.shines),
-            fails: ExampleEntry::new(&explainer.fails),
             params: params(algorithm.params()),
         }
-    }
-}
-
-impl ExampleEntry {
-    fn new(example: &registry::Example) -> Self {
-        Self { room: example.room, why: example.why }
     }
 }

@@ -57,6 +57,8 @@ pub struct ScenarioChoices {
     pub start_charge_percent: Option<u64>,
     /// How the robot computes its pose.
     pub odometry: Option<String>,
+    /// Whether the corners of plans are rounded.
+    pub smooth: Option<bool>,
 }
 
 /// Reasons why files can't be read.
@@ -119,8 +121,9 @@ impl ScenarioChoices {
     /// The choices of `scenario`.
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        let Scenario { robot, twin, own_robot, path, cell_size, planner, behaviour, slip, noise, odometry, .. } =
-            scenario.clone();
+        let Scenario {
+            robot, twin, own_robot, path, cell_size, planner, behaviour, slip, noise, odometry, smooth, ..
+        } = scenario.clone();
         Self {
             robot,
             twin: twin.map(|twin| twin.to_string()),
@@ -137,6 +140,7 @@ impl ScenarioChoices {
             quantised: scenario.quantised,
             start_charge_percent: scenario.start_charge_percent,
             odometry,
+            smooth,
         }
     }
 
@@ -164,6 +168,7 @@ impl ScenarioChoices {
             quantised: Some(conditions.quantised),
             start_charge_percent: Some(conditions.start_charge_percent.into()),
             odometry: Some(settings.odometry.id().to_owned()),
+            smooth: Some(settings.smooth),
         }
     }
 
@@ -221,6 +226,9 @@ impl ScenarioChoices {
         }
         if let Some(id) = &self.odometry {
             at("odometry", settings.set_odometry(id))?;
+        }
+        if let Some(on) = self.smooth {
+            settings.smooth = on;
         }
         Ok(settings)
     }

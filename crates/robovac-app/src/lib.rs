@@ -19,6 +19,7 @@ pub mod bench;
 pub mod compare;
 pub mod connection;
 mod entry;
+mod explainer_entry;
 pub mod explore;
 pub mod export;
 pub mod floor_plan;
@@ -35,6 +36,7 @@ pub mod types;
 mod viewport;
 
 pub use entry::CatalogueEntry;
+pub use explainer_entry::ExplainerEntry;
 pub use import::{Import, ImportError, ScenarioChoices, ScenarioError};
 pub use mark::Mark;
 pub use pack::{pack, unpack};

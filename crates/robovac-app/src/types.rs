@@ -1,7 +1,7 @@
 //! TypeScript declarations of all plain objects exchanged between JavaScript and Rust.
 
 use crate::{
-    CatalogueEntry,
+    CatalogueEntry, ExplainerEntry,
     bench::BenchResult,
     compare::{ComparisonView, StudyOffer, StudyPlace, StudyView, TableView},
     explore::{Catalogue, PageView, SessionSnapshot},
@@ -51,6 +51,7 @@ pub fn declarations() -> String {
     all.visit::<CatalogueEntry>();
     all.visit::<ComparisonView<'static>>();
     all.visit::<ConnectionView>();
+    all.visit::<ExplainerEntry>();
     all.visit::<FloorPlanView>();
     all.visit::<LineRequest>();
     all.visit::<MapView>();

@@ -61,7 +61,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let entrants = arguments.entrants.find()?;
     let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
     let (conditions, odometry) = (arguments.conditions.conditions(), arguments.conditions.odometry);
-    let terms = Terms { conditions, odometry, duration_s: 60.0 * arguments.minutes, plan_seed: arguments.seed };
+    let terms =
+        Terms { conditions, odometry, smooth: false, duration_s: 60.0 * arguments.minutes, plan_seed: arguments.seed };
     let mut lab = Lab::on(placement.prepare()?, terms);
     // That an algorithm has no plan here is a result too.
     let failures: Vec<Option<String>> =

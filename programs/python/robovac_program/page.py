@@ -14,7 +14,7 @@ ATTRIBUTES = FLAGS + WHOLE + tuple("_b%d" % i for i in range(6)) + tuple("_s%d" 
 MARKER = 1000000
 
 program = None
-# Line, statements left in this step.
+# Line, turns of loops left in this step.
 _trace = array("i", [0, 0])
 _locals = {}
 _hidden = ()
@@ -23,7 +23,7 @@ _hidden = ()
 def load(source, name, facts, seed):
     """Loads the program; says where its readings and commands are in memory, as JSON."""
     global program, _hidden
-    tracers = {"_trace_at": _at, "_trace_stop": _stop, "_trace_locals": _set_locals}
+    tracers = {"_trace_line": _trace, "_trace_at": _at, "_trace_stop": _stop, "_trace_locals": _set_locals}
     _hidden = set(tracers)
     program = Program(source, name, json.loads(facts), int(seed), tracers)
     robot = program.robot
@@ -63,6 +63,7 @@ def take():
 
 
 def _at(line):
+    """Before the first statement of a loop: what runs for ever passes here."""
     _trace[0] = line
     _trace[1] -= 1
     if _trace[1] < 0:

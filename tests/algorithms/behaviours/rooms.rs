@@ -10,13 +10,13 @@ use robovac_core::{
     floor_plan::{FloorPlan, Object, ROOMS, RoomInfo, RoomKind, room},
     geometry::Pose,
     math,
-    registry::Params,
+    registry::{Explainer, Params},
     rng::seeded,
     robot::{OdometryModel, model},
 };
 use robovac_sim::{
     NoiseLevel,
-    controller::{self, BEHAVIOURS, BehaviourInfo},
+    controller::{self, BEHAVIOURS, BehaviourInfo, explainer},
     experiment::{Algorithm, Entrant, planning::RoomSetup},
     montecarlo::{Lab, Terms, quantile},
 };
@@ -64,7 +64,7 @@ fn measure(room: &RoomInfo, info: &BehaviourInfo) -> Option<f64> {
     } else {
         let conditions = conditions(NoiseLevel::Typical);
         let odometry = OdometryModel::default();
-        let terms = Terms { conditions, odometry, duration_s: 60.0 * MINUTES, plan_seed: 1 };
+        let terms = Terms { conditions, odometry, smooth: false, duration_s: 60.0 * MINUTES, plan_seed: 1 };
         let lab = Lab::new(&plan, robot, robot.default_cell, None, terms).expect("it fits");
         let entrant = Entrant::new(Algorithm::Behaviour(controller::find(info.id).expect("it is in the registry")));
         (1..=SEEDS).filter_map(|seed| lab.run(&entrant, seed)).map(|outcome| 100.0 * outcome.coverage()).collect()
@@ -196,7 +196,7 @@ fn behaviours_work_well_and_poorly_where_they_say() {
     let mut wrong = String::new();
     for info in behaviours() {
         let standing = Standing { table: &table, info };
-        let [shines, fails] = [info.explainer.shines, info.explainer.fails];
+        let Explainer { shines, fails, .. } = explainer(info.id).expect("it is listed");
         let mut expect = |holds: Option<bool>, what: &str| {
             if holds != Some(true) {
                 let _ = writeln!(wrong, "{}: {what}", info.id);

@@ -37,7 +37,11 @@ fn planners_shine_and_fail_where_they_say() {
     // Several planners name the same rooms.
     let mut known: BTreeMap<(&str, &str), f64> = BTreeMap::new();
     for info in PLANNERS {
-        let [shines, fails] = [info.explainer.shines, info.explainer.fails].map(|example| {
+        let [shines, fails] = {
+            let explainer = coverage_planners::explainer(info.id).expect("it is listed");
+            [explainer.shines, explainer.fails]
+        }
+        .map(|example| {
             let job = job(example.room);
             let mut cost = |other: &PlannerInfo| -> f64 {
                 *known.entry((example.room, other.id)).or_insert_with(|| cost(other, &job))

@@ -32,7 +32,7 @@ pub use bound::MetricBound;
 pub use error::LanesError;
 pub use free_space::FreeSpace;
 pub(crate) use planner::BUILD;
-pub use planner::INFO;
+pub use planner::{EXPLAINER, INFO};
 pub(crate) use scan::across;
 pub use scan::swept_share;
 

@@ -19,17 +19,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "lanes",
     title: "Lanes in metres",
     summary: "Lays lanes as far apart as the tool allows, and searches for the fastest path.",
-    source: "Kirkpatrick et al. 1983, Optimization by simulated annealing; the moves are ours",
-    link: "https://doi.org/10.1126/science.220.4598.671",
-    explainer: Explainer {
-        idea: "Plans straight pieces in metres, not steps between cells. Parts of the room get lanes along their \
-               longer direction, a tool's width apart. Simulated annealing then shifts, drops and joins lanes and \
-               corners until the required coverage takes the least time found.",
-        complexity: "O(n) memory for n m²; effort 1 tries 10,000 changes per metre.",
-        use_when: "When time counts. Stop it at any time: it keeps the best path so far.",
-        shines: Example { room: "hotel", why: "Long lanes and short links." },
-        fails: Example { room: "room12ft", why: "Slivers between legs of chairs cost detours." },
-    },
     claims: PlannerClaims {
         complete: false,
         deterministic: false,
@@ -58,6 +47,19 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Number { min: 0.0, max: 50.0, step: 1.0, default: 3.0, unit: "mm" },
         },
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "Plans straight pieces in metres, not steps between cells. Parts of the room get lanes along their \
+           longer direction, a tool's width apart. Simulated annealing then shifts, drops and joins lanes and \
+           corners until the required coverage takes the least time found.",
+    complexity: "O(n) memory for n m²; effort 1 tries 10,000 changes per metre.",
+    use_when: "When time counts. Stop it at any time: it keeps the best path so far.",
+    shines: Example { room: "hotel", why: "Long lanes and short links." },
+    fails: Example { room: "room12ft", why: "Slivers between legs of chairs cost detours." },
+    source: "Kirkpatrick et al. 1983, Optimization by simulated annealing; the moves are ours",
+    link: "https://doi.org/10.1126/science.220.4598.671",
 };
 
 /// Makes the planner.

@@ -60,19 +60,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "near_optimal",
     title: "Near-optimal",
     summary: "Improves a good walk window by window, and proves a lower bound on the cost of any walk.",
-    source: "Objective and relaxation after Krupke 2024, Near-optimal coverage path planning with turn costs, ALENEX; \
-             Arkin et al. 2005, Optimal covering tours with turn costs; the search is ours",
-    link: "https://arxiv.org/abs/2310.20340",
-    explainer: Explainer {
-        idea: "Starts from the best walk of three fast planners. Then it repeatedly clears a window where the walk is \
-               expensive and refills it with the cheapest passages that still make one walk. Dual prices on the sides \
-               of all cells show what is expensive and prove a lower bound on the cost of any walk.",
-        complexity: "O(n) memory for n cells. A window takes about a millisecond; the effort sets their number.",
-        use_when: "When a room is cleaned often, or to judge the walks of other planners. Stop it at any time: it \
-                   keeps the best walk so far.",
-        shines: Example { room: "maze", why: "Forks and dead ends: windows find walks that lanes and rings can't." },
-        fails: Example { room: "lshape", why: "Simple lanes are nearly as good and take no time." },
-    },
     claims: PlannerClaims {
         complete: true,
         deterministic: false,
@@ -102,6 +89,21 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Number { min: 0.0, max: 64.0, step: 0.5, default: 0.0, unit: "steps" },
         },
     ],
+};
+
+/// Its explanation.
+pub const EXPLAINER: Explainer = Explainer {
+    idea: "Starts from the best walk of three fast planners. Then it repeatedly clears a window where the walk is \
+           expensive and refills it with the cheapest passages that still make one walk. Dual prices on the sides \
+           of all cells show what is expensive and prove a lower bound on the cost of any walk.",
+    complexity: "O(n) memory for n cells. A window takes about a millisecond; the effort sets their number.",
+    use_when: "When a room is cleaned often, or to judge the walks of other planners. Stop it at any time: it \
+               keeps the best walk so far.",
+    shines: Example { room: "maze", why: "Forks and dead ends: windows find walks that lanes and rings can't." },
+    fails: Example { room: "lshape", why: "Simple lanes are nearly as good and take no time." },
+    source: "Objective and relaxation after Krupke 2024, Near-optimal coverage path planning with turn costs, ALENEX; \
+             Arkin et al. 2005, Optimal covering tours with turn costs; the search is ours",
+    link: "https://arxiv.org/abs/2310.20340",
 };
 
 /// Makes the planner.

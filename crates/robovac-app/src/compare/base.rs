@@ -56,6 +56,7 @@ impl ComparisonBase {
             setup: RaceSetup {
                 conditions: settings.conditions,
                 odometry: settings.odometry,
+                smooth: settings.smooth,
                 seed: settings.seed,
                 speed: speed.unwrap_or(SPEED),
             },
@@ -99,6 +100,7 @@ impl ComparisonBase {
             RoomChoice::Own => format!("{OWN}{}", self.snapshot.room_version),
         };
         let custom = self.custom.as_ref().map(|custom| format!(" {}:{custom}", custom.key())).unwrap_or_default();
-        format!("{room} {start:?} {} {}{custom}", self.robot, self.cell_size)
+        let smooth = if self.setup.smooth { " smooth" } else { "" };
+        format!("{room} {start:?} {} {}{custom}{smooth}", self.robot, self.cell_size)
     }
 }

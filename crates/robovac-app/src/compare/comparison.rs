@@ -11,6 +11,7 @@ use coverage_planners::{CoveragePath, PLANNERS, PlannerInfo, metrics::PlanNumber
 use robovac_core::{
     floor_plan::{ROOMS, Scenario},
     program::{Program, ProgramKind},
+    trajectory::{Knot, Trajectory},
 };
 use robovac_sim::{
     experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, PlanOutcome, SettingsError, TrialRequest},
@@ -49,6 +50,8 @@ pub struct Comparison {
     trials: Trials,
     /// Walks for the race.
     paths: BTreeMap<TrialKey, CoveragePath>,
+    /// The same with rounded corners, if they are.
+    smooth: BTreeMap<TrialKey, Arc<Trajectory>>,
     race: Option<Race>,
     races: u32,
     /// What the user's program does in the race.
@@ -89,6 +92,7 @@ impl Comparison {
             seeds: 1,
             trials: Trials::default(),
             paths: BTreeMap::new(),
+            smooth: BTreeMap::new(),
             race: None,
             races: 0,
             race_log: RaceLog::default(),
@@ -110,6 +114,7 @@ impl Comparison {
         let here = self.place(self.here());
         self.trials.retain(|key| !key.starts_with(OWN) || key.starts_with(&here));
         self.paths.retain(|key, _| self.trials.result(key).is_some());
+        self.smooth.retain(|key, _| self.paths.contains_key(key));
         self.changed();
     }
 
@@ -386,6 +391,7 @@ impl Comparison {
             cell_size: base.cell_size,
             entrant: self.entrants[trial.entrant].to_string(),
             seed: trial.seed,
+            smooth: self.base.as_ref().is_some_and(|base| base.setup.smooth),
             place: self.place(trial.room),
         })
     }
@@ -403,9 +409,9 @@ impl Comparison {
     /// A worker is done.
     pub fn trial_finished(&mut self, id: u32, result: Result<PlanOutcome, String>) {
         let Some((trial, key)) = self.trials.end(id) else { return };
-        let result = result.map(|PlanOutcome { numbers, path, .. }| {
+        let result = result.map(|PlanOutcome { numbers, path, smooth }| {
             if self.base.as_ref().is_some_and(|base| base.seed == trial.seed) {
-                self.keep(&key, path);
+                self.keep(&key, path, smooth);
             }
             numbers
         });
@@ -415,16 +421,22 @@ impl Comparison {
     }
 
     /// Keeps a path for the race.
-    fn keep(&mut self, key: &TrialKey, path: CoveragePath) {
-        let kept = |paths: &BTreeMap<TrialKey, CoveragePath>| paths.values().map(size).sum::<usize>();
-        if kept(&self.paths) + size(&path) > MOST_KEPT_CELLS {
+    fn keep(&mut self, key: &TrialKey, path: CoveragePath, smooth: Option<Arc<Trajectory>>) {
+        let kept =
+            |it: &Self| it.paths.values().map(size).sum::<usize>() + it.smooth.values().map(smooth_size).sum::<usize>();
+        let own = size(&path) + smooth.as_ref().map_or(0, smooth_size);
+        if kept(self) + own > MOST_KEPT_CELLS {
             // For other rooms the walk is planned again if needed.
             let here = self.place(self.here());
             self.trials.retain(|key| key.starts_with(&here) || !self.paths.contains_key(key));
             self.paths.retain(|key, _| key.starts_with(&here));
+            self.smooth.retain(|key, _| key.starts_with(&here));
         }
-        if kept(&self.paths) + size(&path) <= MOST_KEPT_CELLS {
+        if kept(self) + own <= MOST_KEPT_CELLS {
             self.paths.insert(key.clone(), path);
+            if let Some(smooth) = smooth {
+                self.smooth.insert(key.clone(), smooth);
+            }
         }
     }
 
@@ -578,7 +590,10 @@ impl Comparison {
         let mut race = Race::new(self.races, Arc::clone(&base.plan), prepared.clone(), setup);
         for racer in racers {
             match (self.paths.get(&racer.key), &self.entrants[racer.entrant]) {
-                (Some(path), _) => race.enter(racer, path),
+                (Some(path), _) => {
+                    let smooth = self.smooth.get(&racer.key).cloned();
+                    race.enter(racer, path, smooth);
+                }
                 (None, entrant) if entrant.algorithm.is_program() => {
                     let log = self.race_log.of(&format!("{} {:?}", racer.key, setup.conditions));
                     race.enter_program(racer, log);
@@ -629,6 +644,11 @@ impl RaceLog {
 /// Length of a path in cells of as much memory.
 fn size(path: &CoveragePath) -> usize {
     path.cells.len() + 2 * path.line.len()
+}
+
+/// The same for a trajectory.
+fn smooth_size(trajectory: &Arc<Trajectory>) -> usize {
+    trajectory.knots().len() * size_of::<Knot>() / 8
 }
 
 fn key(place: &str, entrant: &str, seed: u64) -> TrialKey {

@@ -39,6 +39,7 @@ impl ProgramRuns {
         let path = coverage_planners::CoveragePath::walk(cells);
         let answer = PlanAnswer { path, seconds: 0.0, proof: None, trace: Vec::new() };
         let planned = Planned::new(room, &answer).map_err(|error| error.to_string())?;
+        let planned = if self.job.smooth { planned.rounded(room).map_err(|e| e.to_string())? } else { planned };
         let run = |&seed: &u64| self.outcome(planned.run(room, self.job.conditions, self.odometry, seed), seed);
         Ok(seeds.iter().map(run).collect())
     }

@@ -2,10 +2,13 @@
 
 use crate::{RobotView, Scene, explore::SessionState, frame_pacer::FramePacer};
 use coverage_planners::CoveragePath;
-use robovac_core::{floor_plan::FloorPlan, geometry::Point, robot::OdometryModel};
+use robovac_core::{floor_plan::FloorPlan, geometry::Point, robot::OdometryModel, trajectory::Trajectory};
 use robovac_sim::{
     Conditions, Run, RunRecording, STEP_S, SlipLevel,
-    experiment::{Entrant, planning::RoomSetup},
+    experiment::{
+        Entrant,
+        planning::{Driven, RoomSetup},
+    },
     program::{Logged, SharedLog},
 };
 use std::sync::Arc;
@@ -33,6 +36,8 @@ pub struct RaceSetup {
     pub conditions: Conditions,
     /// How the followers estimate their poses.
     pub odometry: OdometryModel,
+    /// Whether corners are rounded.
+    pub smooth: bool,
     /// Seed of the slip.
     pub seed: u64,
     /// Speed, times real time; 0 for as fast as possible.
@@ -95,14 +100,15 @@ impl Race {
         }
     }
 
-    /// Adds a robot that drives `path`; a walk that can't be driven is skipped. To be called before the start.
-    pub fn enter(&mut self, racer: Racer, path: &CoveragePath) {
+    /// Adds a robot that drives `path`, or along `smooth`, the same with rounded corners; a walk that can't be driven is skipped. To be called before the start.
+    pub fn enter(&mut self, racer: Racer, path: &CoveragePath, smooth: Option<Arc<Trajectory>>) {
         if self.lanes.len() >= MOST_LANES {
             return;
         }
         let Some(line) = self.line(path) else { return };
         let RaceSetup { conditions, odometry, seed, .. } = self.setup;
-        let run = self.prepared.run_along(&line, conditions, odometry, seed);
+        let driven = Driven { line: Arc::clone(&line), smooth };
+        let run = self.prepared.run_driven(&driven, conditions, odometry, seed);
         self.add(racer, run, line, None);
     }
 

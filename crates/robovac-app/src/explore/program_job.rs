@@ -33,6 +33,8 @@ pub struct LaidOutJob {
     pub cell_size: f64,
     /// How followers of plans compute their poses.
     pub odometry: OdometryModel,
+    /// Whether corners of plans are rounded.
+    pub smooth: bool,
     /// A person's inputs, with the number of steps before each.
     pub inputs: Vec<(u64, Input)>,
 }
@@ -68,8 +70,8 @@ impl ProgramJob {
     /// The room laid out for the robot.
     pub fn lay_out(&self) -> Result<LaidOutJob, JobError> {
         let (room, settings) = self.place.lay_out_for_program()?;
-        let Settings { conditions, seed, cell_size, odometry, .. } = settings;
-        Ok(LaidOutJob { room, conditions, seed, cell_size, odometry, inputs: self.inputs() })
+        let Settings { conditions, seed, cell_size, odometry, smooth, .. } = settings;
+        Ok(LaidOutJob { room, conditions, seed, cell_size, odometry, smooth, inputs: self.inputs() })
     }
 }
 
@@ -208,7 +210,8 @@ mod tests {
         session.set_program(program(ProgramKind::Planner), true).unwrap();
         let mut tell = |change: &dyn Fn(&mut Vec<Cell>)| {
             // Another plan is asked for.
-            session.configure(|settings| Ok(settings.seed += 1)).unwrap();
+            let seed = session.settings().seed + 1;
+            session.configure(|settings| settings.set_seed(Some(seed), "")).unwrap();
             let request = session.take_plan_request().unwrap();
             let planner = coverage_planners::find("boustrophedon").unwrap();
             let good = robovac_sim::experiment::PlanRequest { planner, ..request.clone() };

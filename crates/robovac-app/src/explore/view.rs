@@ -68,6 +68,10 @@ pub struct SessionView {
     pub shows: Shows,
     /// How the follower computes its pose.
     pub odometry: &'static str,
+    /// Whether the corners of plans are rounded, and whether this robot can do that.
+    pub smooth: bool,
+    /// See above.
+    pub can_smooth: bool,
     /// Set speed, times real time; 0 for as fast as possible.
     pub speed: f64,
     /// Achieved speed, times real time.

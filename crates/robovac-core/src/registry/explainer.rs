@@ -16,6 +16,10 @@ pub struct Explainer {
     pub shines: Example,
     /// A built-in room that shows its weaknesses.
     pub fails: Example,
+    /// Where it comes from: authors, year, title, section.
+    pub source: &'static str,
+    /// Address of the source or of a good description; empty if there is none.
+    pub link: &'static str,
 }
 
 impl Explainer {
@@ -28,6 +32,7 @@ impl Explainer {
         assert!(sentences(summary) == 1, "`summary` must be one sentence");
         assert!(sentences(self.idea) == 3, "`idea` must be three sentences; write \"about\" rather than \"approx.\"");
         assert!(!self.complexity.is_empty() && !self.use_when.is_empty(), "`complexity` or `use_when` is empty");
+        assert!(!self.source.is_empty(), "`source` is empty");
         assert!(
             self.shines.is_there() && self.fails.is_there(),
             "an example has no `why`, or names no room that ships"

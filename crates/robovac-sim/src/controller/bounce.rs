@@ -39,20 +39,6 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "bounce",
     title: "Bounce",
     summary: "Drives straight until it hits something, then turns away by a random angle.",
-    source: "Jones 2006, Robots at the Tipping Point: The Road to iRobot Roomba, IEEE Robotics & Automation Magazine 13(1); \
-             Jones & Mass 2004, US 6,809,490, Method and system for multi-mode coverage for an autonomous robot",
-    link: "https://patents.google.com/patent/US6809490B2/en",
-    explainer: Explainer {
-        idea: "The robot drives straight until its bumper is pressed or a cliff sensor triggers. It turns away by a \
-               random angle and continues. Coverage is purely random: some areas are cleaned often, others late.",
-        complexity: "O(1) time and memory per step; no map.",
-        use_when: "As a baseline for all other behaviours, and for robots with nothing but a bumper.",
-        shines: Example {
-            room: "thesis226",
-            why: "One room with a few obstacles: after 20 minutes nearly everything is covered.",
-        },
-        fails: Example { room: "maze", why: "It passes a doorway only by chance." },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: true,
@@ -77,6 +63,22 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         GO_HOME,
         LEAVE_HOME,
     ],
+};
+
+/// Its explanation.
+pub(super) const EXPLAINER: Explainer = Explainer {
+    idea: "The robot drives straight until its bumper is pressed or a cliff sensor triggers. It turns away by a \
+           random angle and continues. Coverage is purely random: some areas are cleaned often, others late.",
+    complexity: "O(1) time and memory per step; no map.",
+    use_when: "As a baseline for all other behaviours, and for robots with nothing but a bumper.",
+    shines: Example {
+        room: "thesis226",
+        why: "One room with a few obstacles: after 20 minutes nearly everything is covered.",
+    },
+    fails: Example { room: "maze", why: "It passes a doorway only by chance." },
+    source: "Jones 2006, Robots at the Tipping Point: The Road to iRobot Roomba, IEEE Robotics & Automation Magazine 13(1); \
+             Jones & Mass 2004, US 6,809,490, Method and system for multi-mode coverage for an autonomous robot",
+    link: "https://patents.google.com/patent/US6809490B2/en",
 };
 
 pub(super) const BUILD: BuildBehaviour = |setup| {

@@ -50,26 +50,6 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "cleaning_cycle",
     title: "Cleaning cycle",
     summary: "Alternates between random walk, spiral, S-shaped path and wall following, each for a limited time.",
-    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
-             section IV.A, Cleaning Cycle",
-    link: "https://ieeexplore.ieee.org/document/6850799",
-    explainer: Explainer {
-        idea: "Random walk, spiral, S-shaped path and wall following alternate, each for a fixed or random time. They \
-               complement each other: lanes and spirals clean open floor fast, wall following reaches corners, and the \
-               random walk finds the next room. The robot can't know when the floor is clean, so it runs until it is \
-               stopped.",
-        complexity: "O(1) time and memory per step.",
-        use_when: "When nothing is known about the room: in most rooms it cleans as much as the best of the four, or more.",
-        shines: Example {
-            room: "clutter",
-            why: "Wall following leads it past the obstacles, and the others clean what lies between: in 20 minutes it \
-                cleans more than any other behaviour.",
-        },
-        fails: Example {
-            room: "maze",
-            why: "In narrow ways only wall following gets ahead, and that is but one of the four.",
-        },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: true,
@@ -100,6 +80,28 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         GO_HOME,
         LEAVE_HOME,
     ],
+};
+
+/// Its explanation.
+pub(super) const EXPLAINER: Explainer = Explainer {
+    idea: "Random walk, spiral, S-shaped path and wall following alternate, each for a fixed or random time. They \
+           complement each other: lanes and spirals clean open floor fast, wall following reaches corners, and the \
+           random walk finds the next room. The robot can't know when the floor is clean, so it runs until it is \
+           stopped.",
+    complexity: "O(1) time and memory per step.",
+    use_when: "When nothing is known about the room: in most rooms it cleans as much as the best of the four, or more.",
+    shines: Example {
+        room: "clutter",
+        why: "Wall following leads it past the obstacles, and the others clean what lies between: in 20 minutes it \
+            cleans more than any other behaviour.",
+    },
+    fails: Example {
+        room: "maze",
+        why: "In narrow ways only wall following gets ahead, and that is but one of the four.",
+    },
+    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
+             section IV.A, Cleaning Cycle",
+    link: "https://ieeexplore.ieee.org/document/6850799",
 };
 
 pub(super) const BUILD: BuildBehaviour = |setup| Reactive::boxed(setup, CleaningCycle::new(setup));

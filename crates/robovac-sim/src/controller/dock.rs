@@ -61,23 +61,6 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "dock",
     title: "Return to dock",
     summary: "Searches for the dock's infrared beams and drives in between them to charge.",
-    source: "iRobot Create 2 Open Interface specification: packets 17, 52 and 53, infrared characters; the driving \
-        strategy is ours",
-    link: "https://edu.irobot.com/learning-library/create-2-oi-spec",
-    explainer: Explainer {
-        idea: "The robot combines random driving and wall following until it detects a beam of its dock. The dock \
-               sends a green beam to one side of its centre line and a red one to the other; both are visible on the \
-               line. The robot steers towards whichever beam it loses, slowing down as it gets closer, until its \
-               contacts touch.",
-        complexity: "O(1) time and memory per step.",
-        use_when: "When the battery runs low. It needs infrared receivers; in large or winding rooms the search is \
-            slow.",
-        shines: Example { room: "bedroom", why: "In a single room the beams are found quickly." },
-        fails: Example {
-            room: "flat",
-            why: "From other rooms no beam is seen, so the robot must first find the right door by chance.",
-        },
-    },
     claims: BehaviourClaims {
         ends: true,
         cleans: false,
@@ -87,6 +70,25 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         needs_laser: false,
     },
     params: &[],
+};
+
+/// Its explanation.
+pub(super) const EXPLAINER: Explainer = Explainer {
+    idea: "The robot combines random driving and wall following until it detects a beam of its dock. The dock \
+           sends a green beam to one side of its centre line and a red one to the other; both are visible on the \
+           line. The robot steers towards whichever beam it loses, slowing down as it gets closer, until its \
+           contacts touch.",
+    complexity: "O(1) time and memory per step.",
+    use_when: "When the battery runs low. It needs infrared receivers; in large or winding rooms the search is \
+        slow.",
+    shines: Example { room: "bedroom", why: "In a single room the beams are found quickly." },
+    fails: Example {
+        room: "flat",
+        why: "From other rooms no beam is seen, so the robot must first find the right door by chance.",
+    },
+    source: "iRobot Create 2 Open Interface specification: packets 17, 52 and 53, infrared characters; the driving \
+        strategy is ours",
+    link: "https://edu.irobot.com/learning-library/create-2-oi-spec",
 };
 
 pub(super) const BUILD: BuildBehaviour = |setup| Reactive::boxed(setup, Dock::new(setup));

@@ -1,7 +1,7 @@
 //! Metadata and construction of a behaviour.
 
 use robovac_core::{
-    registry::{Explainer, ParamSpec, Params},
+    registry::{ParamSpec, Params},
     robot::RobotModel,
 };
 
@@ -14,29 +14,10 @@ pub struct BehaviourInfo {
     pub title: &'static str,
     /// One sentence on how it works.
     pub summary: &'static str,
-    /// Where it comes from: authors, year, title, section.
-    pub source: &'static str,
-    /// Address of the source or of a good description; empty if there is none.
-    pub link: &'static str,
-    /// The explanation shown in its panel.
-    pub explainer: Explainer,
     /// The properties that the contract tests check.
     pub claims: BehaviourClaims,
     /// Its parameters, the important ones first.
     pub params: &'static [ParamSpec],
-}
-
-impl BehaviourInfo {
-    /// Checks the texts.
-    ///
-    /// # Panics
-    ///
-    /// If one of them is invalid. The registry has `const _: () = INFO.check();`, so an invalid entry is a compile
-    /// error.
-    pub const fn check(&self) {
-        self.explainer.check(self.summary);
-        assert!(!self.source.is_empty(), "`source` is empty");
-    }
 }
 
 /// Properties of a behaviour that the contract test checks.

@@ -39,18 +39,6 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "manual",
     title: "Manual",
     summary: "You drive; commands that would make the robot bump or fall are blocked.",
-    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
-             section IV.B, Tables I and II",
-    link: "https://ieeexplore.ieee.org/document/6850799",
-    explainer: Explainer {
-        idea: "You drive with keys, a gamepad or the on-screen joystick. For every combination of bumper and cliff \
-               sensors, two tables define which of forward, backward, left and right are allowed. Everything else is \
-               blocked, with the reason shown.",
-        complexity: "O(1) time and memory per step.",
-        use_when: "To clean one spot, to get to know a robot and its sensors, or to see how hard complete coverage is.",
-        shines: Example { room: "empty", why: "Lanes are long: there is little to steer." },
-        fails: Example { room: "maze", why: "Narrow ways turn every few steps: you steer all the time." },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: false,
@@ -65,6 +53,20 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         help: "No sensor faces backwards: with this off, the robot may reverse anywhere, even down stairs.",
         kind: ParamKind::Flag { default: false },
     }],
+};
+
+/// Its explanation.
+pub(super) const EXPLAINER: Explainer = Explainer {
+    idea: "You drive with keys, a gamepad or the on-screen joystick. For every combination of bumper and cliff \
+           sensors, two tables define which of forward, backward, left and right are allowed. Everything else is \
+           blocked, with the reason shown.",
+    complexity: "O(1) time and memory per step.",
+    use_when: "To clean one spot, to get to know a robot and its sensors, or to see how hard complete coverage is.",
+    shines: Example { room: "empty", why: "Lanes are long: there is little to steer." },
+    fails: Example { room: "maze", why: "Narrow ways turn every few steps: you steer all the time." },
+    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
+             section IV.B, Tables I and II",
+    link: "https://ieeexplore.ieee.org/document/6850799",
 };
 
 pub(super) const BUILD: BuildBehaviour = |setup| {

@@ -1,7 +1,7 @@
 //! Controllers, which drive a robot by its sensor readings alone.
 //!
 //! [`FollowPath`] drives a planned line, [`FollowSmoothly`] without stops at its corners. All others are behaviours, which know nothing of the room: one file each, all in
-//! one registry. To add one, write its file with the constants `INFO` (a [`BehaviourInfo`]) and `BUILD` (a [`BuildBehaviour`]) and
+//! one registry. To add one, write its file with the constants `INFO` (a [`BehaviourInfo`]), `EXPLAINER` (an [`Explainer`]) and `BUILD` (a [`BuildBehaviour`]) and
 //! list it below; menus, forms, command line and the contract test iterate [`BEHAVIOURS`].
 
 mod bounce;
@@ -40,6 +40,7 @@ pub use timing::Timing;
 use crate::mapping::Mapper;
 use robovac_core::{
     geometry::Pose,
+    registry::Explainer,
     robot::{Drive, SensorReadings},
 };
 
@@ -129,7 +130,7 @@ impl Behaviours {
     }
 }
 
-/// Lists of the same behaviours: all, those that need no map, and their metadata.
+/// Lists of the same behaviours: all, those that need no map, their metadata and their explanations.
 macro_rules! registry {
     (mapless { $($plain:ident),* $(,)? } exploring { $($($explorer:ident)::+),* $(,)? }) => {
         /// Behaviours that need no map: they clean, dock or are driven by a person.
@@ -140,8 +141,11 @@ macro_rules! registry {
         );
         /// Metadata of all behaviours.
         pub const BEHAVIOURS: &[&BehaviourInfo] = &[$(&$plain::INFO,)* $(&$($explorer::)+INFO),*];
-        $(const _: () = $plain::INFO.check();)*
-        $(const _: () = $($explorer::)+INFO.check();)*
+        const EXPLAINERS: &[(&str, &Explainer)] = &[
+            $(($plain::INFO.id, &$plain::EXPLAINER),)* $(($($explorer::)+INFO.id, &$($explorer::)+EXPLAINER)),*
+        ];
+        $(const _: () = $plain::EXPLAINER.check($plain::INFO.summary);)*
+        $(const _: () = $($explorer::)+EXPLAINER.check($($explorer::)+INFO.summary);)*
     };
 }
 
@@ -174,6 +178,11 @@ impl BehaviourInfo {
     pub fn build(&self, setup: &Setup<'_>) -> Option<Box<dyn Controller>> {
         ALL.build(self.id, setup)
     }
+}
+
+/// The explanation of the behaviour with that id.
+pub fn explainer(id: &str) -> Option<&'static Explainer> {
+    EXPLAINERS.iter().find(|(of, _)| *of == id).map(|(_, explainer)| *explainer)
 }
 
 /// The behaviour with that id.

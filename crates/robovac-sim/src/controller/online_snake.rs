@@ -63,21 +63,6 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "online_snake",
     title: "Snake in an unknown room",
     summary: "Walks the improved snake from cell to cell in a room that it discovers with its laser scanner.",
-    source: "Emu & Obaida 2020, thesis, East West University: sections 1.5 and 4.2; the map is ours",
-    link: "",
-    explainer: Explainer {
-        idea: "The robot knows nothing of the room and maps it as it drives. After each cell it decides by the rules of \
-               the planner Improved snake, with the cells that it has seen so far. With a scanner that sees the \
-               thesis' room at once, it walks exactly as planned there.",
-        complexity: "O(k) time for each cell, with k cells in sight; O(n) memory for n cells.",
-        use_when: "To clean an unknown room in straight lanes. It needs a laser scanner: choose the CBot or the Roomba \
-                   with laser.",
-        shines: Example { room: "empty", why: "It sees the walls from afar and drives lanes from wall to wall." },
-        fails: Example {
-            room: "clutter",
-            why: "It finds many small obstacles late, and comes back for the cells behind them.",
-        },
-    },
     claims: BehaviourClaims {
         ends: true,
         cleans: true,
@@ -92,6 +77,23 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         help: "Distance between neighbouring lanes, as a share of the tool's width.",
         kind: ParamKind::Number { min: 50.0, max: 100.0, step: 5.0, default: 75.0, unit: "%" },
     }],
+};
+
+/// Its explanation.
+pub(super) const EXPLAINER: Explainer = Explainer {
+    idea: "The robot knows nothing of the room and maps it as it drives. After each cell it decides by the rules of \
+           the planner Improved snake, with the cells that it has seen so far. With a scanner that sees the \
+           thesis' room at once, it walks exactly as planned there.",
+    complexity: "O(k) time for each cell, with k cells in sight; O(n) memory for n cells.",
+    use_when: "To clean an unknown room in straight lanes. It needs a laser scanner: choose the CBot or the Roomba \
+               with laser.",
+    shines: Example { room: "empty", why: "It sees the walls from afar and drives lanes from wall to wall." },
+    fails: Example {
+        room: "clutter",
+        why: "It finds many small obstacles late, and comes back for the cells behind them.",
+    },
+    source: "Emu & Obaida 2020, thesis, East West University: sections 1.5 and 4.2; the map is ours",
+    link: "",
 };
 
 pub(super) const BUILD: BuildBehaviour = |setup| {

@@ -43,22 +43,6 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "random_walk",
     title: "Random walk",
     summary: "Drives straight until it hits something, then turns far enough to escape any corner, plus a random part.",
-    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
-             section IV.A.i",
-    link: "https://ieeexplore.ieee.org/document/6850799",
-    explainer: Explainer {
-        idea: "The robot drives straight until its bumper is pressed or a cliff sensor triggers. Then it turns away \
-               from the side of the contact, by at least half of the angle that its bumper spans, so that no corner \
-               can trap it. A random extra turn of up to the same size spreads it over the whole floor in time.",
-        complexity: "O(1) time and memory per step; no map.",
-        use_when: "With the cheapest sensors, when time doesn't matter. It needs no map and never gets stuck, but the \
-                   last tenth of the floor takes as long as all the rest.",
-        shines: Example {
-            room: "kitchen",
-            why: "It soon reaches every nook of one furnished room: after 20 minutes it is among the best.",
-        },
-        fails: Example { room: "maze", why: "It passes a doorway only by chance: most of the maze is never reached." },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: true,
@@ -89,6 +73,24 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         GO_HOME,
         LEAVE_HOME,
     ],
+};
+
+/// Its explanation.
+pub(super) const EXPLAINER: Explainer = Explainer {
+    idea: "The robot drives straight until its bumper is pressed or a cliff sensor triggers. Then it turns away \
+           from the side of the contact, by at least half of the angle that its bumper spans, so that no corner \
+           can trap it. A random extra turn of up to the same size spreads it over the whole floor in time.",
+    complexity: "O(1) time and memory per step; no map.",
+    use_when: "With the cheapest sensors, when time doesn't matter. It needs no map and never gets stuck, but the \
+               last tenth of the floor takes as long as all the rest.",
+    shines: Example {
+        room: "kitchen",
+        why: "It soon reaches every nook of one furnished room: after 20 minutes it is among the best.",
+    },
+    fails: Example { room: "maze", why: "It passes a doorway only by chance: most of the maze is never reached." },
+    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
+             section IV.A.i",
+    link: "https://ieeexplore.ieee.org/document/6850799",
 };
 
 pub(super) const BUILD: BuildBehaviour =

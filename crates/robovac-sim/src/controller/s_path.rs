@@ -48,22 +48,6 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "s_path",
     title: "S-shaped path",
     summary: "Drives parallel lanes: at every collision it backs up, turns, shifts by one lane, and turns again.",
-    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
-             section IV.A.iii",
-    link: "https://ieeexplore.ieee.org/document/6850799",
-    explainer: Explainer {
-        idea: "The robot drives straight until it hits something, backs up a little, and returns one lane further. \
-               Left and right turns alternate, so that the path looks like the letter S. In a corner it continues \
-               along the other wall.",
-        complexity: "O(1) time and memory per step; it stores only the direction of its last turn.",
-        use_when: "In rooms with few, straight obstacles, where hardly any floor is cleaned twice. Wheel slip bends \
-                   the lanes, and floor behind furniture may stay uncovered for long.",
-        shines: Example {
-            room: "empty",
-            why: "Parallel lanes from wall to wall, with hardly any floor cleaned twice.",
-        },
-        fails: Example { room: "clutter", why: "Lanes end almost at once, and every collision costs four motions." },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: true,
@@ -97,6 +81,21 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         GO_HOME,
         LEAVE_HOME,
     ],
+};
+
+/// Its explanation.
+pub(super) const EXPLAINER: Explainer = Explainer {
+    idea: "The robot drives straight until it hits something, backs up a little, and returns one lane further. \
+           Left and right turns alternate, so that the path looks like the letter S. In a corner it continues \
+           along the other wall.",
+    complexity: "O(1) time and memory per step; it stores only the direction of its last turn.",
+    use_when: "In rooms with few, straight obstacles, where hardly any floor is cleaned twice. Wheel slip bends \
+               the lanes, and floor behind furniture may stay uncovered for long.",
+    shines: Example { room: "empty", why: "Parallel lanes from wall to wall, with hardly any floor cleaned twice." },
+    fails: Example { room: "clutter", why: "Lanes end almost at once, and every collision costs four motions." },
+    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
+             section IV.A.iii",
+    link: "https://ieeexplore.ieee.org/document/6850799",
 };
 
 pub(super) const BUILD: BuildBehaviour = |setup| {

@@ -46,18 +46,6 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "spiral_out",
     title: "Spiral",
     summary: "Drives growing circles to the left until it hits something, then moves on and starts again.",
-    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
-             section IV.A.ii",
-    link: "https://ieeexplore.ieee.org/document/6850799",
-    explainer: Explainer {
-        idea: "The right wheel runs at full speed and the left one gradually speeds up, so that the robot drives \
-               growing circles. Each circle lies just outside the last one, so no floor is cleaned twice until an \
-               obstacle is hit. Then the robot moves on in a random direction and starts again where there is room.",
-        complexity: "O(1) time and memory per step; no map.",
-        use_when: "On open floor, or to clean one spot thoroughly. Among furniture its circles end almost at once.",
-        shines: Example { room: "lshape", why: "Few obstacles: circles grow until they reach the walls." },
-        fails: Example { room: "clutter", why: "No circle closes before a collision." },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: true,
@@ -82,6 +70,20 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         GO_HOME,
         LEAVE_HOME,
     ],
+};
+
+/// Its explanation.
+pub(super) const EXPLAINER: Explainer = Explainer {
+    idea: "The right wheel runs at full speed and the left one gradually speeds up, so that the robot drives \
+           growing circles. Each circle lies just outside the last one, so no floor is cleaned twice until an \
+           obstacle is hit. Then the robot moves on in a random direction and starts again where there is room.",
+    complexity: "O(1) time and memory per step; no map.",
+    use_when: "On open floor, or to clean one spot thoroughly. Among furniture its circles end almost at once.",
+    shines: Example { room: "lshape", why: "Few obstacles: circles grow until they reach the walls." },
+    fails: Example { room: "clutter", why: "No circle closes before a collision." },
+    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
+             section IV.A.ii",
+    link: "https://ieeexplore.ieee.org/document/6850799",
 };
 
 pub(super) const BUILD: BuildBehaviour = |setup| {

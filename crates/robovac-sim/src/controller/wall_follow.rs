@@ -73,22 +73,6 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "wall_follow",
     title: "Wall follow",
     summary: "Follows the wall on its right, by repeated contact or by its light bumper.",
-    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
-             section IV.A.iv",
-    link: "https://ieeexplore.ieee.org/document/6850799",
-    explainer: Explainer {
-        idea: "The robot searches for a wall and follows it on its right. With only a bumper it drives an arc into the \
-               wall, backs off, turns away a little and repeats; with a light bumper it keeps a constant distance. It \
-               leaves free-standing obstacles after one round, but follows the border of the room for ever.",
-        complexity: "O(1) time and memory per step; it stores how far it has turned along this wall.",
-        use_when: "For edges and corners, which other behaviours clean last. Alone it never cleans the middle of the \
-            room.",
-        shines: Example {
-            room: "maze",
-            why: "A maze is all walls: it follows them through the whole maze, where random behaviours get stuck.",
-        },
-        fails: Example { room: "empty", why: "It cleans the border again and again and never the middle." },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: true,
@@ -127,6 +111,24 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         GO_HOME,
         LEAVE_HOME,
     ],
+};
+
+/// Its explanation.
+pub(super) const EXPLAINER: Explainer = Explainer {
+    idea: "The robot searches for a wall and follows it on its right. With only a bumper it drives an arc into the \
+           wall, backs off, turns away a little and repeats; with a light bumper it keeps a constant distance. It \
+           leaves free-standing obstacles after one round, but follows the border of the room for ever.",
+    complexity: "O(1) time and memory per step; it stores how far it has turned along this wall.",
+    use_when: "For edges and corners, which other behaviours clean last. Alone it never cleans the middle of the \
+        room.",
+    shines: Example {
+        room: "maze",
+        why: "A maze is all walls: it follows them through the whole maze, where random behaviours get stuck.",
+    },
+    fails: Example { room: "empty", why: "It cleans the border again and again and never the middle." },
+    source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
+             section IV.A.iv",
+    link: "https://ieeexplore.ieee.org/document/6850799",
 };
 
 pub(super) const BUILD: BuildBehaviour = |setup| {

@@ -125,11 +125,11 @@ impl Algorithm {
         }
     }
 
-    /// The explanation shown in its panel.
-    pub fn explainer(self) -> &'static Explainer {
+    /// The explanation shown in its panel, if it is in a registry.
+    pub fn explainer(self) -> Option<&'static Explainer> {
         match self {
-            Self::Planner(info) => &info.explainer,
-            Self::Behaviour(info) => &info.explainer,
+            Self::Planner(info) => coverage_planners::explainer(info.id),
+            Self::Behaviour(info) => controller::explainer(info.id),
         }
     }
 }

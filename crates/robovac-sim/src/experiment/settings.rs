@@ -59,6 +59,8 @@ pub struct Settings {
     pub conditions: Conditions,
     /// How the follower computes its pose.
     pub odometry: OdometryModel,
+    /// Whether the corners of plans are rounded.
+    pub smooth: bool,
     /// Start chosen by the user, if not the room's own.
     pub start: Option<Pose>,
     /// Speed, times real time; 0 for as fast as possible.
@@ -131,6 +133,7 @@ impl Settings {
             seed: 1,
             conditions: Conditions::default(),
             odometry: OdometryModel::Arc,
+            smooth: false,
             start: None,
             speed: DEFAULT_SPEED,
             left_speed: DEFAULT_SPEED,
@@ -365,25 +368,12 @@ impl Settings {
 
     /// Whether `other` gives the same plan in the same room.
     pub fn plans_like(&self, other: &Self) -> bool {
-        (
-            self.algorithm.id(),
-            self.chosen_program(),
-            &self.params,
-            self.robot,
-            &self.custom,
-            &self.path,
-            self.cell_size,
-            self.seed,
-        ) == (
-            other.algorithm.id(),
-            other.chosen_program(),
-            &other.params,
-            other.robot,
-            &other.custom,
-            &other.path,
-            other.cell_size,
-            other.seed,
-        )
+        let plan = |it: &Self| (it.algorithm.id(), it.robot, it.cell_size, it.seed, it.smooth);
+        plan(self) == plan(other)
+            && self.params == other.params
+            && self.custom == other.custom
+            && self.path == other.path
+            && self.chosen_program() == other.chosen_program()
     }
 
     /// The robot, which for the idealised one depends on the size of a cell.
@@ -433,6 +423,9 @@ impl Settings {
         if self.odometry != default.odometry {
             push("odometry", self.odometry.id().to_owned());
         }
+        if self.smooth {
+            push("smooth", self.smooth.to_string());
+        }
         if let Some(start) = self.start {
             push("start", format!("{:.3},{:.3},{:.1}", start.x, start.y, start.heading.to_degrees()));
         }
@@ -478,6 +471,7 @@ impl Settings {
             "quantised" => self.conditions.quantised = value == "true",
             "charge" => self.set_start_charge(value.parse().ok(), value)?,
             "odometry" => self.set_odometry(value)?,
+            "smooth" => self.smooth = value == "true",
             "show" => self.shows = Shows::from_link(value)?,
             "speed" => self.speed = number("the speed", "a number, 0 for as fast as possible")?.max(0.0),
             "start" => {

@@ -35,6 +35,9 @@ pub struct TrialRequest {
     /// For a user's program: the job with which it plans, as bytes.
     #[serde(default)]
     pub job: Option<Vec<u8>>,
+    /// Whether corners are rounded.
+    #[serde(default)]
+    pub smooth: bool,
     /// Key of room, start, robot and cell size: equal places have the same [`Arena`].
     pub place: String,
 }
@@ -49,7 +52,8 @@ impl TrialRequest {
         };
         let robot = self.custom.as_ref().map_or_else(|| robot.clone(), |custom| custom.of(&robot));
         let start = self.start.map(|[x, y, heading]| Pose::new(x, y, heading));
-        Arena::new(&plan, &robot, self.cell_size, start).map_err(|e| e.to_string())
+        let arena = Arena::new(&plan, &robot, self.cell_size, start).map_err(|e| e.to_string())?;
+        Ok(arena.smooth(self.smooth))
     }
 
     /// Runs the planner in `arena`. `clock` returns seconds since any moment. Errors are for users.

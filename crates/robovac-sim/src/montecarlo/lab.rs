@@ -4,14 +4,14 @@ use crate::{
     Conditions, STEP_S,
     experiment::{
         Algorithm, Entrant, TrialError,
-        planning::{PlanRequest, Planned, RoomSetup},
+        planning::{Driven, PlanRequest, Planned, RoomSetup},
     },
 };
 use coverage_planners::Observer;
 use robovac_core::{
     coverage::{Boundary, BoundaryTracker, FloorError},
     floor_plan::FloorPlan,
-    geometry::{Point, Pose},
+    geometry::Pose,
     robot::{OdometryModel, RobotModel},
 };
 use std::{
@@ -28,6 +28,8 @@ pub struct Terms {
     pub conditions: Conditions,
     /// How followers of planned paths compute their poses.
     pub odometry: OdometryModel,
+    /// Whether corners of planned paths are rounded.
+    pub smooth: bool,
     /// Simulated time of each run, s.
     pub duration_s: f64,
     /// Seed of the planners, which plan once; the runs have seeds of their own.
@@ -42,7 +44,7 @@ pub struct Lab {
     prepared: RoomSetup,
     terms: Terms,
     /// Planned lines, by the names of the entrants.
-    lines: BTreeMap<String, Result<Arc<[Point]>, TrialError>>,
+    lines: BTreeMap<String, Result<Driven, TrialError>>,
     /// The boundary for exploring behaviours, once needed.
     boundary: OnceLock<Arc<Boundary>>,
 }
@@ -73,8 +75,11 @@ impl Lab {
             let job = self.prepared.job.clone();
             let request = PlanRequest { id: 0, planner, params, seed: self.terms.plan_seed, job };
             let planned = request.serve(|| 0.0, observer).map_err(TrialError::from);
-            let planned = planned.and_then(|answer| Ok(Planned::new(&self.prepared, &answer)?));
-            self.lines.insert(name.clone(), planned.map(|planned| planned.line));
+            let planned = planned.and_then(|answer| {
+                let planned = Planned::new(&self.prepared, &answer)?;
+                Ok(if self.terms.smooth { planned.rounded(&self.prepared)? } else { planned })
+            });
+            self.lines.insert(name.clone(), planned.map(|planned| planned.driven()));
         }
         self.lines[&name].clone().map(|_| ())
     }
@@ -87,7 +92,7 @@ impl Lab {
             Algorithm::Behaviour(info) => prepared.run_behaviour(info, &entrant.params, *conditions, seed)?,
             Algorithm::Planner(_) => {
                 let line = self.lines.get(&entrant.to_string())?.as_ref().ok()?;
-                prepared.run_along(line, *conditions, *odometry, seed)
+                prepared.run_driven(line, *conditions, *odometry, seed)
             }
         };
         if entrant.explores() {

@@ -41,8 +41,8 @@ impl RunsRequest {
         for (key, value) in self.settings.split('&').filter_map(|pair| pair.split_once('=')) {
             settings.take_link(key, value).map_err(|e| e.to_string())?;
         }
-        let Settings { conditions, odometry, cell_size, start, .. } = settings;
-        let terms = Terms { conditions, odometry, duration_s: self.duration_s, plan_seed: self.plan_seed };
+        let Settings { conditions, odometry, smooth, cell_size, start, .. } = settings;
+        let terms = Terms { conditions, odometry, smooth, duration_s: self.duration_s, plan_seed: self.plan_seed };
         Lab::new(&plan, &settings.robot_model(), cell_size, start, terms).map_err(|e| e.to_string())
     }
 

@@ -466,6 +466,7 @@ impl Session {
         scenario.quantised = choices.quantised;
         scenario.start_charge_percent = choices.start_charge_percent;
         scenario.odometry = choices.odometry;
+        scenario.smooth = choices.smooth;
         scenario.to_json()
     }
 

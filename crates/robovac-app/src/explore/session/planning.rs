@@ -2,8 +2,10 @@
 
 use super::{Planning, Session, sentence};
 use crate::explore::{PlanSearch, SessionState, Showing, opening};
-use coverage_planners::{CoveragePath, Film, FilmFrame, PlanError, PlannerInfo, ProgressReport, Proof};
-use robovac_core::{coverage::FloorError, floor_plan, geometry::Point};
+use coverage_planners::{
+    CoveragePath, Film, FilmFrame, PlanError, PlannerInfo, ProgressReport, Proof, smooth::SmoothSetup,
+};
+use robovac_core::{coverage::FloorError, floor_plan, geometry::Point, trajectory::Trajectory};
 use robovac_sim::{
     Run, RunRecording,
     experiment::{
@@ -46,12 +48,36 @@ impl Session {
             Ok(answer) => {
                 self.plan_filmed(request.id, film.map_or(Vec::new(), |mut film| film.take_frames()));
                 self.plan_finished(request.id, answer);
+                self.smooth_now(request.id);
             }
             Err(PlanError::Cancelled) => self.cancel_plan(),
             Err(error @ (PlanError::Unlisted | PlanError::NoFloor | PlanError::OtherTool)) => {
                 self.plan_failed(request.id, &error.to_string());
             }
         }
+    }
+
+    /// Rounds the corners of a plan synchronously, if that is chosen and the robot can.
+    fn smooth_now(&mut self, id: u32) {
+        let (Some(prepared), Some(planned)) = (&self.prepared, &self.planned) else { return };
+        if self.settings.smooth
+            && let Ok(path) = prepared.smooth(&planned.line, &SmoothSetup::default(), false)
+        {
+            self.plan_smoothed(id, path.trajectory);
+        }
+    }
+
+    /// The trajectory of a request's plan with rounded corners. The robot begins again with it.
+    pub fn plan_smoothed(&mut self, id: u32, trajectory: Trajectory) {
+        if id != self.requests || !self.settings.smooth {
+            return;
+        }
+        let (Some(prepared), Some(planned)) = (&self.prepared, self.planned.take()) else { return };
+        let planned = planned.driven_along(prepared, Arc::new(trajectory));
+        let Settings { conditions, odometry, seed, .. } = self.settings;
+        self.recording = Some(RunRecording::new(planned.run(prepared, conditions, odometry, seed)));
+        self.planned = Some(planned);
+        self.pacer.restart();
     }
 
     /// Progress of a planner: its share done, its best path so far, and the proof.

@@ -12,7 +12,10 @@ use coverage_planners::{
     Proof,
     metrics::{DriveMetrics, WalkMetrics},
 };
-use robovac_core::robot::{CustomRobot, OwnRobot};
+use robovac_core::{
+    robot::{CustomRobot, OwnRobot},
+    trajectory::DriveLimits,
+};
 use robovac_sim::experiment::Shows;
 use robovac_sim::{Run, RunRecording, SensorKind, SlipLevel, What};
 
@@ -99,6 +102,8 @@ impl Session {
             start_charge_percent: conditions.start_charge_percent,
             shows: self.settings.shows,
             odometry: self.settings.odometry.id(),
+            smooth: self.settings.smooth,
+            can_smooth: self.prepared.as_ref().is_none_or(|prepared| DriveLimits::of(&prepared.robot).is_some()),
             speed: self.settings.speed,
             speed_factor: self.pacer.speed_factor(),
             time_s: run.map_or(0.0, Run::time_s),

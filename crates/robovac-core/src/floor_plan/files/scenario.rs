@@ -104,6 +104,9 @@ pub struct Scenario {
     /// How the robot computes its pose.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub odometry: Option<String>,
+    /// Whether the corners of plans are rounded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub smooth: Option<bool>,
 }
 
 /// The fields that determine how to read the rest, and the keys that version 1 doesn't have.
@@ -118,6 +121,7 @@ struct ScenarioHeader {
     quantised: Option<IgnoredAny>,
     start_charge_percent: Option<IgnoredAny>,
     odometry: Option<IgnoredAny>,
+    smooth: Option<IgnoredAny>,
     twin: Option<IgnoredAny>,
     own_robot: Option<IgnoredAny>,
     path: Option<IgnoredAny>,
@@ -159,7 +163,7 @@ impl ScenarioHeader {
     fn flaw(&self) -> Option<(&'static str, Flaw)> {
         let version = self.version.as_ref()?;
         let Self { objects, behaviour, slip, noise, quantised, start_charge_percent, .. } = self;
-        let Self { odometry, twin, own_robot, path, program, .. } = self;
+        let Self { odometry, smooth, twin, own_robot, path, program, .. } = self;
         match version.as_u64() {
             Some(1) => [
                 ("objects", objects),
@@ -169,6 +173,7 @@ impl ScenarioHeader {
                 ("quantised", quantised),
                 ("start_charge_percent", start_charge_percent),
                 ("odometry", odometry),
+                ("smooth", smooth),
                 ("twin", twin),
                 ("own_robot", own_robot),
                 ("path", path),
@@ -215,6 +220,7 @@ impl Scenario {
             quantised: None,
             start_charge_percent: None,
             odometry: None,
+            smooth: None,
         }
     }
 

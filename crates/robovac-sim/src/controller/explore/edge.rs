@@ -57,21 +57,6 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_edge",
     title: "Edge following",
     summary: "Finds an obstacle, turns alongside it and follows it round its ends, by the thesis' printed rules.",
-    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
-             FER Zagreb: chapter 7, phase 6, and section 7.1, move_to_empty_space",
-    link: THESIS,
-    explainer: Explainer {
-        idea: "The robot drives forward until its bumper is pressed, and rotates until only the outer light sensor on \
-               that side detects the obstacle. Then it follows the edge; where the edge ends, it drives on a fixed \
-               distance, rotates towards it, and searches in a zig-zag. If a rotation doesn't end, it abandons the \
-               edge after a random time and drives straight on.",
-        complexity: "O(1) time and memory per call, ten calls a second; it stores two sides, two counters, a step and \
-            a random number.",
-        use_when: "To map the border of a room with a light bumper. Slow, and circles free-standing furniture for \
-            ever.",
-        shines: Example { room: "maze", why: "A maze is one long wall, which it follows into every branch." },
-        fails: Example { room: "flat", why: "It circles the piece of furniture that it meets first." },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: false,
@@ -100,6 +85,23 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             kind: ParamKind::Number { min: 0.2, max: 1.5, step: 0.1, default: 0.5, unit: "rad/s" },
         },
     ],
+};
+
+/// Its explanation.
+pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
+    idea: "The robot drives forward until its bumper is pressed, and rotates until only the outer light sensor on \
+           that side detects the obstacle. Then it follows the edge; where the edge ends, it drives on a fixed \
+           distance, rotates towards it, and searches in a zig-zag. If a rotation doesn't end, it abandons the \
+           edge after a random time and drives straight on.",
+    complexity: "O(1) time and memory per call, ten calls a second; it stores two sides, two counters, a step and \
+        a random number.",
+    use_when: "To map the border of a room with a light bumper. Slow, and circles free-standing furniture for \
+        ever.",
+    shines: Example { room: "maze", why: "A maze is one long wall, which it follows into every branch." },
+    fails: Example { room: "flat", why: "It circles the piece of furniture that it meets first." },
+    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
+             FER Zagreb: chapter 7, phase 6, and section 7.1, move_to_empty_space",
+    link: THESIS,
 };
 
 pub(in crate::controller) const BUILD: BuildBehaviour = |setup| {

@@ -34,18 +34,6 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_forward_rotate",
     title: "Forward or rotate",
     summary: "Drives a fixed distance forward or rotates by a fixed angle, at random, without sensing.",
-    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
-             FER Zagreb: chapter 7, phase 1",
-    link: THESIS,
-    explainer: Explainer {
-        idea: "One of two motions is chosen at random: a fixed distance forward, or a fixed rotation to the left. When \
-            it ends, the next one is chosen. Sensor readings don't influence the choice.",
-        complexity: "O(1) time and memory per step; it stores at most the last contact.",
-        use_when: "As a baseline for sensing behaviours, and to see how walls corrupt odometry: the wheels keep \
-            rolling while the robot is blocked.",
-        shines: Example { room: "room12ft", why: "In a small room chance leads it to most walls in time." },
-        fails: Example { room: "flat", why: "It keeps revisiting the same floor and passes doorways only by chance." },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: false,
@@ -55,6 +43,20 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         needs_laser: false,
     },
     params: &[DISTANCE, ANGLE, PUSHES],
+};
+
+/// Its explanation.
+pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
+    idea: "One of two motions is chosen at random: a fixed distance forward, or a fixed rotation to the left. When \
+        it ends, the next one is chosen. Sensor readings don't influence the choice.",
+    complexity: "O(1) time and memory per step; it stores at most the last contact.",
+    use_when: "As a baseline for sensing behaviours, and to see how walls corrupt odometry: the wheels keep \
+        rolling while the robot is blocked.",
+    shines: Example { room: "room12ft", why: "In a small room chance leads it to most walls in time." },
+    fails: Example { room: "flat", why: "It keeps revisiting the same floor and passes doorways only by chance." },
+    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
+             FER Zagreb: chapter 7, phase 1",
+    link: THESIS,
 };
 
 /// Phase 1.

@@ -75,25 +75,6 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     title: "Frontiers",
     summary: "Drives to the nearest frontier of its map, following walls and crossing open floor in lanes, until no \
         frontier is left.",
-    source: "Yamauchi 1997, A frontier-based approach for autonomous exploration, CIRA; wall following and lanes for a \
-             short-sighted robot are ours",
-    link: "https://doi.org/10.1109/CIRA.1997.613851",
-    explainer: Explainer {
-        idea: "The robot builds a map as it drives, always to the nearest frontier, where known floor borders on \
-               unknown. It follows new walls by its light bumper until it reaches a part already followed, and crosses \
-               open floor in lanes. When no frontier can be reached any more, the map is complete.",
-        complexity: "O(n log n) time for each new goal in a map of n cells, and O(n) memory.",
-        use_when: "To map a whole flat: it finds what is missing and knows when the map is complete. It depends on a \
-            good pose estimate, which drifts in large halls with few landmarks.",
-        shines: Example {
-            room: "flat",
-            why: "It visits every room, goes round every piece of furniture once, and stops when the map is complete.",
-        },
-        fails: Example {
-            room: "hotel",
-            why: "Corridors and small rooms are one long wall: following it finds as much, without a map.",
-        },
-    },
     claims: BehaviourClaims {
         ends: true,
         cleans: false,
@@ -141,6 +122,27 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             kind: ParamKind::Flag { default: false },
         },
     ],
+};
+
+/// Its explanation.
+pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
+    idea: "The robot builds a map as it drives, always to the nearest frontier, where known floor borders on \
+           unknown. It follows new walls by its light bumper until it reaches a part already followed, and crosses \
+           open floor in lanes. When no frontier can be reached any more, the map is complete.",
+    complexity: "O(n log n) time for each new goal in a map of n cells, and O(n) memory.",
+    use_when: "To map a whole flat: it finds what is missing and knows when the map is complete. It depends on a \
+        good pose estimate, which drifts in large halls with few landmarks.",
+    shines: Example {
+        room: "flat",
+        why: "It visits every room, goes round every piece of furniture once, and stops when the map is complete.",
+    },
+    fails: Example {
+        room: "hotel",
+        why: "Corridors and small rooms are one long wall: following it finds as much, without a map.",
+    },
+    source: "Yamauchi 1997, A frontier-based approach for autonomous exploration, CIRA; wall following and lanes for a \
+             short-sighted robot are ours",
+    link: "https://doi.org/10.1109/CIRA.1997.613851",
 };
 
 pub(in crate::controller) const BUILD: BuildBehaviour = |setup| {

@@ -31,20 +31,6 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_left_right",
     title: "Forward, left or right",
     summary: "Drives a fixed distance forward or rotates left or right by a fixed angle, at random, without sensing.",
-    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
-             FER Zagreb: chapter 7, phase 2",
-    link: THESIS,
-    explainer: Explainer {
-        idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
-            to the right. When it ends, the next one is chosen. Sensor readings don't influence the choice.",
-        complexity: "O(1) time and memory per step; it stores at most the last contact.",
-        use_when: "To see what a second direction of rotation changes: the heading wanders instead of going round.",
-        shines: Example { room: "room12ft", why: "In a small room chance leads it to most walls in time." },
-        fails: Example {
-            room: "flat",
-            why: "Two motions out of three are rotations, so it makes little progress: the next rooms stay unknown.",
-        },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: false,
@@ -54,6 +40,22 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         needs_laser: false,
     },
     params: &[DISTANCE, ANGLE, PUSHES],
+};
+
+/// Its explanation.
+pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
+    idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
+        to the right. When it ends, the next one is chosen. Sensor readings don't influence the choice.",
+    complexity: "O(1) time and memory per step; it stores at most the last contact.",
+    use_when: "To see what a second direction of rotation changes: the heading wanders instead of going round.",
+    shines: Example { room: "room12ft", why: "In a small room chance leads it to most walls in time." },
+    fails: Example {
+        room: "flat",
+        why: "Two motions out of three are rotations, so it makes little progress: the next rooms stay unknown.",
+    },
+    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
+             FER Zagreb: chapter 7, phase 2",
+    link: THESIS,
 };
 
 /// Phase 2.

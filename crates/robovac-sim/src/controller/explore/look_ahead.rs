@@ -35,21 +35,6 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_look_ahead",
     title: "Look before moving",
     summary: "Moves forward, left or right at random, but not forward when something is directly ahead.",
-    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
-             FER Zagreb: chapter 7, phase 3",
-    link: THESIS,
-    explainer: Explainer {
-        idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
-            to the right. Before driving forward, the robot checks its sensors. If something is directly ahead, it \
-            chooses again.",
-        complexity: "O(1) time and memory per step; it stores at most the last contact.",
-        use_when: "To see the effect of checking ahead: walls no longer corrupt odometry, but a random walk is slow.",
-        shines: Example {
-            room: "kitchen",
-            why: "In one furnished room chance leads it to more than half of what there is.",
-        },
-        fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: false,
@@ -59,6 +44,23 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         needs_laser: false,
     },
     params: &[DISTANCE, ANGLE],
+};
+
+/// Its explanation.
+pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
+    idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
+        to the right. Before driving forward, the robot checks its sensors. If something is directly ahead, it \
+        chooses again.",
+    complexity: "O(1) time and memory per step; it stores at most the last contact.",
+    use_when: "To see the effect of checking ahead: walls no longer corrupt odometry, but a random walk is slow.",
+    shines: Example {
+        room: "kitchen",
+        why: "In one furnished room chance leads it to more than half of what there is.",
+    },
+    fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
+    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
+             FER Zagreb: chapter 7, phase 3",
+    link: THESIS,
 };
 
 /// Phase 3.

@@ -32,18 +32,6 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_look_around",
     title: "Look around",
     summary: "Moves forward, left or right at random, but never towards an obstacle.",
-    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
-             FER Zagreb: chapter 7, phase 4",
-    link: THESIS,
-    explainer: Explainer {
-        idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
-            to the right. Driving forward is excluded if something is ahead, and so is turning towards the only \
-            side on which something is detected. Then it chooses again.",
-        complexity: "O(1) time and memory per step; it stores at most the last contact.",
-        use_when: "To see the effect of checking the sides: the robot leaves walls sooner, but still moves at random.",
-        shines: Example { room: "kitchen", why: "It turns away from obstacles beside it and soon leaves corners." },
-        fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: false,
@@ -53,6 +41,20 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         needs_laser: false,
     },
     params: &[DISTANCE, ANGLE],
+};
+
+/// Its explanation.
+pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
+    idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
+        to the right. Driving forward is excluded if something is ahead, and so is turning towards the only \
+        side on which something is detected. Then it chooses again.",
+    complexity: "O(1) time and memory per step; it stores at most the last contact.",
+    use_when: "To see the effect of checking the sides: the robot leaves walls sooner, but still moves at random.",
+    shines: Example { room: "kitchen", why: "It turns away from obstacles beside it and soon leaves corners." },
+    fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
+    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
+             FER Zagreb: chapter 7, phase 4",
+    link: THESIS,
 };
 
 /// Phase 4.

@@ -42,17 +42,6 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_until_obstacle",
     title: "Until an obstacle",
     summary: "Drives forward until something is in its path, then rotates in one direction until the path is clear.",
-    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
-             FER Zagreb: chapter 7, phase 5",
-    link: THESIS,
-    explainer: Explainer {
-        idea: "The robot drives straight until something is in its path. It rotates, always in the same direction, \
-               until nothing is in front, and drives on. So it circulates along whatever encloses it.",
-        complexity: "O(1) time and memory per step; no map.",
-        use_when: "To see why a rule without randomness or memory isn't enough: it can repeat the same loop for ever.",
-        shines: Example { room: "room12ft", why: "In a small room, furniture keeps changing its course." },
-        fails: Example { room: "flat", why: "It circles the same few pieces of furniture and misses every door." },
-    },
     claims: BehaviourClaims {
         ends: false,
         cleans: false,
@@ -75,6 +64,19 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
             kind: ParamKind::Number { min: 5.0, max: 180.0, step: 5.0, default: 30.0, unit: "°" },
         },
     ],
+};
+
+/// Its explanation.
+pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
+    idea: "The robot drives straight until something is in its path. It rotates, always in the same direction, \
+           until nothing is in front, and drives on. So it circulates along whatever encloses it.",
+    complexity: "O(1) time and memory per step; no map.",
+    use_when: "To see why a rule without randomness or memory isn't enough: it can repeat the same loop for ever.",
+    shines: Example { room: "room12ft", why: "In a small room, furniture keeps changing its course." },
+    fails: Example { room: "flat", why: "It circles the same few pieces of furniture and misses every door." },
+    source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \
+             FER Zagreb: chapter 7, phase 5",
+    link: THESIS,
 };
 
 pub(in crate::controller) const BUILD: BuildBehaviour = |setup| {
