@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openApp } from "./app.mjs";
+import { Robot } from "./connection.mjs";
 
 /** Opens the tab; the first program runs by itself. */
 async function openProgram(t, options = {}) {
@@ -136,4 +137,21 @@ test("Explore names the program, and it takes part in the race and in many runs"
   await page.locator("#runs-minutes").selectOption({ index: 0 });
   await page.locator("#runs-go").click();
   await page.locator("#runs-behaviours li", { hasText: "Your program" }).getByText("✓").waitFor();
+});
+
+test("the virtual Roomba is driven by the program, and stops for good when answers fail to come", async (t) => {
+  const { page, app } = await openProgram(t, { address: "#room=empty&robot=roomba600&tab=program", viewport: { width: 1000, height: 640 } });
+  const robot = new Robot(page, app);
+  await write(page, "def step(robot):\n    if robot.distance > 0.3:\n        while True: pass\n    robot.go(0.2)\n");
+  await page.keyboard.press("Control+Enter");
+  await page.locator("#program-error").filter({ hasText: "never ends" }).waitFor();
+  await page.locator("#tab-connection").click();
+  await robot.connect();
+  await robot.arm();
+  await page.locator("#connection-algorithm").selectOption("program");
+  await page.locator("#connection-go").click();
+  await robot.drives(0.25);
+  await page.getByText("was too slow").or(page.getByText("took too long")).first().waitFor();
+  await robot.rests();
+  assert.ok((await robot.distance()) < 0.6, "it drove on");
 });

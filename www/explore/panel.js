@@ -136,6 +136,7 @@ export function startPanel(app) {
     setText(byId("algorithm-kind"), "your program");
     setText(byId("algorithm-note"), "");
     setText(byId("explainer-title"), name);
+    byId("explainer-text").dataset.about = "program";
     byId("explainer-text").replaceChildren(make("p", {}, "A program of your own. Read and change it in the tab Program."));
   };
 
