@@ -14,6 +14,8 @@ import { toast } from "../messages.js";
  */
 
 const LIST = "own-programs";
+/** The program that was shown last, for the next visit. */
+const LAST = "program-last";
 /** Longest program, letters, as in crates/robovac-core/src/program.rs. */
 export const MOST_LETTERS = 200_000;
 const MOST_NAME = 80;
@@ -90,4 +92,22 @@ export async function readProgram(file) {
   if (file.size > MOST_LETTERS) throw `${file.name} has ${Math.ceil(file.size / 1000)} KB, more than the ${MOST_LETTERS / 1000} KB that a program may have.`;
   const source = (await file.text()).replace(/^\uFEFF/, "").replace(/\r\n?/g, "\n");
   return { id: freshId(), name: freeName(file.name.replace(/\.\w+$/, "")), language: ending === "py" ? "python" : "javascript", source, isForeign: true };
+}
+
+/** The program that was shown last. */
+export function remembered() {
+  try {
+    return localStorage.getItem(LAST) ?? "";
+  } catch {
+    return "";
+  }
+}
+
+/** @param {string} id */
+export function remember(id) {
+  try {
+    localStorage.setItem(LAST, id);
+  } catch {
+    // Without storage the first program opens the next time.
+  }
 }

@@ -1,8 +1,9 @@
 // @ts-check
 // The shelf of programs: examples and those that are kept here; new, renamed, duplicated, deleted, in and out as files.
-import { button, byId, input, make, select } from "../dom.js";
+import { button, input, make, select } from "../dom.js";
 import { download, fileName } from "../files.js";
 import { complain, textOf, toast } from "../messages.js";
+import { startMenu } from "./menu.js";
 import { endingOf, find, freeName, freshId, isOwn, list, put, readProgram, remove } from "./own-programs.js";
 
 /**
@@ -109,52 +110,29 @@ export class Shelf {
   }
 
   #startMenu() {
-    const [menu, opener] = [byId("program-menu"), button("program-more")];
-    const items = () => [...menu.querySelectorAll("button")].filter((item) => !item.disabled && !item.hidden);
-    const open = (/** @type {boolean} */ isOpen) => {
-      menu.hidden = !isOpen;
-      opener.setAttribute("aria-expanded", String(isOpen));
-      if (isOpen) items()[0]?.focus();
-    };
-    opener.addEventListener("click", () => open(menu.hidden === true));
-    menu.addEventListener("keydown", (event) => {
-      const [all, step] = [items(), { ArrowDown: 1, ArrowUp: -1 }[event.key] ?? 0];
-      if (event.key === "Escape") {
-        open(false);
-        opener.focus();
-      } else if (step) all[(all.findIndex((item) => item === document.activeElement) + step + all.length) % all.length]?.focus();
-      else return;
-      event.preventDefault();
-      event.stopPropagation();
-    });
-    document.addEventListener("pointerdown", ({ target }) => target instanceof Node && !menu.contains(target) && !opener.contains(target) && open(false));
-    const bind = (/** @type {string} */ id, /** @type {() => unknown} */ what) =>
-      button(id).addEventListener("click", () => {
-        open(false);
-        opener.focus();
-        void Promise.resolve(what()).catch((error) => complain(textOf(error)));
-      });
-    bind("program-rename", () => this.#rename());
-    bind("program-duplicate", () => {
-      if (!this.#current) return;
-      const copy = { ...this.#current, id: freshId(), name: freeName(`${this.#current.name} copy`) };
-      put(copy);
-      this.show(copy);
-    });
-    bind("program-delete", () => this.#delete());
-    bind("program-restore", () => {
-      const program = this.#deleted;
-      this.#deleted = undefined;
-      if (program) put(program), this.show(program);
-    });
-    bind("program-export", () => this.#current && download(fileName(this.#current.name) + endingOf(this.#current.language), this.#current.source, "text/plain"));
     const picker = input("program-file");
-    bind("program-import", () => picker.click());
+    startMenu({
+      "program-rename": () => this.#rename(),
+      "program-duplicate": () => {
+        if (!this.#current) return;
+        const copy = { ...this.#current, id: freshId(), name: freeName(`${this.#current.name} copy`) };
+        put(copy);
+        this.show(copy);
+      },
+      "program-delete": () => this.#delete(),
+      "program-restore": () => {
+        const program = this.#deleted;
+        this.#deleted = undefined;
+        if (program) put(program), this.show(program);
+      },
+      "program-export": () => this.#current && download(fileName(this.#current.name) + endingOf(this.#current.language), this.#current.source, "text/plain"),
+      "program-import": () => picker.click(),
+      "program-share": () => this.#tell.share(),
+    });
     picker.addEventListener("change", () => {
       void this.take([...(picker.files ?? [])]);
       picker.value = "";
     });
-    bind("program-share", () => this.#tell.share());
     button("program-new").addEventListener("click", () => this.#new());
   }
 

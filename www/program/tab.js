@@ -9,16 +9,13 @@ import { currentTab } from "../tabs.js";
 import { Editor } from "./editor.js";
 import { MOST_PACKED, packProgram, unpackProgram } from "./link.js";
 import { startMarks } from "./marks.js";
-import { find, isOwn } from "./own-programs.js";
+import { find, isOwn, remember, remembered } from "./own-programs.js";
 import { startPlace } from "./place.js";
 import { ProgramRun, STEP } from "./run.js";
 import { Shelf } from "./shelf.js";
 import { Watch } from "./watch.js";
 
 /** @typedef {import("./own-programs.js").Program} Program */
-
-/** The program that was shown last, for the next visit. */
-const LAST = "program-last";
 
 /** @param {import("../main.js").App} app */
 export async function startProgram(app) {
@@ -185,21 +182,4 @@ export async function startProgram(app) {
     /** @param {File[]} files */
     take: (files) => shelf.take(files),
   };
-}
-
-function remembered() {
-  try {
-    return localStorage.getItem(LAST) ?? "";
-  } catch {
-    return "";
-  }
-}
-
-/** @param {string} id */
-function remember(id) {
-  try {
-    localStorage.setItem(LAST, id);
-  } catch {
-    // Without storage the first program opens the next time.
-  }
 }

@@ -1,6 +1,9 @@
 // @ts-check
 // A program at work: step after step of its simulation, as far as the page has asked for.
 
+import { refuseImports } from "./imports.js";
+import { Output } from "./output.js";
+
 /**
  * @typedef {import("../types").ToWorker} ToWorker
  * @typedef {import("../types").FromWorker} FromWorker
@@ -22,9 +25,6 @@ const SLICE = 20;
 const FIRST_SLICE = 6;
 /** Steps between looks at the clock. */
 const BATCH = 16;
-/** Most that a program prints or draws in a run, and the longest text. */
-const MOST_OUTPUT = 20_000;
-const LONGEST = 400;
 /** Statements of a step, when lines are followed, after which it counts as endless. */
 const BUDGET = 2_000_000;
 /** Longest plan, twice its cells. */
@@ -45,9 +45,7 @@ export class Job {
   #isScheduled = false;
   #isOver = false;
   #hasFailed = false;
-  #outputs = 0;
-  /** @type {import("../types").Output[]} */
-  #output = [];
+  #output = new Output();
   /** Asked for: the state at a step. */
   #wanted = -1;
 
@@ -125,7 +123,7 @@ export class Job {
       if (runner.steps() <= from && from > 0 && !this.#isOver) {
         // The page knows what is before.
         runner.take_log();
-        this.#output = [];
+        this.#output.flush();
         this.#send({ type: "busy", id: this.#order.id, more: true });
         return this.#schedule();
       }
@@ -141,7 +139,7 @@ export class Job {
   /** @param {Runner} runner @param {Running} program */
   #step(runner, program) {
     const goesOn = program.step(this.#sensed(runner));
-    if (program.output.length) this.#collect(said(program), runner.steps());
+    if (program.output.length) this.#output.take(program.output, runner.steps());
     if (!goesOn) {
       runner.finish(false);
       this.#isOver = true;
@@ -154,24 +152,13 @@ export class Job {
     return this.#readings;
   }
 
-  /** @param {import("../types").Output[]} found @param {number} step */
-  #collect(found, step) {
-    for (const one of found) {
-      if ((this.#outputs += 1) > MOST_OUTPUT && one.kind !== "break") break;
-      if (typeof one.text === "string" && one.text.length > LONGEST) one.text = `${one.text.slice(0, LONGEST)}…`;
-      this.#output.push(Object.assign(one, { variables: undefined, step }));
-    }
-    if (this.#outputs === MOST_OUTPUT) this.#output.push({ kind: "print", step, text: `(more than ${MOST_OUTPUT} prints and marks: the rest is left out)` });
-    found.length = 0;
-  }
-
   /** @param {boolean} more */
   #report(more) {
     const runner = /** @type {Runner} */ (this.#runner);
     if (this.#order.isQuiet && more) return this.#send({ type: "busy", id: this.#order.id, more: true });
     const log = this.#order.isQuiet ? runner.log() : runner.take_log();
-    const output = this.#order.isQuiet ? [] : this.#output;
-    this.#output = [];
+    const said = this.#output.flush();
+    const output = this.#order.isQuiet ? [] : said;
     this.#send({ type: "ran", id: this.#order.id, log, steps: runner.steps(), output, isOver: this.#isOver, more: more || this.#wanted >= 0 }, [log.buffer]);
   }
 
@@ -202,9 +189,9 @@ export class Job {
       cells.push(x, y);
       if (cells.length > MOST_CELLS) throw { message: `The plan has more than ${MOST_CELLS / 2} cells. Let it end.`, line: program.line };
     }
-    this.#collect(said(program), 0);
+    this.#output.take(program.output, 0);
     this.#isOver = true;
-    this.#send({ type: "planned", id: this.#order.id, cells: new Uint32Array(cells), output: this.#output });
+    this.#send({ type: "planned", id: this.#order.id, cells: new Uint32Array(cells), output: this.#output.flush() });
   }
 
   /** @param {unknown} error */
@@ -229,18 +216,4 @@ export class Job {
     this.#runner?.free();
     this.#program = this.#runner = undefined;
   }
-}
-
-/** What it printed and drew. @param {Running} program */
-const said = (program) => /** @type {import("../types").Output[]} */ (program.output);
-
-/** Nothing can be fetched here, and a program that tries a thousand times a second would only keep the browser busy. @param {string} source @param {Kit["parser"]} parser */
-function refuseImports(source, parser) {
-  parser.parse(source).iterate({
-    enter({ name, from }) {
-      if (name !== "DynamicImport" && name !== "ImportDeclaration" && name !== "ImportMeta") return;
-      const before = source.slice(0, from);
-      throw { message: "Programs can't import anything. Put all you need into this one.", line: before.split("\n").length, column: from - before.lastIndexOf("\n") - 1 };
-    },
-  });
 }
