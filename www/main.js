@@ -12,7 +12,7 @@ import { startObjects } from "./explore/objects.js";
 import { startPanel } from "./explore/panel.js";
 import { endOpening, tellBefore, tellOpening } from "./explore/opening.js";
 import { TabLoader } from "./tab-loader.js";
-import { currentTab, tabOf, startTabs } from "./tabs.js";
+import { isOnFloor, tabOf, startTabs } from "./tabs.js";
 import { startPlanning } from "./start-planning.js";
 import { startPlaybar } from "./explore/playbar.js";
 import { startSheets } from "./sheets.js";
@@ -37,6 +37,7 @@ import { compile, missing } from "./wasm.js";
  * @property {string} followed The link that was followed last, without `#`.
  * @property {() => string} link The link of the current state, after `#`.
  * @property {string} lesson What leads to the open lesson; empty for none.
+ * @property {() => Promise<string>} share What the tab adds to a link that is to be passed on.
  * @property {(key: string) => boolean} tabKey A single key in another tab; says whether it was used.
  */
 
@@ -108,6 +109,7 @@ async function start() {
     extra: "",
     followed: "",
     link: () => [playground.link(), tabs.shown ? tabs.shown.link() : app.extra, app.lesson && `lesson=${encodeURIComponent(app.lesson)}`].filter(Boolean).join("&"),
+    share: async () => (await tabs.shown?.share?.()) ?? "",
     tabKey: (key) => tabs.shown?.key(key) ?? false,
   };
   const planning = startPlanning(playground, guard);
@@ -168,7 +170,7 @@ async function start() {
     guard(() => {
       const request = playground.take_plan_request();
       if (request) void planning.start({ .../** @type {import("./worker-types").PlanRequest} */ (request), place: playground.snapshot() });
-      if (currentTab() === "explore") {
+      if (isOnFloor()) {
         stage.resized();
         playground.frame(now);
       }
@@ -178,7 +180,8 @@ async function start() {
       else if (view.time_s < 60) endOpening();
       tellBefore(view.swept_before);
       isFirst = false;
-      if (tabs.shown) return updateMessage(tabs.shown.frame(now) ?? view);
+      const notice = tabs.shown?.frame(now);
+      if (!isOnFloor()) return updateMessage(notice ?? view);
       updateView(app);
       for (const update of updates) update(view);
       updateLater(view);

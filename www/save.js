@@ -90,7 +90,7 @@ async function build() {
         if (["run_mcap", "film"].includes(chosen()) && app.view.run_end_s === 0) throw "There is no run yet: press play first.";
         if (chosen() === "film" || chosen() === "picture") return void shown(app, chosen());
         if (chosen() === "run_mcap") {
-          const request = { snapshot: app.playground.snapshot(), corners: path, inputs: app.playground.inputs(), end_s: app.view.run_end_s };
+          const request = { snapshot: app.playground.snapshot(), corners: path, inputs: app.playground.inputs(), end_s: app.view.run_end_s, log: app.playground.program_log() };
           void import("./bags.js").then(({ saveBag }) => saveBag(request, `${fileName(app.view.room.title)}.run`)).catch((error) => complain(textOf(error)));
           return;
         }

@@ -322,7 +322,7 @@ can_rearm: boolean, };
 export type EntrantView = { id: string, kind: "planner" | "behaviour",
 /** With a number for copies. */
 title: string, mark: Mark,
-/** 1, or 2 and up for copies; 0 for one that was removed. */
+/** 1, or 2 and up for copies; 0 for one that was removed, and for a program that isn't there. */
 copy: number, chosen: boolean, params: Params,
 /** `out`, `trying`, `done` or `failed`. */
 state: "out" | "trying" | "done" | "failed",
@@ -774,6 +774,8 @@ path_corners: number,
 algorithm: string,
 /** `planner` or `behaviour`. */
 kind: "planner" | "behaviour",
+/** The user's program, if it is chosen. */
+program: ProgramView | null,
 /** The robot's activity, in a few words; empty for none. */
 activity: string,
 /** Changes whenever the list of events does. */
@@ -947,6 +949,45 @@ answers: Array<[number, string]>, };
 export type QuizKind = "reachable" | "lanes" | "parity" | "median" | "odometry" | "logodds" | "bytes";
 
 export type RaceView = { state: SessionState, time_s: number, end_s: number, planned_s: number, speed: number, lanes: Array<LaneView>, };
+/** A program that a user wrote. */
+export type Program = {
+/** Name in lists and of its file, without an ending. */
+name: string,
+/** Its language. */
+language: ProgramLanguage,
+/** What it does. */
+kind: ProgramKind,
+/** Its text. */
+source: string, };
+
+/** Kinds of programs. */
+export type ProgramKind = "behaviour" | "planner";
+
+/** Languages of programs. */
+export type ProgramLanguage = "python" | "javascript";
+
+/** A user's program that is chosen. */
+export type ProgramView = {
+/** Its name. */
+name: string,
+/** Its language. */
+language: ProgramLanguage,
+/** What it does. */
+kind: ProgramKind,
+/** Changes when it has to be run again: from the start, or from a person's last input on. */
+version: number,
+/** Steps for which it has commanded; `None` for a planner. */
+reach_steps: number | null,
+/** How it ended, if it has. */
+end: "done" | "failed" | null,
+/** Whether the run stands still because the program hasn't got farther. */
+waits: boolean,
+/** Steps before a person's last input; `None` without one. */
+input: number | null, };
+
+export type RaceView = { state: SessionState, time_s: number, end_s: number, planned_s: number, speed: number,
+/** Whether it stands still because the user's program hasn't got farther. */
+waits: boolean, lanes: Array<LaneView>, };
 
 /** User requests to a robot. In JavaScript, `{ do: "arm", full: false }` and the like. */
 export type Request = { "do": "connect" } | { "do": "disconnect" } | { "do": "arm",
@@ -1119,6 +1160,8 @@ cell_size: number | null,
 planner: string | null,
 /** Id of the behaviour. */
 behaviour: string | null,
+/** The user's program, if that is the planner or behaviour. */
+program: Program | null,
 /** Parameters of the planner or behaviour, by name. */
 params: Array<[string, string]>,
 /** A path that is driven in place of the planner's, as in links. */
@@ -1290,7 +1333,9 @@ kind: "planner" | "behaviour",
 /** Whether it is measured by the boundary that it has met rather than by clean floor. */
 explores: boolean, mark: Mark, params: Array<Param>, };
 
-export type StudyEntrantView = { chosen: boolean, params: Params,
+export type StudyEntrantView = { chosen: boolean,
+/** Whether it can take part: the user's program only if there is one of its kind. */
+offered: boolean, params: Params,
 /** Finished runs among the required ones. */
 runs: number, failure: string, };
 

@@ -8,6 +8,8 @@ mod floor_plan;
 mod learn;
 #[path = "../page/mod.rs"]
 mod page;
+#[path = "../program/mod.rs"]
+mod program;
 #[path = "../workshop/mod.rs"]
 mod workshop;
 

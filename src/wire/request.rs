@@ -8,7 +8,10 @@ use robovac_core::{
     grid::{Cell, Grid},
     registry::Params,
 };
-use robovac_sim::experiment::planning::{PlanRequest, RoomSetup};
+use robovac_sim::{
+    experiment::planning::{PlanRequest, RoomSetup},
+    program::PLANNER_PROGRAM,
+};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use wasm_bindgen::JsValue;
@@ -52,8 +55,10 @@ pub fn request_to_js(request: &PlanRequest) -> Result<JsValue, JsValue> {
 pub fn request_from_js(object: &JsValue) -> Result<PlanRequest, JsValue> {
     let wire: WireRequest = serde_wasm_bindgen::from_value(object.clone()).map_err(|e| e.to_string())?;
     let free = Uint8Array::new(&Reflect::get(object, &"free".into())?).to_vec();
-    let planner =
-        coverage_planners::find(&wire.planner).ok_or_else(|| format!("there is no planner \"{}\"", wire.planner))?;
+    let program = (wire.planner == PLANNER_PROGRAM.id).then_some(&PLANNER_PROGRAM);
+    let planner = coverage_planners::find(&wire.planner)
+        .or(program)
+        .ok_or_else(|| format!("there is no planner \"{}\"", wire.planner))?;
     let given = wire.params.iter().map(|(id, value)| (id.as_str(), value.clone()));
     let params = Params::checked(planner.params, given).map_err(|e| e.to_string())?;
     let job = match laid_out(object)? {

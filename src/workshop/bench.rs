@@ -9,5 +9,5 @@ use wasm_bindgen::prelude::*;
 /// worker.
 #[wasm_bindgen(unchecked_return_type = "rust.BenchResult[]")]
 pub fn bench(once: bool, on_result: &Function) -> Result<JsValue, JsValue> {
-    run(&[bench::planning, bench::mapping, bench::streaming], once, on_result)
+    run(&[bench::planning, bench::programs, bench::mapping, bench::streaming], once, on_result)
 }

@@ -159,6 +159,17 @@ impl Comparison {
         self.state.resume();
     }
 
+    /// The job of the user's program in the race, returned once, for `ProgramRunner`; its version is the number of its
+    /// log.
+    pub fn take_race_job(&mut self) -> Option<Vec<u8>> {
+        self.state.take_race_job().map(|job| job.to_bytes())
+    }
+
+    /// Takes a part of the log with that number; of an older one, it is left out and the result is false.
+    pub fn extend_race(&mut self, number: u32, part: &[u8]) -> Result<bool, JsValue> {
+        self.state.extend_race(number, part).map_err(message)
+    }
+
     // ---- results
 
     /// Snapshot for every frame: choices, progress, race.

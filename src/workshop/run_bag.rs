@@ -13,7 +13,8 @@ use wasm_bindgen::prelude::*;
 const MISFIT: &str =
     "There is no run: the robot doesn't fit into this room. Move its start, or choose a smaller robot.";
 
-/// The run of a playground: `snapshot`, `corners`, `inputs` and the end of the run are the playground's. Blocks until it
+/// The run of a playground: `snapshot`, `corners`, `inputs`, the end of the run and a program's log are
+/// the playground's. Blocks until it
 /// was simulated again; throws a sentence for users.
 #[wasm_bindgen]
 pub fn run_bag(
@@ -21,9 +22,14 @@ pub fn run_bag(
     corners: &[f64],
     inputs: &[f64],
     end_s: f64,
+    program_log: Option<Vec<u8>>,
 ) -> Result<Vec<u8>, JsValue> {
     let line: Vec<Point> = corners.chunks_exact(2).map(|at| Point::new(at[0], at[1])).collect();
-    let bag = RunBag::of_session(&session(snapshot)?, line, RunBag::inputs_from_numbers(inputs), end_s);
+    let mut session = session(snapshot)?;
+    if let Some(log) = program_log {
+        session.extend_program(session.program_version(), &log).map_err(message)?;
+    }
+    let bag = RunBag::of_session(&session, line, RunBag::inputs_from_numbers(inputs), end_s);
     finish(bag.map_err(message)?)
 }
 

@@ -1,6 +1,8 @@
 //! Runs in workers: a request comes in as a plain object, outcomes go out as numbers.
 
-use js_sys::Float64Array;
+use js_sys::{Array, Float64Array, Reflect, Uint8Array, Uint32Array};
+use robovac_app::compare::ProgramRuns;
+use robovac_playground::wire::walk;
 use robovac_sim::montecarlo::{Lab, RunOutcome, RunsRequest};
 use wasm_bindgen::prelude::*;
 
@@ -19,17 +21,40 @@ impl Runner {
         Self::default()
     }
 
-    /// Makes the runs of a request of `MonteCarlo.take_batch`. Blocks until they are done.
+    /// Makes the runs of a request of `MonteCarlo.take_batch`. Blocks until they are done. A request with a `job` is for
+    /// the user's program: the page adds its logs in the order of the seeds as `logs`, or its plan as `cells`.
     ///
     /// Returns the argument of `MonteCarlo.batch_finished`; throws a message if there is no result.
     pub fn run(&mut self, request: JsValue) -> Result<Float64Array, JsValue> {
+        let work = request.clone();
         let request: RunsRequest = serde_wasm_bindgen::from_value(request).map_err(|e| e.to_string())?;
+        if let Some(job) = &request.job {
+            return run_program(&request, job, &work);
+        }
         if self.lab.as_ref().is_none_or(|(place, _)| *place != request.place) {
             self.lab = Some((request.place.clone(), request.lab()?));
         }
         let Some((_, lab)) = &self.lab else { return Err("there is no room".into()) };
         let outcomes = request.run(lab, None)?;
-        let numbers: Vec<f64> = outcomes.iter().flat_map(RunOutcome::to_numbers).collect();
-        Ok(Float64Array::from(numbers.as_slice()))
+        Ok(to_numbers(&outcomes))
     }
+}
+
+/// Runs of the user's program, by the logs or the plan in `work`.
+fn run_program(request: &RunsRequest, job: &[u8], work: &JsValue) -> Result<Float64Array, JsValue> {
+    let runs = ProgramRuns::new(job, request.duration_s)?;
+    let outcomes = if request.behaves {
+        let logs: Array = Reflect::get(work, &"logs".into())?.dyn_into().map_err(|_| "the logs are missing")?;
+        let logs = logs.iter().map(|log| Uint8Array::new(&log).to_vec());
+        request.seeds.iter().zip(logs).map(|(&seed, log)| runs.behave(seed, &log)).collect::<Result<_, _>>()?
+    } else {
+        let cells = walk::cells(&Uint32Array::new(&Reflect::get(work, &"cells".into())?).to_vec());
+        runs.follow(&request.seeds, cells)?
+    };
+    Ok(to_numbers(&outcomes))
+}
+
+fn to_numbers(outcomes: &[RunOutcome]) -> Float64Array {
+    let numbers: Vec<f64> = outcomes.iter().flat_map(RunOutcome::to_numbers).collect();
+    Float64Array::from(numbers.as_slice())
 }

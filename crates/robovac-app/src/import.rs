@@ -3,6 +3,7 @@
 use floor_drawing::{DrawingError, drawing_kind};
 use robovac_core::{
     floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile},
+    program::Program,
     registry::Params,
     robot::CustomRobot,
 };
@@ -38,6 +39,8 @@ pub struct ScenarioChoices {
     pub planner: Option<String>,
     /// Id of the behaviour.
     pub behaviour: Option<String>,
+    /// The user's program, if that is the planner or behaviour.
+    pub program: Option<Program>,
     /// Parameters of the planner or behaviour, by name.
     pub params: Vec<(String, String)>,
     /// A path that is driven in place of the planner's, as in links.
@@ -129,6 +132,7 @@ impl ScenarioChoices {
             cell_size,
             planner,
             behaviour,
+            program: scenario.program.clone(),
             params: scenario.params.iter().map(|(id, value)| (id.clone(), text(value))).collect(),
             seed: scenario.seed.map(|seed| seed.to_string()),
             slip,
@@ -156,6 +160,7 @@ impl ScenarioChoices {
             cell_size: Some(settings.cell_size),
             planner: algorithm.planner().map(|info| info.id.to_owned()),
             behaviour: algorithm.behaviour().map(|info| info.id.to_owned()),
+            program: settings.chosen_program().map(|program| Program::clone(program)),
             params: changed.map(|(id, value)| (id.to_owned(), value.to_string())).collect(),
             seed: Some(settings.seed.to_string()),
             slip: Some(conditions.slip.id().to_owned()),
@@ -186,6 +191,9 @@ impl ScenarioChoices {
         }
         if let Some(metres) = self.cell_size {
             at("cell_size", settings.set_cell_size(metres))?;
+        }
+        if let Some(program) = &self.program {
+            at("program", settings.keep_program(program.clone()))?;
         }
         for (kind, id) in [("planner", &self.planner), ("behaviour", &self.behaviour)] {
             if let Some(id) = id {

@@ -12,7 +12,7 @@ const BEHAVIOUR_SHAPES: [u8; 3] = [2, 3, 5];
 const SHAPES: usize = PLANNER_SHAPES.len() + BEHAVIOUR_SHAPES.len();
 
 const _: () = assert!(
-    PLANNERS.len() <= COLOURS * PLANNER_SHAPES.len() && BEHAVIOURS.len() <= COLOURS * BEHAVIOUR_SHAPES.len(),
+    PLANNERS.len() < COLOURS * PLANNER_SHAPES.len() && BEHAVIOURS.len() < COLOURS * BEHAVIOUR_SHAPES.len(),
     "there are more algorithms than marks: add a shape here, and draw it as www/compare/*.css draws the others"
 );
 
@@ -25,13 +25,17 @@ pub struct Mark {
 }
 
 impl Mark {
-    /// The mark of an algorithm of the registries, by its position there.
+    /// The mark of an algorithm of the registries, by its position there. Programs of users come after them.
     pub fn of(algorithm: Algorithm) -> Self {
-        let (shapes, position) = match algorithm {
-            Algorithm::Planner(info) => (PLANNER_SHAPES, PLANNERS.iter().position(|other| other.id == info.id)),
-            Algorithm::Behaviour(info) => (BEHAVIOUR_SHAPES, BEHAVIOURS.iter().position(|other| other.id == info.id)),
+        let (shapes, position, count) = match algorithm {
+            Algorithm::Planner(info) => {
+                (PLANNER_SHAPES, PLANNERS.iter().position(|other| other.id == info.id), PLANNERS.len())
+            }
+            Algorithm::Behaviour(info) => {
+                (BEHAVIOUR_SHAPES, BEHAVIOURS.iter().position(|other| other.id == info.id), BEHAVIOURS.len())
+            }
         };
-        let number = position.unwrap_or(0);
+        let number = position.unwrap_or(count);
         Self { colour: number % COLOURS, shape: shapes[number / COLOURS] }
     }
 
@@ -44,10 +48,12 @@ impl Mark {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use robovac_core::program::ProgramKind;
 
     #[test]
     fn no_two_algorithms_look_the_same_and_the_page_draws_all() {
-        let all: Vec<Mark> = Algorithm::all().map(Mark::of).collect();
+        let programs = [ProgramKind::Behaviour, ProgramKind::Planner].map(Algorithm::of_program);
+        let all: Vec<Mark> = Algorithm::all().chain(programs).map(Mark::of).collect();
         assert!((1..all.len()).all(|i| !all[..i].contains(&all[i])), "{all:?}");
         let css =
             [include_str!("../../../www/compare/compare.css"), include_str!("../../../www/compare/montecarlo.css")];

@@ -8,6 +8,7 @@ use crate::{
     floor_plan::FloorPlanView,
     map::MapView,
 };
+use robovac_core::program::Program;
 use robovac_lessons::{Answer, Lesson, Question, Verdict};
 use robovac_link::{
     connection::{ConnectionView, LineRequest, Request, Traffic},
@@ -60,6 +61,7 @@ pub fn declarations() -> String {
     all.visit::<PageView>();
     all.visit::<PersonalityView>();
     all.visit::<Prediction>();
+    all.visit::<Program>();
     all.visit::<Question>();
     all.visit::<Request>();
     all.visit::<SessionSnapshot>();

@@ -43,7 +43,7 @@ fn all(
 ) -> Result<Vec<BenchResult>, Failure> {
     let only = arguments.only.as_str();
     let mut bench = Bench::new(clock, &|| None, report).only(only).once_each(arguments.once);
-    for cases in [bench::planning, bench::mapping, bench::streaming, bench::floor_plan] {
+    for cases in [bench::planning, bench::programs, bench::mapping, bench::streaming, bench::floor_plan] {
         cases(&mut bench);
     }
     let results = bench.into_results();

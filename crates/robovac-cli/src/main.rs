@@ -10,6 +10,7 @@ mod compare;
 mod conditions;
 mod convert;
 mod drawing;
+mod drive;
 mod failure;
 mod generate;
 mod grade;
@@ -24,6 +25,7 @@ mod plan;
 mod recording;
 #[cfg(feature = "ros2")]
 mod ros2;
+mod run;
 mod signals;
 mod simulate;
 mod source;
@@ -45,7 +47,7 @@ Exit codes:
   2  wrong usage: unknown option, planner, behaviour, room, robot or parameter
   3  the map can't be used
   4  the robot or its start doesn't fit into the room
-  5  the planner failed";
+  5  the planner or your program failed";
 
 /// Plan and simulate floor coverage by robot vacuum cleaners. Lengths are in metres, angles in degrees
 /// counter-clockwise from 0 = right; cells are counted from the lower left.
@@ -82,6 +84,7 @@ enum Command {
     Convert(convert::Arguments),
     Generate(generate::Arguments),
     Bench(bench::Arguments),
+    Drive(drive::Arguments),
     Bridge(bridge::Arguments),
     Map(map::Arguments),
     Monitor(monitor::Arguments),
@@ -96,6 +99,7 @@ enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
         rest: Vec<String>,
     },
+    Run(run::Arguments),
     Twin(twin::Arguments),
     VirtualRoomba(virtual_roomba::Arguments),
 }
@@ -119,6 +123,7 @@ fn main() -> ExitCode {
         Command::Locate(arguments) => locate::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
+        Command::Drive(arguments) => drive::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Bridge(arguments) => bridge::run(&arguments),
         Command::Map(arguments) => map::run(&arguments),
@@ -129,6 +134,7 @@ fn main() -> ExitCode {
         Command::Ros2(arguments) => ros2::run(&arguments),
         #[cfg(not(feature = "ros2"))]
         Command::Ros2 { .. } => Err(failure::Failure::without_ros2()),
+        Command::Run(arguments) => run::run(&arguments),
         Command::Twin(arguments) => twin::run(&arguments),
         Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
     };

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use robovac_app::Import;
-use robovac_core::floor_plan::{FloorPlan, SourceFile, generate::FlatId, image_of, room};
+use robovac_core::floor_plan::{FloorPlan, ROOMS, SourceFile, generate::FlatId, image_of, room};
 use std::{
     fs,
     io::ErrorKind,
@@ -22,6 +22,26 @@ pub struct RoomSource {
     /// Generated flat: a seed, or more as in 7~area:40..60~furniture:0.5~rugs:no, see "robovac generate"
     #[arg(long, value_name = "SEED")]
     flat: Option<FlatId>,
+}
+
+/// At most one of them.
+#[derive(clap::Args)]
+pub struct RoomChoice {
+    /// Map file: text of # and ., PNG, PGM, ROS map (YAML; its image is found automatically) or scenario
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["room", "flat"])]
+    map: Option<PathBuf>,
+    /// Generated flat: a seed, or more as in 7~area:40..60~furniture:0.5~rugs:no, see "robovac generate"
+    #[arg(long, value_name = "SEED", conflicts_with = "room")]
+    flat: Option<FlatId>,
+    /// Built-in room, see "robovac rooms"
+    #[arg(long, value_name = "ID", default_value = ROOMS[0].id)]
+    room: String,
+}
+
+impl RoomChoice {
+    pub fn plan(&self) -> Result<FloorPlan, Failure> {
+        RoomSource { map: self.map.clone(), room: Some(self.room.clone()), flat: self.flat }.plan()
+    }
 }
 
 impl RoomSource {

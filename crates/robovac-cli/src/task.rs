@@ -117,7 +117,7 @@ fn parse_percent(text: &str) -> Result<f64, String> {
     percent.ok_or_else(|| "give a number from 0 to 100, e.g. 99".to_owned())
 }
 
-fn parse_cell(text: &str) -> Result<Cell, String> {
+pub fn parse_cell(text: &str) -> Result<Cell, String> {
     let cell = text.split_once(',').and_then(|(x, y)| Some(Cell::new(x.trim().parse().ok()?, y.trim().parse().ok()?)));
     cell.ok_or_else(|| "give column and row as two whole numbers, e.g. 3,4".to_owned())
 }

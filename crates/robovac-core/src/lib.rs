@@ -7,6 +7,7 @@
 //! - [`geometry`]: points, angles, poses
 //! - [`grid`]: rectangular grids, occupancy, clearance, reachability, `#.` pictures
 //! - [`registry`]: shared by planners and behaviours: parameters, explanations
+//! - [`program`]: the text of a user's program
 //! - [`floor_plan`]: built-in rooms; with the feature `files`, map files and scenarios
 //! - [`robot`]: models, sensor readings, odometry
 //! - [`coverage`]: reachable and swept floor; the planning grid
@@ -31,6 +32,7 @@ pub mod floor_plan;
 pub mod geometry;
 pub mod grid;
 pub mod math;
+pub mod program;
 pub mod registry;
 pub mod rng;
 pub mod robot;

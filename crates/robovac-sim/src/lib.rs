@@ -23,6 +23,7 @@
 //! - [`controller`]: behaviours and followers of plans
 //! - [`mapping`]: mapping and localisation from bumps and odometry
 //! - [`learning`]: cleaning as a task for reinforcement learning
+//! - [`program`]: users' programs
 //! - [`experiment`], [`montecarlo`]: from room and robot to a run, and many runs with their statistics
 //!
 //! Time advances in fixed steps of [`STEP_S`], whatever the speed of the display, so that a run is the same on every
@@ -50,6 +51,7 @@ pub mod experiment;
 pub mod learning;
 pub mod mapping;
 pub mod montecarlo;
+pub mod program;
 mod recording;
 pub mod study;
 

@@ -89,6 +89,11 @@ impl RunRecording {
         self.end as f64 * STEP_S
     }
 
+    /// Furthest step simulated.
+    pub fn end_steps(&self) -> u64 {
+        self.end
+    }
+
     /// Time (s) and coverage (0 to 1) of the whole run so far.
     pub fn curve(&self) -> &[(f64, f64)] {
         &self.curve
@@ -159,7 +164,7 @@ impl RunRecording {
     /// Up to `steps` steps, while `has_time` returns true; returns the number taken.
     pub fn advance(&mut self, steps: u64, has_time: &mut dyn FnMut() -> bool) -> u64 {
         let mut taken = 0;
-        while taken < steps && !self.is_over() && has_time() {
+        while taken < steps && !self.is_over() && !self.run.waits() && has_time() {
             for _ in 0..CHUNK.min(steps - taken) {
                 self.step();
                 taken += 1;
@@ -187,7 +192,7 @@ impl RunRecording {
         if let Some(goal) = self.goal {
             let left = goal.saturating_sub(self.run.steps());
             self.advance(left, has_time);
-            if self.run.steps() >= goal || self.is_over() {
+            if self.run.steps() >= goal || self.is_over() || self.run.waits() {
                 self.goal = None;
                 // The last inputs were applied before the run paused there.
                 if self.run.steps() == self.end {

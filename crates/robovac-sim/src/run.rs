@@ -136,9 +136,9 @@ impl Run {
         &*self.controller
     }
 
-    /// Advances by [`STEP_S`]; does nothing once the run is finished.
+    /// Advances by [`STEP_S`]; does nothing once the run is finished, and while it waits.
     pub fn step(&mut self) {
-        if self.is_finished() {
+        if self.is_finished() || self.waits() {
             return;
         }
         let (before, had_fallen) = (self.robot.pose(), self.robot.has_fallen());
@@ -274,6 +274,12 @@ impl Run {
     pub fn is_finished(&self) -> bool {
         let speed = self.robot.speed();
         (self.controller.is_done() || self.robot.is_empty()) && speed.is_stop()
+    }
+
+    /// Whether its controller doesn't know its next command yet; see [`Controller::waits`].
+    #[inline]
+    pub fn waits(&self) -> bool {
+        self.controller.waits()
     }
 
     /// Steps taken.

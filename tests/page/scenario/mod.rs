@@ -7,6 +7,7 @@ use robovac_app::explore::Session;
 use robovac_core::{
     floor_plan::{FloorPlan, MAX_CORNERS, MAX_OBJECTS, Object, ROOMS, Scenario, SourceFile, Who, load},
     geometry::{Point, Pose},
+    program::{Program, ProgramKind, ProgramLanguage},
 };
 use serde_json::Value;
 
@@ -185,7 +186,7 @@ const STRUCTURE: &[Case] = &[
     (
         "\"name\": \"Nook\"",
         "\"title\": \"Nook\"",
-        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `own_robot`, `planner`, `behaviour`, `params`, `path`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`, `smooth`; fix that line or export the file again",
+        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `own_robot`, `planner`, `behaviour`, `program`, `params`, `path`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`, `smooth`; fix that line or export the file again",
     ),
     (
         "\"radius\": 0.02",
@@ -505,6 +506,7 @@ fn version_1_has_no_keys_of_version_2() {
         ("smooth", "true"),
         ("own_robot", "{}"),
         ("path", "[[1, 1]]"),
+        ("program", "{}"),
     ] {
         let text = format!(
             "{{ \"format\": \"robovac-scenario\", \"version\": 1, \"resolution\": 0.2, \"width\": 1, \"height\": 1,\n\
@@ -532,12 +534,18 @@ fn the_schema_takes_what_is_written() {
     let schema = the_schema();
     let keys = schema["properties"].as_object().unwrap().keys();
     let missing: Vec<_> = keys.filter(|key| written.get(key.as_str()).is_none()).collect();
-    assert_eq!(missing, ["note", "origin", "own_robot", "params", "path", "planner", "twin"]);
+    assert_eq!(missing, ["note", "origin", "own_robot", "params", "path", "planner", "program", "twin"]);
     let kinds: Vec<_> = schema["$defs"]["object"]["properties"].as_object().unwrap().keys().collect();
     let objects = written["objects"].as_array().unwrap();
     let mut found: Vec<_> = objects.iter().flat_map(|object| object.as_object().unwrap().keys()).collect();
     found.sort();
     assert_eq!(found, kinds);
+    // A program.
+    let (language, kind) = (ProgramLanguage::JavaScript, ProgramKind::Planner);
+    let program = Program { name: "Rows".into(), language, kind, source: "function* plan(room) {}".into() };
+    session.set_program(program, true).unwrap();
+    let written = session.scenario_json();
+    assert_eq!(schema_complains(&written), None, "{written}");
     // An own robot with everything, and a path.
     let own =
         "corners:0.2_-0.15_0.2_0.15_-0.2_0,tool:0.25,speed:0.25,turn:90,at:0.02_0,wheels:omnidirectional,without:light";

@@ -30,6 +30,8 @@ pub fn complaint(root: &Value, schema: &Value, value: &Value) -> Option<String> 
             "maximum" => number().is_none_or(|(number, most)| number <= most),
             "minItems" => !value.is_array() || length() >= rule.as_u64().unwrap(),
             "maxItems" => length() <= rule.as_u64().unwrap(),
+            "minLength" => value.as_str().is_none_or(|text| text.chars().count() as u64 >= rule.as_u64().unwrap()),
+            "maxLength" => value.as_str().is_none_or(|text| text.chars().count() as u64 <= rule.as_u64().unwrap()),
             "minProperties" => keys().count() as u64 >= rule.as_u64().unwrap(),
             "maxProperties" => keys().count() as u64 <= rule.as_u64().unwrap(),
             "pattern" => {

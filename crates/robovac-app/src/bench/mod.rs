@@ -3,11 +3,13 @@
 mod floor_plan;
 mod mapping;
 mod planning;
+mod program;
 mod streaming;
 
 pub use floor_plan::{floor_plan, office_drawing};
 pub use mapping::{MappingCase, mapping};
 pub use planning::{cycle, hall, opening_run, planning};
+pub use program::programs;
 pub use streaming::{stream, streaming};
 
 use serde::Serialize;

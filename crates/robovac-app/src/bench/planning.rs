@@ -44,6 +44,7 @@ pub fn planning(bench: &mut Bench<'_>) {
 /// One of many runs: half an hour of the cleaning cycle by a Roomba in the furnished flat, with typical slip and noise.
 pub fn cycle() -> RunsRequest {
     RunsRequest {
+        job: None,
         id: 0,
         room: Some("flat".to_owned()),
         scenario: None,

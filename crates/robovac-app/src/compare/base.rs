@@ -1,8 +1,16 @@
 //! The settings that comparisons take from the session.
 
 use super::{RaceSetup, RoomChoice};
-use crate::explore::{Session, SessionSnapshot};
-use robovac_core::{floor_plan::FloorPlan, geometry::Pose, robot::CustomRobot};
+use crate::{
+    ScenarioChoices,
+    explore::{ProgramJob, Session, SessionSnapshot},
+};
+use robovac_core::{
+    floor_plan::{FloorPlan, Scenario},
+    geometry::Pose,
+    program::Program,
+    robot::CustomRobot,
+};
 use robovac_sim::experiment::planning::RoomSetup;
 use std::sync::Arc;
 
@@ -19,6 +27,8 @@ pub(super) struct ComparisonBase {
     pub cell_size: f64,
     pub seed: u64,
     pub setup: RaceSetup,
+    /// The user's program.
+    pub program: Option<Arc<Program>>,
     /// Snapshot of the session.
     snapshot: SessionSnapshot,
 }
@@ -50,13 +60,26 @@ impl ComparisonBase {
                 seed: settings.seed,
                 speed: speed.unwrap_or(SPEED),
             },
+            program: settings.program().cloned(),
             snapshot: session.snapshot(),
         }
     }
 
     /// Whether the session is unchanged.
     pub fn is_of(&self, session: &Session) -> bool {
-        self.snapshot == session.snapshot()
+        self.snapshot == session.snapshot() && self.program.as_ref() == session.settings().program()
+    }
+
+    /// The job of the user's program in a room, with that seed.
+    pub fn job_in(&self, room: RoomChoice, seed: u64) -> ProgramJob {
+        let (shipped, own) = match room {
+            RoomChoice::Shipped(id) => (Some(id.to_owned()), None),
+            RoomChoice::Own => (None, Some(Scenario::of(&self.plan))),
+        };
+        let choices = ScenarioChoices { seed: Some(seed.to_string()), program: None, ..self.snapshot.choices.clone() };
+        let place =
+            SessionSnapshot { room: shipped, own, start: self.start_in(room), choices, ..self.snapshot.clone() };
+        ProgramJob { place, inputs: Vec::new(), version: 0 }
     }
 
     /// The session's room.

@@ -6,13 +6,17 @@ use super::{
     race::{MOST_LANES, Racer},
     trials::{TrialKey, Trials},
 };
-use crate::explore::Session;
+use crate::explore::{ProgramJob, Session};
 use coverage_planners::{CoveragePath, PLANNERS, PlannerInfo, metrics::PlanNumbers};
 use robovac_core::{
     floor_plan::{ROOMS, Scenario},
+    program::{Program, ProgramKind},
     trajectory::{Knot, Trajectory},
 };
-use robovac_sim::experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, PlanOutcome, SettingsError, TrialRequest};
+use robovac_sim::{
+    experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, PlanOutcome, SettingsError, TrialRequest},
+    program::{LogError, LogPart, SharedLog},
+};
 use std::{
     collections::{BTreeMap, BTreeSet},
     sync::Arc,
@@ -30,8 +34,8 @@ const MOST_KEPT_CELLS: usize = 8_000_000;
 /// The entrants of a comparison and their results.
 pub struct Comparison {
     base: Option<ComparisonBase>,
-    /// One for each planner of the registry and each behaviour that cleans by itself, in their order; then copies with
-    /// other parameters.
+    /// One for each planner of the registry and each behaviour that cleans by itself, in their order; those of the user's
+    /// program, as a planner and as a behaviour; then copies with other parameters.
     entrants: Vec<Entrant>,
     /// Number of those before the copies.
     originals: usize,
@@ -50,7 +54,21 @@ pub struct Comparison {
     smooth: BTreeMap<TrialKey, Arc<Trajectory>>,
     race: Option<Race>,
     races: u32,
+    /// What the user's program does in the race.
+    race_log: RaceLog,
     version: u32,
+}
+
+/// The log of a program in a race.
+#[derive(Default)]
+struct RaceLog {
+    /// Key of what it depends on.
+    key: String,
+    log: SharedLog,
+    /// Number of the log.
+    number: u32,
+    /// Whether its job was handed out.
+    is_taken: bool,
 }
 
 impl Comparison {
@@ -59,7 +77,9 @@ impl Comparison {
         let planners = PLANNERS.iter().map(|planner| Algorithm::Planner(planner));
         let cleans =
             |algorithm: &Algorithm| algorithm.behaviour().is_some_and(|info| info.claims.cleans && !info.claims.manual);
-        let entrants: Vec<Entrant> = planners.chain(Algorithm::all().filter(cleans)).map(Entrant::new).collect();
+        let programs = [ProgramKind::Planner, ProgramKind::Behaviour].map(Algorithm::of_program);
+        let all = planners.chain(Algorithm::all().filter(cleans)).chain(programs);
+        let entrants: Vec<Entrant> = all.map(Entrant::new).collect();
         let chosen = (0..PLANNERS.len()).filter(|&i| FIRST.contains(&entrants[i].id())).collect();
         let mut comparison = Self {
             base: None,
@@ -75,6 +95,7 @@ impl Comparison {
             smooth: BTreeMap::new(),
             race: None,
             races: 0,
+            race_log: RaceLog::default(),
             version: 0,
         };
         comparison.changed();
@@ -129,7 +150,8 @@ impl Comparison {
 
     /// Includes an entrant once more, to be given other parameters. Does nothing beyond the largest number of copies.
     pub fn copy(&mut self, entrant: usize) {
-        let Some(original) = self.entrants.get(entrant).cloned() else { return };
+        let original = self.entrants.get(entrant).filter(|entrant| !entrant.algorithm.is_program()).cloned();
+        let Some(original) = original else { return };
         if let Some(index) = self.add_copy(original) {
             self.chosen.push(index);
             self.changed();
@@ -155,9 +177,28 @@ impl Comparison {
         }
     }
 
-    /// 1 for an original, 2 and up for its copies; 0 for one that was removed.
+    /// Whether an entrant can take part: the user's program only if there is one of its kind.
+    fn is_there(&self, entrant: usize) -> bool {
+        let Some(entrant) = self.entrants.get(entrant) else { return false };
+        !entrant.algorithm.is_program() || self.program_of(entrant).is_some()
+    }
+
+    /// The user's program that an entrant stands for.
+    fn program_of(&self, entrant: &Entrant) -> Option<&Arc<Program>> {
+        let program = self.base.as_ref()?.program.as_ref()?;
+        Some(program).filter(|program| entrant.algorithm == Algorithm::of_program(program.kind))
+    }
+
+    /// Name of an entrant in keys of results: a program's changes with its text.
+    fn name(&self, entrant: usize) -> String {
+        let entrant = &self.entrants[entrant];
+        let text = self.program_of(entrant).map(|program| format!("#{:x}", program.fingerprint())).unwrap_or_default();
+        format!("{entrant}{text}")
+    }
+
+    /// 1 for an original, 2 and up for its copies; 0 for one that was removed, and for a program that isn't there.
     pub fn copy_number(&self, entrant: usize) -> usize {
-        if self.removed.contains(&entrant) || entrant >= self.entrants.len() {
+        if self.removed.contains(&entrant) || !self.is_there(entrant) {
             return 0;
         }
         if entrant < self.originals {
@@ -189,7 +230,7 @@ impl Comparison {
 
     /// The chosen entrants that race, in their lanes' order.
     fn racing(&self) -> impl Iterator<Item = usize> {
-        self.chosen.iter().copied().filter(|entrant| !self.benched.contains(entrant))
+        self.chosen.iter().copied().filter(|&entrant| !self.benched.contains(&entrant) && self.is_there(entrant))
     }
 
     /// The chosen entrants that don't race: taken out of the race, or without a lane.
@@ -199,10 +240,10 @@ impl Comparison {
         let here = self.place(self.here());
         let seed = self.base.as_ref().map_or(0, |base| base.seed);
         let could = |&entrant: &usize| {
-            let name = self.entrants[entrant].to_string();
+            let name = self.name(entrant);
             self.is_behaviour(entrant) || matches!(self.trials.result(&key(&here, &name, seed)), Some(Ok(_)))
         };
-        self.chosen.iter().copied().filter(|&entrant| !races(entrant)).filter(could).collect()
+        self.chosen.iter().copied().filter(|&entrant| !races(entrant) && self.is_there(entrant)).filter(could).collect()
     }
 
     fn is_behaviour(&self, entrant: usize) -> bool {
@@ -293,9 +334,8 @@ impl Comparison {
     /// All required trials, room by room.
     fn wanted(&self) -> Vec<(Trial, TrialKey)> {
         let first = self.base.as_ref().map_or(0, |base| base.seed);
-        let mut planners: Vec<usize> = self.chosen.iter().copied().filter(|&i| !self.is_behaviour(i)).collect();
-        planners.sort_unstable();
-        let names: Vec<(usize, String)> = planners.into_iter().map(|i| (i, self.entrants[i].to_string())).collect();
+        let planners = self.planners();
+        let names: Vec<(usize, String)> = planners.into_iter().map(|i| (i, self.name(i))).collect();
         let mut trials = Vec::new();
         for room in self.rooms() {
             let place = self.place(room);
@@ -307,6 +347,14 @@ impl Comparison {
             }
         }
         trials
+    }
+
+    /// The chosen planners that can take part, in the order of the registry.
+    fn planners(&self) -> Vec<usize> {
+        let is_planner = |&entrant: &usize| !self.is_behaviour(entrant) && self.is_there(entrant);
+        let mut planners: Vec<usize> = self.chosen.iter().copied().filter(is_planner).collect();
+        planners.sort_unstable();
+        planners
     }
 
     /// The rooms of the comparison.
@@ -327,8 +375,11 @@ impl Comparison {
     pub fn take_trial(&mut self) -> Option<TrialRequest> {
         let base = self.base.as_ref()?;
         let (id, trial) = self.trials.begin()?;
+        let job =
+            self.program_of(&self.entrants[trial.entrant]).map(|_| base.job_in(trial.room, trial.seed).to_bytes());
         Some(TrialRequest {
             id,
+            job,
             room: match trial.room {
                 RoomChoice::Shipped(id) => Some(id.to_owned()),
                 RoomChoice::Own => None,
@@ -446,9 +497,7 @@ impl Comparison {
     /// The table of one room, or of all rooms together.
     pub fn table(&self, room: Option<RoomChoice>) -> ComparisonTable {
         let rooms = room.map_or_else(|| self.rooms(), |room| vec![room]);
-        let mut planners: Vec<usize> = self.chosen.iter().copied().filter(|&i| !self.is_behaviour(i)).collect();
-        planners.sort_unstable();
-        let rows = planners.into_iter().map(|entrant| {
+        let rows = self.planners().into_iter().map(|entrant| {
             let results = |&room: &RoomChoice| {
                 let trials = self.trials.results().filter(|(t, _)| t.entrant == entrant && t.room == room);
                 trials.map(|(_, result)| result.clone()).collect()
@@ -508,7 +557,7 @@ impl Comparison {
     /// The walk of a planner in the session's room, if it is known; there can be more walks than lanes in the race.
     pub fn path(&self, entrant: usize) -> Option<&CoveragePath> {
         let seed = self.base.as_ref()?.seed;
-        self.paths.get(&key(&self.place(self.here()), &self.entrants[entrant].to_string(), seed))
+        self.paths.get(&key(&self.place(self.here()), &self.name(entrant), seed))
     }
 
     /// Sets the race up again if its robots have changed.
@@ -519,7 +568,7 @@ impl Comparison {
             .racing()
             .map(|entrant| {
                 let kind = if self.is_behaviour(entrant) { BEHAVIOUR } else { "" };
-                (entrant, key(&format!("{here}{kind}"), &self.entrants[entrant].to_string(), base.seed))
+                (entrant, key(&format!("{here}{kind}"), &self.name(entrant), base.seed))
             })
             .filter(|(_, key)| !matches!(self.trials.result(key), Some(Err(_))))
             // Before filtering by finished plans, so that the racers don't depend on the order of planning.
@@ -545,6 +594,10 @@ impl Comparison {
                     let smooth = self.smooth.get(&racer.key).cloned();
                     race.enter(racer, path, smooth);
                 }
+                (None, entrant) if entrant.algorithm.is_program() => {
+                    let log = self.race_log.of(&format!("{} {:?}", racer.key, setup.conditions));
+                    race.enter_program(racer, log);
+                }
                 (None, entrant) => race.enter_behaviour(racer, entrant),
             }
         }
@@ -552,6 +605,39 @@ impl Comparison {
             race.follow(earlier);
         }
         self.race = Some(race);
+    }
+}
+
+impl Comparison {
+    /// The job of the user's program in the race, returned once, with the number of its log.
+    pub fn take_race_job(&mut self) -> Option<ProgramJob> {
+        let program = ProgramKind::Behaviour;
+        let races = self.racing().any(|entrant| self.entrants[entrant].algorithm == Algorithm::of_program(program));
+        if !races || self.race_log.is_taken || self.race_log.number == 0 {
+            return None;
+        }
+        self.race_log.is_taken = true;
+        let base = self.base.as_ref()?;
+        Some(ProgramJob { version: self.race_log.number, ..base.job_in(base.here(), base.seed) })
+    }
+
+    /// Takes a part of the log with that number; of an older one, it is left out and the result is false.
+    pub fn extend_race(&mut self, number: u32, part: &[u8]) -> Result<bool, LogError> {
+        if number != self.race_log.number {
+            return Ok(false);
+        }
+        self.race_log.log.get_mut().extend(LogPart::from_bytes(part)?)?;
+        Ok(true)
+    }
+}
+
+impl RaceLog {
+    /// The log for what has that key; a new one if that is another than before.
+    fn of(&mut self, key: &str) -> SharedLog {
+        if self.key != key {
+            *self = Self { key: key.to_owned(), number: self.number + 1, ..Self::default() };
+        }
+        self.log.clone()
     }
 }
 

@@ -6,6 +6,7 @@
 mod base;
 mod comparison;
 mod export;
+mod program_runs;
 mod race;
 mod rooms;
 mod study;
@@ -17,6 +18,7 @@ mod view;
 
 pub use comparison::{Comparison, MOST_SEEDS};
 pub use export::{Record, to_csv, to_json};
+pub use program_runs::ProgramRuns;
 pub use race::{MOST_LANES, Race, RaceLane, RaceSetup, Racer};
 pub use rooms::{RoomChoice, RoomSet};
 pub use study::{MINUTES, MOST_MINUTES, SEEDS, Study};

@@ -9,6 +9,7 @@ use robovac_sim::{
         Entrant,
         planning::{Driven, RoomSetup},
     },
+    program::{Logged, SharedLog},
 };
 use std::sync::Arc;
 
@@ -60,6 +61,8 @@ pub struct RaceLane {
     pub racer: Racer,
     recording: RunRecording,
     line: Arc<[Point]>,
+    /// What a user's program has commanded so far, if one drives.
+    log: Option<SharedLog>,
 }
 
 /// Robots that drive different plans over the same floor, each in a room of its own.
@@ -106,7 +109,21 @@ impl Race {
         let RaceSetup { conditions, odometry, seed, .. } = self.setup;
         let driven = Driven { line: Arc::clone(&line), smooth };
         let run = self.prepared.run_driven(&driven, conditions, odometry, seed);
-        self.lanes.push(RaceLane { racer, recording: RunRecording::within(run, KEY_FRAME_BUDGET / MOST_LANES), line });
+        self.add(racer, run, line, None);
+    }
+
+    fn add(&mut self, racer: Racer, run: Run, line: Arc<[Point]>, log: Option<SharedLog>) {
+        let recording = RunRecording::within(run, KEY_FRAME_BUDGET / MOST_LANES);
+        self.lanes.push(RaceLane { racer, recording, line, log });
+    }
+
+    /// Adds a robot that is driven by a user's program, whose log grows. To be called before the start.
+    pub fn enter_program(&mut self, racer: Racer, log: SharedLog) {
+        if self.lanes.len() < MOST_LANES {
+            let setup = self.prepared.setup(self.setup.conditions, self.setup.seed);
+            let run = Run::new(&setup, Box::new(Logged::new(log.clone())));
+            self.add(racer, run, Arc::new([]), Some(log));
+        }
     }
 
     /// Adds a robot that is driven by a behaviour; nothing happens for any other algorithm. To be called before the
@@ -116,8 +133,7 @@ impl Race {
         let behaviour = entrant.algorithm.behaviour();
         let run = behaviour.and_then(|info| self.prepared.run_behaviour(info, &entrant.params, conditions, seed));
         let Some(run) = run.filter(|_| self.lanes.len() < MOST_LANES) else { return };
-        let recording = RunRecording::within(run, KEY_FRAME_BUDGET / MOST_LANES);
-        self.lanes.push(RaceLane { racer, recording, line: Arc::new([]) });
+        self.add(racer, run, Arc::new([]), None);
     }
 
     /// Ranks of the robots, from 1, in the order of [`Race::lanes`]: first those that have swept at least 95 % of the
@@ -164,6 +180,17 @@ impl Race {
     fn is_over(&self) -> bool {
         let limit = self.limit();
         self.lanes.iter().all(|lane| lane.is_done(limit))
+    }
+
+    /// Whether all robots wait for a user's program, which hasn't got farther yet.
+    pub fn waits(&self) -> bool {
+        !self.is_over() && self.reach(self.limit()) <= self.now
+    }
+
+    /// Steps for which all commands are known.
+    fn reach(&self, limit: u64) -> u64 {
+        let driving = self.lanes.iter().filter(|lane| !lane.is_done(limit));
+        driving.map(RaceLane::reach).min().unwrap_or(u64::MAX)
     }
 
     /// Steps after which robots without a plan stop.
@@ -293,8 +320,11 @@ impl Race {
     fn advance(&mut self, steps: u64, has_time: &mut dyn FnMut() -> bool) -> u64 {
         let before = self.now;
         while self.now - before < steps && !self.is_over() && has_time() {
-            let chunk = CHUNK.min(steps - (self.now - before));
             let limit = self.limit();
+            let chunk = CHUNK.min(steps - (self.now - before)).min(self.reach(limit).saturating_sub(self.now));
+            if chunk == 0 {
+                break;
+            }
             for lane in self.lanes.iter_mut().filter(|lane| !lane.is_done(limit)) {
                 lane.recording.advance(chunk, &mut || true);
             }
@@ -341,6 +371,12 @@ impl RaceLane {
     /// The run at the displayed time.
     pub fn run(&self) -> &Run {
         self.recording.run()
+    }
+
+    /// Steps for which its commands are known.
+    fn reach(&self) -> u64 {
+        let log = self.log.as_ref().map(SharedLog::get).filter(|log| log.end().is_none());
+        log.map_or(u64::MAX, |log| log.until().into())
     }
 
     /// Whether it stands for good; robots without a plan after `limit` steps.

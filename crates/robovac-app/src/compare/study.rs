@@ -1,7 +1,10 @@
 //! View model of a study: entrants, number of runs, missing runs, results.
 
-use crate::explore::{Session, SessionSnapshot};
-use robovac_core::floor_plan::{FloorPlan, Scenario};
+use crate::explore::{ProgramJob, Session, SessionSnapshot};
+use robovac_core::{
+    floor_plan::{FloorPlan, Scenario},
+    program::{Program, ProgramKind},
+};
 use robovac_sim::{
     experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, Settings, SettingsError},
     montecarlo::{EntrantRuns, RunOutcome, RunTally, RunsRequest, StudyHeader, Summary},
@@ -63,6 +66,8 @@ struct StudyBase {
     settings: Settings,
     /// The settings that runs depend on, as in a link.
     place: String,
+    /// The job of the user's program, if there is one.
+    job: Option<ProgramJob>,
     /// Snapshot of the session.
     snapshot: SessionSnapshot,
 }
@@ -84,6 +89,7 @@ impl StudyBase {
             plan: Arc::clone(session.plan()),
             title: session.room_title(),
             room,
+            job: settings.program().and_then(|program| session.job_beside(program.kind)),
             settings,
             place,
             snapshot: session.snapshot(),
@@ -105,7 +111,9 @@ impl Study {
         let takes_part = |algorithm: &Algorithm| {
             algorithm.behaviour().is_none_or(|info| (info.claims.cleans || info.claims.explores) && !info.claims.manual)
         };
-        let entrants: Vec<Entrant> = Algorithm::all().filter(takes_part).map(Entrant::new).collect();
+        let programs = [ProgramKind::Planner, ProgramKind::Behaviour].map(Algorithm::of_program);
+        let entrants: Vec<Entrant> = Algorithm::all().filter(takes_part).chain(programs).map(Entrant::new).collect();
+        // The user's program takes part as soon as there is one.
         let behaves = |&index: &usize| entrants[index].algorithm.behaviour().is_some_and(|info| info.claims.cleans);
         let chosen = (0..entrants.len()).filter(behaves).collect();
         Self {
@@ -197,6 +205,23 @@ impl Study {
         self.changed();
     }
 
+    /// Whether an algorithm can take part: the user's program only if there is one of its kind.
+    pub fn is_there(&self, entrant: usize) -> bool {
+        let Some(entrant) = self.entrants.get(entrant) else { return false };
+        !entrant.algorithm.is_program() || self.program_of(entrant).is_some()
+    }
+
+    /// The user's program that an entrant stands for.
+    fn program_of(&self, entrant: &Entrant) -> Option<&Arc<Program>> {
+        let program = self.base.as_ref()?.settings.program()?;
+        Some(program).filter(|program| entrant.algorithm == Algorithm::of_program(program.kind))
+    }
+
+    /// The included algorithms that can take part.
+    fn taking_part(&self) -> impl Iterator<Item = usize> {
+        self.chosen.iter().copied().filter(|&entrant| self.is_there(entrant))
+    }
+
     fn index(&self, wanted: Algorithm) -> Result<usize, SettingsError> {
         let is_wanted = |e: &Entrant| e.algorithm.kind() == wanted.kind() && e.id() == wanted.id();
         self.entrants.iter().position(is_wanted).ok_or_else(|| SettingsError::Unknown {
@@ -210,7 +235,14 @@ impl Study {
     pub fn to_link(&self) -> String {
         let of = |kind: &str| {
             let chosen = self.chosen.iter().map(|&index| &self.entrants[index]);
-            chosen.filter(|e| e.algorithm.kind() == kind).map(Entrant::to_string).collect::<Vec<_>>().join(",")
+            // A program that isn't there would ask for one in the link.
+            let is_there = |e: &&Entrant| !e.algorithm.is_program() || self.program_of(e).is_some();
+            chosen
+                .filter(|e| e.algorithm.kind() == kind)
+                .filter(is_there)
+                .map(Entrant::to_string)
+                .collect::<Vec<_>>()
+                .join(",")
         };
         format!("runs={}&paths={}&times={}&minutes={}", of(BEHAVIOUR), of(PLANNER), self.seeds, self.minutes)
     }
@@ -243,7 +275,7 @@ impl Study {
     /// The choices have changed: requests that are no longer required are dropped.
     fn changed(&mut self) {
         self.version += 1;
-        let wanted: BTreeSet<OutcomeKey> = self.chosen.iter().filter_map(|&index| self.key(index)).collect();
+        let wanted: BTreeSet<OutcomeKey> = self.taking_part().filter_map(|index| self.key(index)).collect();
         self.under_way.retain(|_, batch| wanted.contains(&batch.key));
         self.rest();
     }
@@ -282,14 +314,16 @@ impl Study {
         let (first, count) = (base.settings.seed, u64::from(self.seeds));
         let (entrant, key, seeds) = (0..count.div_ceil(size)).find_map(|round| {
             let seeds = first + round * size..first + ((round + 1) * size).min(count);
-            self.chosen.iter().find_map(|&entrant| {
+            self.taking_part().find_map(|entrant| {
                 let key = self.key(entrant).filter(|key| !self.failures.contains_key(key))?;
                 let missing: Vec<u64> = seeds.clone().filter(|&seed| !self.has_begun(&key, seed)).collect();
                 (!missing.is_empty()).then_some((entrant, key, missing))
             })
         })?;
         self.last += 1;
+        let job = self.program_of(&self.entrants[entrant]).and(base.job.as_ref()).map(ProgramJob::to_bytes);
         let request = RunsRequest {
+            job,
             id: self.last,
             room: base.room.map(str::to_owned),
             scenario: base.room.is_none().then(|| Scenario::of(&base.plan).to_json()),
@@ -336,8 +370,8 @@ impl Study {
     /// Numbers of finished or failed runs and of all chosen runs.
     pub fn count(&self) -> (usize, usize) {
         let done =
-            |&index: &usize| if self.failure(index).is_some() { self.seeds as usize } else { self.runs(index).len() };
-        (self.chosen.iter().map(done).sum(), self.chosen.len() * self.seeds as usize)
+            |index: usize| if self.failure(index).is_some() { self.seeds as usize } else { self.runs(index).len() };
+        (self.taking_part().map(done).sum(), self.taking_part().count() * self.seeds as usize)
     }
 
     // ---- results
@@ -346,7 +380,8 @@ impl Study {
         let base = self.base.as_ref()?;
         let entrant = &self.entrants[entrant];
         let planned = entrant.algorithm.planner().map_or(String::new(), |_| base.settings.seed.to_string());
-        Some(format!("{} {} {} {entrant} {planned}", base.key(), self.minutes, entrant.algorithm.kind()))
+        let text = self.program_of(entrant).map(|program| format!("#{:x}", program.fingerprint())).unwrap_or_default();
+        Some(format!("{} {} {} {entrant}{text} {planned}", base.key(), self.minutes, entrant.algorithm.kind()))
     }
 
     /// The finished runs of an algorithm that are required, by seed.
@@ -401,11 +436,11 @@ impl Study {
             odometry: base.settings.odometry,
             minutes: f64::from(self.minutes),
         };
-        let runs = |&index: &usize| {
+        let runs = |index: usize| {
             let result = self.failure(index).map_or_else(|| Ok(self.runs(index)), Err);
             (&self.entrants[index], result)
         };
-        Some((head, self.chosen.iter().map(runs).collect()))
+        Some((head, self.taking_part().map(runs).collect()))
     }
 }
 

@@ -50,6 +50,8 @@ pub struct StudyView<'a> {
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct StudyEntrantView<'a> {
     chosen: bool,
+    /// Whether it can take part: the user's program only if there is one of its kind.
+    offered: bool,
     params: &'a Params,
     /// Finished runs among the required ones.
     runs: usize,
@@ -94,7 +96,8 @@ impl<'a> StudyView<'a> {
     pub fn new(study: &'a Study) -> Self {
         let (done, total) = study.count();
         let entrants = study.entrants().iter().enumerate().map(|(index, entrant)| StudyEntrantView {
-            chosen: study.is_chosen(index),
+            chosen: study.is_chosen(index) && study.is_there(index),
+            offered: study.is_there(index),
             params: &entrant.params,
             runs: study.runs(index).len(),
             failure: study.failure(index).unwrap_or(""),

@@ -37,7 +37,7 @@ struct EntrantView<'a> {
     /// With a number for copies.
     title: String,
     mark: Mark,
-    /// 1, or 2 and up for copies; 0 for one that was removed.
+    /// 1, or 2 and up for copies; 0 for one that was removed, and for a program that isn't there.
     copy: usize,
     chosen: bool,
     params: &'a Params,
@@ -57,6 +57,8 @@ struct RaceView {
     end_s: f64,
     planned_s: f64,
     speed: f64,
+    /// Whether it stands still because the user's program hasn't got farther.
+    waits: bool,
     lanes: Vec<LaneView>,
 }
 
@@ -136,6 +138,7 @@ impl RaceView {
             end_s: race.end_s(),
             planned_s: race.planned_s(),
             speed: race.speed(),
+            waits: race.waits(),
             lanes: lanes.collect(),
         }
     }

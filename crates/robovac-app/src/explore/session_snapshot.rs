@@ -7,9 +7,13 @@ use robovac_core::{
     cspace::Outline,
     floor_plan::{FloorPlan, MapError, Scenario},
     geometry::Pose,
+    program::{Program, ProgramKind},
     robot::model,
 };
-use robovac_sim::experiment::{Algorithm, Settings, SettingsError, planning::RoomSetup};
+use robovac_sim::{
+    controller::Behaviours,
+    experiment::{Algorithm, Settings, SettingsError, planning::RoomSetup},
+};
 use serde::{Deserialize, Serialize};
 
 /// The model of robots that can be connected.
@@ -63,6 +67,21 @@ impl SessionSnapshot {
         Ok((RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, self.start())?, settings))
     }
 
+    /// The same for a program's own simulation, whatever algorithm the session has; needs the code of none.
+    pub fn lay_out_for_program(&self) -> Result<(RoomSetup, Settings), FollowError> {
+        let choices = ScenarioChoices {
+            planner: None,
+            behaviour: None,
+            params: Vec::new(),
+            path: None,
+            program: None,
+            ..self.choices.clone()
+        };
+        let settings = choices.settings(&Settings::with(Behaviours::NONE))?;
+        let (plan, _) = self.room()?.ok_or(FollowError::NoRoom)?;
+        Ok((RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, self.start())?, settings))
+    }
+
     /// The room, with its id if it is built in; `None` if the snapshot leaves it out.
     fn room(&self) -> Result<Option<(FloorPlan, Option<&'static str>)>, FollowError> {
         Ok(match (&self.room, &self.own) {
@@ -93,7 +112,9 @@ impl SessionSnapshot {
         if choices.algorithm() != Some(algorithm) && !rides_path {
             choices.params.clear();
             let id = Some(algorithm.to_owned());
-            (choices.planner, choices.behaviour) = match Algorithm::find("algorithm", algorithm, Algorithm::all())? {
+            let programs = [ProgramKind::Behaviour, ProgramKind::Planner].map(Algorithm::of_program);
+            let all = Algorithm::all().chain(programs);
+            (choices.planner, choices.behaviour) = match Algorithm::find("algorithm", algorithm, all)? {
                 Algorithm::Planner(_) => (id, None),
                 Algorithm::Behaviour(_) => (None, id),
             };
@@ -125,12 +146,15 @@ impl SessionSnapshot {
 impl Session {
     /// The settings for other tabs, without an own room: see [`Session::own_room`].
     pub fn snapshot(&self) -> SessionSnapshot {
+        let mut choices = ScenarioChoices::of_settings(self.settings());
+        // Other tabs offer the program whatever is chosen here.
+        choices.program = self.settings().program().map(|program| Program::clone(program));
         SessionSnapshot {
             room: self.room().map(str::to_owned),
             room_version: self.plan_version(),
             own: None,
             start: self.start().map(|start| [start.x, start.y, start.heading]),
-            choices: ScenarioChoices::of_settings(self.settings()),
+            choices,
         }
     }
 

@@ -2,7 +2,10 @@
 
 use crate::explore::SessionState;
 use coverage_planners::metrics::{DriveMetrics, WalkMetrics};
-use robovac_core::registry::Params;
+use robovac_core::{
+    program::{ProgramKind, ProgramLanguage},
+    registry::Params,
+};
 use robovac_sim::SensorKind;
 use robovac_sim::experiment::Shows;
 use serde::Serialize;
@@ -35,6 +38,8 @@ pub struct SessionView {
     /// `planner` or `behaviour`.
     #[cfg_attr(feature = "types", ts(type = "\"planner\" | \"behaviour\""))]
     pub kind: &'static str,
+    /// The user's program, if it is chosen.
+    pub program: Option<ProgramView>,
     /// The robot's activity, in a few words; empty for none.
     pub activity: &'static str,
     /// Changes whenever the list of events does.
@@ -94,6 +99,29 @@ pub struct SessionView {
     pub search: SearchView,
     /// The plan, or the best so far while the planner is running.
     pub plan: Option<PlanView>,
+}
+
+/// A user's program that is chosen.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct ProgramView {
+    /// Its name.
+    pub name: String,
+    /// Its language.
+    pub language: ProgramLanguage,
+    /// What it does.
+    pub kind: ProgramKind,
+    /// Changes when it has to be run again: from the start, or from a person's last input on.
+    pub version: u32,
+    /// Steps for which it has commanded; `None` for a planner.
+    pub reach_steps: Option<u32>,
+    /// How it ended, if it has.
+    #[cfg_attr(feature = "types", ts(type = "\"done\" | \"failed\" | null"))]
+    pub end: Option<&'static str>,
+    /// Whether the run stands still because the program hasn't got farther.
+    pub waits: bool,
+    /// Steps before a person's last input; `None` without one.
+    pub input: Option<u64>,
 }
 
 /// Snapshot of a session and of the pointer's tool.

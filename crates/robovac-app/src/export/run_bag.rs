@@ -56,7 +56,7 @@ impl RunBag {
     /// Simulates to the end; the bytes of the bag, and the digest of the run's last state.
     pub fn finish(mut self) -> Result<(Vec<u8>, u64), BagError> {
         self.bag.put_all(self.topics.take())?;
-        while self.recording.run().steps() < self.end && !self.recording.is_over() {
+        while self.recording.run().steps() < self.end && !self.recording.is_over() && !self.recording.run().waits() {
             self.recording.step();
             self.topics.step(self.recording.run());
             self.bag.put_all(self.topics.take())?;

@@ -5,6 +5,7 @@ mod cli;
 mod examples;
 mod grade;
 mod monitor;
+mod run;
 mod study;
 mod twin;
 mod virtual_roomba;

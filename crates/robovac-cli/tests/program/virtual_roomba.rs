@@ -62,7 +62,7 @@ impl Program {
     }
 
     /// Waits until its state satisfies `holds`.
-    fn wait_for(&mut self, what: &str, holds: impl Fn(&Value) -> bool) -> Value {
+    pub(super) fn wait_for(&mut self, what: &str, holds: impl Fn(&Value) -> bool) -> Value {
         let begin = Instant::now();
         loop {
             let state = self.state();

@@ -52,6 +52,11 @@ pub trait Controller {
     /// Whether there is nothing left to do.
     fn is_done(&self) -> bool;
 
+    /// Whether its next command isn't known yet. A run stands still meanwhile.
+    fn waits(&self) -> bool {
+        false
+    }
+
     /// The controller's pose estimate, if it has one.
     fn estimate(&self) -> Option<Pose> {
         self.mapper().map(Mapper::pose)
@@ -106,6 +111,9 @@ pub type BuildBehaviour = fn(&Setup<'_>) -> Box<dyn Controller>;
 pub struct Behaviours(&'static [(&'static BehaviourInfo, BuildBehaviour)]);
 
 impl Behaviours {
+    /// No behaviour.
+    pub const NONE: Self = Self(&[]);
+
     /// Their metadata, in the order of the menus.
     pub fn infos(self) -> impl Iterator<Item = &'static BehaviourInfo> + Clone {
         self.0.iter().map(|(info, _)| *info)

@@ -1,9 +1,15 @@
 //! An algorithm: a planner whose path is followed, or a reactive behaviour.
 
 use super::SettingsError;
-use crate::controller::{self, BehaviourInfo, Behaviours};
+use crate::{
+    controller::{self, BehaviourInfo, Behaviours},
+    program::{BEHAVIOUR_PROGRAM, PLANNER_PROGRAM},
+};
 use coverage_planners::{PLANNERS, PlannerInfo};
-use robovac_core::registry::{Explainer, ParamSpec};
+use robovac_core::{
+    program::ProgramKind,
+    registry::{Explainer, ParamSpec},
+};
 
 /// An entry of one of the two registries.
 #[derive(Debug, Clone, Copy)]
@@ -26,6 +32,24 @@ impl Algorithm {
         planners.chain(behaviours.infos().map(Self::Behaviour))
     }
 
+    /// The entry that stands for a user's program. It isn't in the registries.
+    pub fn of_program(kind: ProgramKind) -> Self {
+        match kind {
+            ProgramKind::Behaviour => Self::Behaviour(&BEHAVIOUR_PROGRAM),
+            ProgramKind::Planner => Self::Planner(&PLANNER_PROGRAM),
+        }
+    }
+
+    /// Whether it stands for a user's program.
+    pub fn is_program(self) -> bool {
+        Self::is_program_id(self.id())
+    }
+
+    /// Whether that is the id of the entry of a user's program.
+    pub fn is_program_id(id: &str) -> bool {
+        [BEHAVIOUR_PROGRAM.id, PLANNER_PROGRAM.id].contains(&id)
+    }
+
     /// The algorithm of that `kind` with that id, among `these`.
     pub fn find(
         kind: &'static str,
@@ -41,6 +65,10 @@ impl Algorithm {
 
     /// The `planner` or the `behaviour` with that id.
     pub fn find_kind(kind: &'static str, id: &str) -> Result<Self, SettingsError> {
+        let programs = [ProgramKind::Behaviour, ProgramKind::Planner].map(Self::of_program);
+        if let Some(program) = programs.into_iter().find(|program| (program.kind(), program.id()) == (kind, id)) {
+            return Ok(program);
+        }
         Self::find(kind, id, Self::all().filter(|algorithm| algorithm.kind() == kind))
     }
 

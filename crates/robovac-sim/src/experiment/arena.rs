@@ -1,11 +1,14 @@
 //! One planner in one room: the unit of every comparison.
 
-use crate::experiment::planning::{PlanRequest, Planned, RoomSetup};
+use crate::{
+    experiment::planning::{PlanAnswer, PlanRequest, Planned, RoomSetup},
+    program::{WalkFault, check_walk},
+};
 use coverage_planners::{
     Bounds, CoveragePath, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers, smooth::SmoothError,
 };
 use robovac_core::{
-    coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, registry::Params, robot::RobotModel,
+    coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, grid::Cell, registry::Params, robot::RobotModel,
     trajectory::Trajectory,
 };
 use std::sync::Arc;
@@ -41,6 +44,9 @@ pub enum TrialError {
     /// The planner returned an invalid walk.
     #[error("the planner returned an invalid walk: {0}")]
     Path(#[from] PathError),
+    /// A user's program planned a walk that can't be driven.
+    #[error("the plan can't be driven: {0}")]
+    Walk(#[from] WalkFault),
     /// The robot can't drive smoothly.
     #[error(transparent)]
     Smooth(#[from] SmoothError),
@@ -74,7 +80,16 @@ impl Arena {
         observer: Option<Observer<'_>>,
     ) -> Result<PlanOutcome, TrialError> {
         let request = PlanRequest { id: 0, planner, params: params.clone(), seed, job: self.prepared.job.clone() };
-        let answer = request.serve(clock, observer)?;
+        self.outcome(request.serve(clock, observer)?)
+    }
+
+    /// The result of a walk that a user's program planned in `seconds`. That it misses cells is a result, too.
+    pub fn judge(&self, cells: Vec<Cell>, seconds: f64) -> Result<PlanOutcome, TrialError> {
+        check_walk(&self.prepared.job, &cells)?;
+        self.outcome(PlanAnswer { path: CoveragePath::walk(cells), seconds, proof: None, trace: Vec::new() })
+    }
+
+    fn outcome(&self, answer: PlanAnswer) -> Result<PlanOutcome, TrialError> {
         let planned = Planned::new(&self.prepared, &answer)?;
         let planned = if self.is_smooth { planned.rounded(&self.prepared)? } else { planned };
         let numbers = planned.numbers(&self.prepared, self.bounds);

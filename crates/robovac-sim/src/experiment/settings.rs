@@ -6,13 +6,14 @@ use crate::controller::{self, Behaviours};
 use crate::{Conditions, Noise, NoiseLevel, SensorKind, SlipLevel};
 use robovac_core::{
     geometry::{MetricPath, Pose},
+    program::{Program, ProgramFault},
     registry::{ParamError, Params},
     robot::{
         Body, CustomRobot, CustomRobotFault, OdometryModel, OwnRobot, RobotModel, TWIN_MODEL, Twin, WheelLayout,
         cell_robot, model,
     },
 };
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, sync::Arc};
 
 /// Cell sizes in the menu, m.
 pub const CELL_SIZES: [f64; 8] = [0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.35, 0.5];
@@ -42,6 +43,8 @@ pub struct Settings {
     pub params: Params,
     /// Parameters of other algorithms, for when they are chosen again.
     left: BTreeMap<&'static str, Params>,
+    /// The user's program, for when it is chosen.
+    program: Option<Arc<Program>>,
     /// Id of the robot.
     pub robot: &'static str,
     /// What the user's own robot has in place of the model's.
@@ -94,6 +97,12 @@ pub enum SettingsError {
     /// A path that a link is too short for, and that isn't here.
     #[error("this link's path is too long for a link; ask its author for the scenario file and load that")]
     FarPath,
+    /// The user's program isn't here.
+    #[error("this link's program isn't in it; ask its author for the whole link or for the program's file")]
+    NoProgram,
+    /// A program that isn't accepted.
+    #[error(transparent)]
+    Program(#[from] ProgramFault),
     /// A planner's parameter.
     #[error(transparent)]
     Param(#[from] ParamError),
@@ -116,6 +125,7 @@ impl Settings {
             algorithm,
             params: Params::defaults(algorithm.params()),
             left: BTreeMap::new(),
+            program: None,
             robot: TWIN_MODEL,
             custom: None,
             path: None,
@@ -141,9 +151,47 @@ impl Settings {
         self.behaviours
     }
 
+    /// The planners and behaviours that can be chosen, the user's program last.
+    fn algorithms(&self) -> impl Iterator<Item = Algorithm> + Clone + use<> {
+        Algorithm::with(self.behaviours)
+            .chain(self.program.as_deref().map(|program| Algorithm::of_program(program.kind)))
+    }
+
+    /// The user's program, whether it is chosen or not.
+    pub fn program(&self) -> Option<&Arc<Program>> {
+        self.program.as_ref()
+    }
+
+    /// The user's program, if it is chosen.
+    pub fn chosen_program(&self) -> Option<&Arc<Program>> {
+        self.program.as_ref().filter(|program| self.algorithm == Algorithm::of_program(program.kind))
+    }
+
+    /// Keeps a program, to be chosen by its id. If one is chosen, this one takes its place.
+    pub fn keep_program(&mut self, program: Program) -> Result<(), SettingsError> {
+        program.check()?;
+        let was_chosen = self.algorithm.is_program();
+        let algorithm = Algorithm::of_program(program.kind);
+        self.program = Some(Arc::new(program));
+        if was_chosen && self.algorithm != algorithm {
+            self.select_algorithm(algorithm.id())?;
+        }
+        Ok(())
+    }
+
+    /// Keeps a program and chooses it.
+    pub fn set_program(&mut self, program: Program) -> Result<(), SettingsError> {
+        let id = Algorithm::of_program(program.kind).id();
+        self.keep_program(program)?;
+        self.select_algorithm(id)
+    }
+
     /// Chooses a planner or behaviour, with the parameters that it had before.
     pub fn select_algorithm(&mut self, id: &str) -> Result<(), SettingsError> {
-        let chosen = Algorithm::find("algorithm", id, Algorithm::with(self.behaviours))?;
+        if self.program.is_none() && Algorithm::is_program_id(id) {
+            return Err(SettingsError::NoProgram);
+        }
+        let chosen = Algorithm::find("algorithm", id, self.algorithms())?;
         self.left.insert(self.algorithm.id(), self.params.clone());
         self.params = self.left.remove(chosen.id()).unwrap_or_else(|| Params::defaults(chosen.params()));
         match (self.is_manual(), is_manual(chosen)) {
@@ -170,7 +218,9 @@ impl Settings {
 
     /// The same for a `planner` or a `behaviour`.
     pub fn select_fresh_of_kind(&mut self, kind: &'static str, id: &str) -> Result<(), SettingsError> {
-        Algorithm::find(kind, id, Algorithm::with(self.behaviours).filter(|algorithm| algorithm.kind() == kind))?;
+        if self.program.is_some() || !Algorithm::is_program_id(id) {
+            Algorithm::find(kind, id, self.algorithms().filter(|algorithm| algorithm.kind() == kind))?;
+        }
         self.select_fresh_algorithm(id)
     }
 
@@ -323,6 +373,7 @@ impl Settings {
             && self.params == other.params
             && self.custom == other.custom
             && self.path == other.path
+            && self.chosen_program() == other.chosen_program()
     }
 
     /// The robot, which for the idealised one depends on the size of a cell.

@@ -6,6 +6,7 @@ use coverage_planners::Observer;
 use robovac_core::{
     floor_plan::{self, FloorPlan, SourceFile},
     geometry::Pose,
+    grid::Cell,
     robot::{CustomRobot, cell_robot},
 };
 use serde::{Deserialize, Serialize};
@@ -31,6 +32,9 @@ pub struct TrialRequest {
     pub entrant: String,
     /// Seed of its random numbers.
     pub seed: u64,
+    /// For a user's program: the job with which it plans, as bytes.
+    #[serde(default)]
+    pub job: Option<Vec<u8>>,
     /// Whether corners are rounded.
     #[serde(default)]
     pub smooth: bool,
@@ -61,6 +65,11 @@ impl TrialRequest {
     ) -> Result<PlanOutcome, String> {
         let (entrant, planner) = Entrant::parse_planner(&self.entrant).map_err(|e| e.to_string())?;
         arena.run(planner, &entrant.params, self.seed, clock, observer).map_err(|e| e.to_string())
+    }
+
+    /// The result of a user's program that planned this walk, in `seconds`. Errors are for users.
+    pub fn judge(&self, arena: &Arena, cells: Vec<Cell>, seconds: f64) -> Result<PlanOutcome, String> {
+        arena.judge(cells, seconds).map_err(|e| e.to_string())
     }
 }
 

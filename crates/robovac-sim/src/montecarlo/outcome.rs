@@ -70,7 +70,7 @@ impl RunOutcome {
         let has_dirt = run.dirt_left() > 0.0;
         for sample in 1..=SAMPLES as u64 {
             let until = steps * sample / SAMPLES as u64;
-            while run.steps() < until && !run.is_finished() {
+            while run.steps() < until && !run.is_finished() && !run.waits() {
                 run.step();
                 now = share(&run);
                 while GOALS.get(next).is_some_and(|&goal| now >= goal) {

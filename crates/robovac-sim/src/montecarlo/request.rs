@@ -26,6 +26,9 @@ pub struct RunsRequest {
     pub entrant: String,
     /// The seeds of the runs.
     pub seeds: Vec<u64>,
+    /// For a user's program: the job with which it makes its logs or its plan, as bytes.
+    #[serde(default)]
+    pub job: Option<Vec<u8>>,
     /// Key of everything but entrant and seeds: equal places have the same [`Lab`].
     pub place: String,
 }

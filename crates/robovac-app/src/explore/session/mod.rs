@@ -2,9 +2,11 @@
 
 mod objects;
 mod planning;
+mod program;
 mod search;
 mod snapshot;
 
+use self::program::ProgramRun;
 use crate::explore::{Action, Brush, Editor, PlanSearch, SessionState, Showing};
 use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
 use crate::{Import, ImportError, ScenarioChoices, ScenarioError};
@@ -47,6 +49,8 @@ pub struct Session {
     planning: Option<Planning>,
     planned: Option<Planned>,
     recording: Option<RunRecording>,
+    /// What drives the run if that is a user's program.
+    program: ProgramRun,
     /// The run before the room was changed; what it has swept stays swept.
     before: Option<Run>,
     /// Number of runs begun.
@@ -117,6 +121,7 @@ impl Session {
             planning: None,
             planned: None,
             recording: None,
+            program: ProgramRun::default(),
             before: None,
             runs: 0,
             playing: true,
@@ -324,8 +329,12 @@ impl Session {
     }
 
     fn input(&mut self, input: Input) {
+        let is_program = self.program_drives();
         if let Some(recording) = &mut self.recording {
             recording.input(input);
+            if is_program {
+                self.program.cut(recording.run().steps());
+            }
         }
     }
 
@@ -444,6 +453,7 @@ impl Session {
         scenario.path.clone_from(&settings.path);
         scenario.planner = choices.planner;
         scenario.behaviour = choices.behaviour;
+        scenario.program = choices.program;
         scenario.params.extend(params);
         scenario.cell_size = choices.cell_size;
         scenario.seed = Some(settings.seed);

@@ -135,6 +135,14 @@ impl Session {
     pub fn plan_finished(&mut self, id: u32, answer: PlanAnswer) {
         let Some(mut planning) = self.planning.take_if(|p| p.id == id) else { return };
         self.previews += 1;
+        let mut missed = None;
+        if self.settings.algorithm.is_program() {
+            let Some(prepared) = self.prepared.clone() else { return };
+            match self.program_plans(&prepared, &answer.path) {
+                Ok(found) => missed = found,
+                Err(()) => return,
+            }
+        }
         let Some(prepared) = &self.prepared else { return };
         match Planned::new(prepared, &answer) {
             Ok(planned) => {
@@ -147,6 +155,7 @@ impl Session {
                 if let Some(run) = self.fresh_run() {
                     self.record(run);
                 }
+                self.tell_missed(missed);
                 self.warn_of_coarse_cells(coverage);
                 self.begin_film();
             }
@@ -162,6 +171,7 @@ impl Session {
         match algorithm {
             _ if path.is_some() => Some(prepared.run_along(line, conditions, odometry, seed)),
             Algorithm::Planner(_) => Some(prepared.run_along(line, conditions, odometry, seed)),
+            Algorithm::Behaviour(_) if self.program_drives() => Some(self.program_run(prepared)),
             Algorithm::Behaviour(behaviour) => {
                 prepared.run_one_of(self.settings.behaviours(), behaviour, params, conditions, seed)
             }
@@ -177,7 +187,12 @@ impl Session {
     }
 
     fn planner_failed(&mut self, text: &str) {
-        self.say("error", format!("The planner failed: {text}. Try another planner or room."));
+        let text = if self.settings.algorithm.is_program() {
+            sentence(&format!("the program failed: {text}"))
+        } else {
+            format!("The planner failed: {text}. Try another planner or room.")
+        };
+        self.say("error", text);
     }
 
     /// Cancels planning.
@@ -277,7 +292,9 @@ impl Session {
         self.search = None;
         self.film = None;
         self.recording = None;
-        self.before = before;
+        // A program's own simulation begins with a floor that nobody has swept.
+        self.before = before.filter(|_| !self.program_drives());
+        self.program.restart();
         self.planning = None;
         self.pacer.restart();
         self.is_opening = self.is_opening

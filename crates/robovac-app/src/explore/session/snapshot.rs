@@ -87,6 +87,7 @@ impl Session {
             path_corners: self.settings.path.as_ref().map_or(0, |path| path.corners().len()),
             algorithm: self.settings.algorithm.id(),
             kind: self.settings.algorithm.kind(),
+            program: self.program_view(),
             activity: run.map_or("", activity),
             diary: run.map_or(0.0, diary_version),
             is_lifted: self.is_lifted(),

@@ -13,6 +13,7 @@ use super::{
 use crate::{
     geometry::{MetricPath, Pose},
     grid::{Grid, Occupancy, picture},
+    program::Program,
     robot::{OwnRobot, Twin},
 };
 use serde::{Deserialize, Serialize, de::IgnoredAny};
@@ -73,6 +74,9 @@ pub struct Scenario {
     /// Id of the behaviour, unless there is a planner.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub behaviour: Option<String>,
+    /// The user's program, if that is the planner or behaviour.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub program: Option<Program>,
     /// Values of its parameters that differ from the defaults: numbers, words, or true and false.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub params: BTreeMap<String, serde_json::Value>,
@@ -121,6 +125,7 @@ struct ScenarioHeader {
     twin: Option<IgnoredAny>,
     own_robot: Option<IgnoredAny>,
     path: Option<IgnoredAny>,
+    program: Option<IgnoredAny>,
 }
 
 /// A pose with its heading in degrees, for hand-edited files.
@@ -158,7 +163,7 @@ impl ScenarioHeader {
     fn flaw(&self) -> Option<(&'static str, Flaw)> {
         let version = self.version.as_ref()?;
         let Self { objects, behaviour, slip, noise, quantised, start_charge_percent, .. } = self;
-        let Self { odometry, smooth, twin, own_robot, path, .. } = self;
+        let Self { odometry, smooth, twin, own_robot, path, program, .. } = self;
         match version.as_u64() {
             Some(1) => [
                 ("objects", objects),
@@ -172,6 +177,7 @@ impl ScenarioHeader {
                 ("twin", twin),
                 ("own_robot", own_robot),
                 ("path", path),
+                ("program", program),
             ]
             .into_iter()
             .find(|(_, value)| value.is_some())
@@ -204,6 +210,7 @@ impl Scenario {
             own_robot: None,
             planner: None,
             behaviour: None,
+            program: None,
             params: BTreeMap::new(),
             path: None,
             cell_size: None,

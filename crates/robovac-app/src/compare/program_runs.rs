@@ -1,0 +1,188 @@
+//! Runs of a user's program for a study: repeated from its logs, so that the numbers are the simulator's own.
+
+use crate::explore::{LaidOutJob, ProgramJob};
+use robovac_core::{grid::Cell, robot::OdometryModel};
+use robovac_sim::{
+    Run,
+    experiment::{PlanAnswer, Planned},
+    montecarlo::RunOutcome,
+    program::{CommandLog, Logged, SharedLog, check_walk},
+};
+
+/// The runs of a program in one room.
+pub struct ProgramRuns {
+    job: LaidOutJob,
+    odometry: OdometryModel,
+    duration_s: f64,
+}
+
+impl ProgramRuns {
+    /// Runs of `duration_s` seconds for the job of a [`RunsRequest`](robovac_sim::montecarlo::RunsRequest). Errors are for
+    /// users.
+    pub fn new(job: &[u8], duration_s: f64) -> Result<Self, String> {
+        let job = ProgramJob::from_bytes(job).map_err(|error| error.to_string())?;
+        let job = job.lay_out().map_err(|error| error.to_string())?;
+        Ok(Self { odometry: job.odometry, job, duration_s })
+    }
+
+    /// The run that made `log` with that seed. One whose log ends too early ends there.
+    pub fn behave(&self, seed: u64, log: &[u8]) -> Result<RunOutcome, String> {
+        let log = SharedLog::new(CommandLog::from_bytes(log).map_err(|error| error.to_string())?);
+        let setup = self.job.room.setup(self.job.conditions, seed);
+        Ok(self.outcome(Run::new(&setup, Box::new(Logged::new(log))), seed))
+    }
+
+    /// Runs along a walk that a program has planned.
+    pub fn follow(&self, seeds: &[u64], cells: Vec<Cell>) -> Result<Vec<RunOutcome>, String> {
+        let room = &self.job.room;
+        check_walk(&room.job, &cells).map_err(|fault| format!("the plan can't be driven: {fault}"))?;
+        let path = coverage_planners::CoveragePath::walk(cells);
+        let answer = PlanAnswer { path, seconds: 0.0, proof: None, trace: Vec::new() };
+        let planned = Planned::new(room, &answer).map_err(|error| error.to_string())?;
+        let planned = if self.job.smooth { planned.rounded(room).map_err(|e| e.to_string())? } else { planned };
+        let run = |&seed: &u64| self.outcome(planned.run(room, self.job.conditions, self.odometry, seed), seed);
+        Ok(seeds.iter().map(run).collect())
+    }
+
+    fn outcome(&self, run: Run, seed: u64) -> RunOutcome {
+        RunOutcome::of(run, &self.job.room.robot, seed, self.duration_s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        compare::{Comparison, Study},
+        explore::Session,
+    };
+    use robovac_core::{
+        program::{Program, ProgramKind, ProgramLanguage},
+        registry::Params,
+    };
+    use robovac_sim::{
+        STEP_S,
+        experiment::{Algorithm, Entrant},
+        program::{Lockstep, LogEnd},
+    };
+
+    fn session(kind: ProgramKind) -> Session {
+        let mut session = Session::new();
+        session.restore("room=bedroom&slip=typical&seed=3&behaviour=bounce").unwrap();
+        let program = Program {
+            name: "mine".into(),
+            language: ProgramLanguage::JavaScript,
+            kind,
+            source: "function step(robot) {}".into(),
+        };
+        // Beside what Explore shows.
+        session.set_program(program, false).unwrap();
+        session
+    }
+
+    /// What a sandbox does with a job.
+    fn drive(job: &[u8], seed: Option<u64>, duration_s: f64) -> Lockstep {
+        let job = ProgramJob::from_bytes(job).unwrap().lay_out().unwrap();
+        let mut lockstep = Lockstep::new(&job.room, job.conditions, seed.unwrap_or(job.seed), job.inputs);
+        let steps = (duration_s / STEP_S).round() as u64;
+        while lockstep.run().steps() < steps {
+            let is_near = lockstep.run().sensors().bumped();
+            let most = if is_near { 60.min(steps - lockstep.run().steps()) } else { 1 };
+            lockstep.steps(if is_near { [-200.0, 0.0] } else { [300.0, 290.0] }, most as u32);
+        }
+        lockstep
+    }
+
+    fn number(entrants: &[Entrant], kind: ProgramKind) -> usize {
+        entrants.iter().position(|entrant| entrant.algorithm == Algorithm::of_program(kind)).unwrap()
+    }
+
+    #[test]
+    fn many_runs_of_a_program_are_repeated_from_its_logs() {
+        let mut study = Study::new();
+        let program = number(study.entrants(), ProgramKind::Behaviour);
+        study.take(&Session::new());
+        assert!(!study.is_there(program) && !study.to_link().contains("program"));
+        study.take(&session(ProgramKind::Behaviour));
+        assert!(study.is_there(program) && !study.is_there(number(study.entrants(), ProgramKind::Planner)));
+        study.choose_only("behaviour", "program").unwrap();
+        study.set_seeds(2);
+        study.set_minutes(1);
+        study.run();
+        let request = study.take_batch().unwrap();
+        let job = request.job.clone().unwrap();
+        assert!(request.behaves && request.seeds == [3, 4]);
+        let runs = ProgramRuns::new(&job, request.duration_s).unwrap();
+        let mut digests = Vec::new();
+        let mut make = |&seed: &u64| {
+            let lockstep = drive(&job, Some(seed), request.duration_s);
+            digests.push(lockstep.digest());
+            runs.behave(seed, &lockstep.log_bytes(0)).unwrap()
+        };
+        let outcomes: Vec<RunOutcome> = request.seeds.iter().map(&mut make).collect();
+        assert_eq!(outcomes.iter().map(|outcome| outcome.digest).collect::<Vec<_>>(), digests);
+        assert_ne!(digests[0], digests[1]);
+        study.batch_finished(request.id, Ok(outcomes));
+        assert!(study.summary(program).is_some() && !study.is_running());
+        assert!(runs.behave(3, b"no log").is_err());
+        // A log that is too short doesn't wait for ever.
+        assert_eq!(runs.behave(3, &drive(&job, Some(3), 1.5).log_bytes(0)).unwrap().time_s, 100.0 * STEP_S);
+    }
+
+    #[test]
+    fn the_race_waits_for_a_program_and_repeats_it() {
+        let mut comparison = Comparison::new();
+        let session = session(ProgramKind::Behaviour);
+        comparison.take(&session);
+        comparison.restore("vs=&behaviours=bounce").unwrap();
+        let program = number(comparison.entrants(), ProgramKind::Behaviour);
+        assert_eq!(comparison.copy_number(program), 1);
+        comparison.choose_entrant(program, true);
+        let job = comparison.take_race_job().unwrap();
+        assert!(comparison.take_race_job().is_none(), "once");
+        let race = comparison.race_mut().unwrap();
+        race.play();
+        race.set_speed(0.0);
+        race.frame(1.0, &mut || true);
+        assert!(race.waits() && race.time_s() == 0.0);
+        let lockstep = drive(&job.to_bytes(), None, 20.0);
+        assert!(!comparison.extend_race(job.version + 1, &lockstep.log_bytes(0)).unwrap());
+        assert!(comparison.extend_race(job.version, &lockstep.log_bytes(0)).unwrap());
+        let race = comparison.race_mut().unwrap();
+        race.frame(1.0, &mut || true);
+        let of_program = |comparison: &Comparison| {
+            let lanes = comparison.race().unwrap().lanes();
+            lanes.iter().find(|lane| lane.racer.entrant == program).map(|lane| lane.run().digest()).unwrap()
+        };
+        assert_eq!(of_program(&comparison), lockstep.digest());
+        // Both robots have stopped at the end of the log.
+        assert_eq!(comparison.race().unwrap().time_s(), lockstep.run().time_s());
+        let mut done = drive(&job.to_bytes(), None, 20.0);
+        done.finish(LogEnd::Done);
+        assert!(comparison.extend_race(job.version, &done.log_bytes(1300)).unwrap());
+        comparison.race_mut().unwrap().frame(1.0, &mut || true);
+        assert_eq!(of_program(&comparison), done.digest());
+        assert!(comparison.race().unwrap().time_s() > 30.0, "the other one goes on");
+    }
+
+    #[test]
+    fn a_planner_program_is_in_the_table() {
+        let mut comparison = Comparison::new();
+        comparison.take(&session(ProgramKind::Planner));
+        comparison.restore("vs=").unwrap();
+        let program = number(comparison.entrants(), ProgramKind::Planner);
+        comparison.choose_entrant(program, true);
+        let request = comparison.take_trial().unwrap();
+        assert!(request.job.is_some());
+        let arena = request.arena().unwrap();
+        let job = ProgramJob::from_bytes(request.job.as_ref().unwrap()).unwrap().lay_out().unwrap().room.job;
+        let jump = request.judge(&arena, vec![job.start, Cell::new(-1, -1)], 0.0).unwrap_err();
+        assert!(jump.contains("step 1 leaves the grid: (-1, -1)"), "{jump}");
+        let planner = coverage_planners::find("boustrophedon").unwrap();
+        let path = planner.build(&Params::default()).plan(&job, &mut coverage_planners::PlanContext::new(0)).unwrap();
+        let outcome = request.judge(&arena, path.cells, 0.5).unwrap();
+        comparison.trial_finished(request.id, Ok(outcome));
+        assert_eq!(comparison.table(None).rows[0].trials, 1);
+        assert!(comparison.race().unwrap().lanes().iter().any(|lane| lane.racer.entrant == program));
+    }
+}

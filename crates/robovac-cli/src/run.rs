@@ -1,0 +1,430 @@
+//! `run`: a user's program drives the simulated robot, or plans its walk. See docs/program-protocol.md.
+
+mod child;
+mod language;
+mod protocol;
+mod runtimes;
+
+use super::{
+    conditions::ConditionsArguments, failure::Failure, montecarlo::parse_minutes, output, signals::end_requested,
+    simulate::DEFAULT_ROBOT, source::RoomChoice, task::parse_cell,
+};
+pub use child::{ProgramProcess, Task};
+use coverage_planners::{CoveragePath, metrics::WalkMetrics};
+pub use language::Language;
+use protocol::PROTOCOL;
+pub use protocol::{Reply, Words};
+use robovac_core::{grid::Cell, robot::OdometryModel};
+use robovac_sim::{
+    Conditions, Run, STEP_S, What,
+    experiment::{
+        PlanAnswer, Planned, RoomSetup,
+        planning::{Placement, choose_robot},
+    },
+    montecarlo::quantile,
+    program::{Lockstep, LogEnd, ProgramRoom, RobotFacts, check_walk},
+};
+use serde::Serialize;
+use serde_json::json;
+use std::{
+    fmt::Write,
+    path::{Path, PathBuf},
+    sync::{
+        Arc, Mutex,
+        atomic::{AtomicBool, AtomicUsize, Ordering},
+    },
+    thread,
+};
+
+/// Most lines that a program prints in a run.
+const MOST_PRINTS: usize = 10_000;
+/// Most cells of a plan.
+const MOST_CELLS: usize = 2_000_000;
+
+/// Run your own program on the simulated robot: Python, JavaScript, or any program that speaks the protocol
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Your program: a file that ends in .py (run by python3) or .js (by node), or any with --command
+    program: PathBuf,
+    /// What runs the program, which gets the file as its last argument
+    #[arg(long, value_name = "COMMAND")]
+    command: Option<String>,
+    #[command(flatten)]
+    room: RoomChoice,
+    /// Robot, see "robovac robots"
+    #[arg(long, value_name = "ID", default_value = DEFAULT_ROBOT)]
+    robot: String,
+    /// Planning cell to start in: column and row, counted from 0 at the lower left [default: the map's own start]
+    #[arg(long, value_name = "X,Y", value_parser = parse_cell, allow_hyphen_values = true)]
+    start: Option<Cell>,
+    /// Heading at the start, degrees counter-clockwise from 0 = right [default: 0 with --start, else the map's own]
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
+    heading: Option<f64>,
+    /// Planning cell size in metres [default: chosen for the robot]
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    cell: Option<f64>,
+    /// Random seed of the run, or of the first one
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(0..=u64::from(u32::MAX)))]
+    seed: u64,
+    /// Number of runs; seeds count up from --seed
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    seeds: u64,
+    /// Simulated time after which a run is stopped
+    #[arg(long, value_name = "MINUTES", default_value_t = 30.0, value_parser = parse_minutes, allow_hyphen_values = true)]
+    minutes: f64,
+    #[command(flatten)]
+    conditions: ConditionsArguments,
+    /// Runs in parallel [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    jobs: Option<u16>,
+    /// Memory that the program may use
+    #[arg(long, value_name = "MB", default_value_t = 1024, value_parser = clap::value_parser!(u64).range(32..=1_000_000))]
+    memory: u64,
+    /// Write JSON instead of text
+    #[arg(long)]
+    json: bool,
+}
+
+/// What all runs have in common.
+struct Study {
+    language: Language,
+    prepared: RoomSetup,
+    placement: Placement,
+    conditions: Conditions,
+    odometry: OdometryModel,
+    most_steps: u64,
+    memory_mb: u64,
+    end: Arc<AtomicBool>,
+}
+
+/// Report of all runs.
+#[derive(Serialize)]
+struct ProgramReport {
+    program: String,
+    room: String,
+    robot: &'static str,
+    cell_size_m: f64,
+    minutes: f64,
+    slip: &'static str,
+    noise: String,
+    quantised: bool,
+    start_charge_percent: u8,
+    runs: Vec<ProgramOutcome>,
+}
+
+/// Result of a run.
+#[derive(Debug, Clone, Serialize)]
+struct ProgramOutcome {
+    seed: u64,
+    /// `behaviour` or `planner`.
+    kind: &'static str,
+    /// Why it ended: `done`, `time`, `battery`.
+    end: &'static str,
+    time_s: f64,
+    /// Swept share of the reachable floor, 0 to 1.
+    coverage: f64,
+    distance_m: f64,
+    turning_deg: f64,
+    bumps: u32,
+    falls: u32,
+    /// Area swept again, as a share of the area swept.
+    overlap: f64,
+    /// Distance between the robot's true and estimated position at the end.
+    pose_error_m: Option<f64>,
+    /// In hexadecimal; two runs share it only if they are in the same state, to the last bit.
+    digest: String,
+    /// A planner's walk, and the cells that it misses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    walk: Option<WalkMetrics>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    misses: Option<Misses>,
+    /// Time, s, and text of what it printed.
+    prints: Vec<(f64, String)>,
+}
+
+/// Cells that a walk misses.
+#[derive(Debug, Clone, Serialize)]
+struct Misses {
+    cells: usize,
+    first: Cell,
+}
+
+/// Runs the program and returns the output.
+pub fn run(arguments: &Arguments) -> Result<String, Failure> {
+    let program = &arguments.program;
+    // An interpreter's own message would be longer.
+    std::fs::metadata(program).map_err(|error| Failure::io(program.display(), &error))?;
+    let language = Language::of(program, arguments.command.as_deref())?;
+    let plan = arguments.room.plan()?;
+    let (robot, cell_size) = choose_robot(&arguments.robot, &plan, arguments.cell)
+        .ok_or_else(|| Failure::unknown("robot", &arguments.robot, "robots"))?;
+    let placement = Placement { plan, robot, cell_size, start: arguments.start, heading_deg: arguments.heading };
+    let study = Study {
+        language,
+        prepared: placement.prepare()?,
+        placement,
+        conditions: arguments.conditions.conditions(),
+        odometry: arguments.conditions.odometry,
+        most_steps: (60.0 * arguments.minutes / STEP_S).round() as u64,
+        memory_mb: arguments.memory,
+        end: end_requested()?,
+    };
+    let seeds: Vec<u64> = (arguments.seed..arguments.seed.saturating_add(arguments.seeds)).collect();
+    let jobs = arguments.jobs.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
+    let runs = study
+        .make_all(&seeds, jobs)
+        .map_err(|(seed, fault)| Failure::planner(format!("{}, seed {seed}: {fault}", program.display())))?;
+    let Conditions { slip, noise, quantised, start_charge_percent, .. } = study.conditions;
+    let report = ProgramReport {
+        program: program.display().to_string(),
+        room: study.placement.plan.name.clone(),
+        robot: study.placement.robot.id,
+        cell_size_m: study.placement.cell_size,
+        minutes: arguments.minutes,
+        slip: slip.id(),
+        noise: noise.to_string(),
+        quantised,
+        start_charge_percent,
+        runs,
+    };
+    Ok(if arguments.json { output::json(&report) } else { report.to_text(&study.placement) })
+}
+
+impl Study {
+    /// Makes the runs, `jobs` at a time, and returns them in the order of the seeds; or the first seed that failed, and why.
+    fn make_all(&self, seeds: &[u64], jobs: usize) -> Result<Vec<ProgramOutcome>, (u64, String)> {
+        let next = AtomicUsize::new(0);
+        let has_failed = AtomicBool::new(false);
+        let results = Mutex::new(Vec::new());
+        let work = || {
+            while !has_failed.load(Ordering::Relaxed) && !self.end.load(Ordering::Relaxed) {
+                let Some(&seed) = seeds.get(next.fetch_add(1, Ordering::Relaxed)) else { break };
+                let result = self.make(seed);
+                has_failed.fetch_or(result.is_err(), Ordering::Relaxed);
+                if let Ok(mut results) = results.lock() {
+                    results.push((seed, result));
+                }
+            }
+        };
+        thread::scope(|scope| {
+            for _ in 0..jobs.min(seeds.len()) {
+                scope.spawn(work);
+            }
+        });
+        let mut results = results.into_inner().unwrap_or_default();
+        results.sort_by_key(|&(seed, _)| seed);
+        if self.end.load(Ordering::Relaxed) {
+            return Err((seeds[0], "interrupted".to_owned()));
+        }
+        results.into_iter().map(|(seed, result)| result.map_err(|fault| (seed, fault))).collect()
+    }
+
+    fn make(&self, seed: u64) -> Result<ProgramOutcome, String> {
+        let mut process = ProgramProcess::start(self.language.command(), self.memory_mb, Arc::clone(&self.end))?;
+        let lockstep = Lockstep::new(&self.prepared, self.conditions, seed, Vec::new());
+        let reply = process.ask(&hello(&lockstep.facts(), seed), Task::Start)?;
+        match reply.ready.as_deref() {
+            Some("behaviour") => self.behave(seed, &mut process, lockstep),
+            Some("planner") => self.plan(seed, &mut process),
+            _ => {
+                Err("the program must answer the greeting with {\"ready\": \"behaviour\"} or {\"ready\": \"planner\"}"
+                    .to_owned())
+            }
+        }
+    }
+
+    fn behave(
+        &self,
+        seed: u64,
+        process: &mut ProgramProcess,
+        mut lockstep: Lockstep,
+    ) -> Result<ProgramOutcome, String> {
+        let (mut prints, mut scan, mut speeds) = (Vec::new(), 0, [0.0; 2]);
+        let mut end = "time";
+        while lockstep.run().steps() < self.most_steps {
+            let time_s = lockstep.run().time_s();
+            let line = lockstep.readings_json(lockstep.scan() != scan);
+            scan = lockstep.scan();
+            let told = |fault: String| format!("at {time_s:.2} s: {fault}");
+            let reply = process.ask(&line, Task::Step).map_err(told)?;
+            take_prints(&mut prints, time_s, &reply).map_err(told)?;
+            speeds = [reply.left.unwrap_or(speeds[0]), reply.right.unwrap_or(speeds[1])];
+            if reply.done {
+                lockstep.finish(LogEnd::Done);
+                end = "done";
+                break;
+            }
+            if !lockstep.step(speeds) {
+                end = "battery";
+                break;
+            }
+        }
+        Ok(ProgramOutcome::of(lockstep.run(), seed, "behaviour", end, prints))
+    }
+
+    fn plan(&self, seed: u64, process: &mut ProgramProcess) -> Result<ProgramOutcome, String> {
+        let room = ProgramRoom::of(&self.prepared.job, self.placement.cell_size);
+        let (mut prints, mut cells) = (Vec::new(), Vec::new());
+        let mut reply = process.ask(&json!({ "room": room }).to_string(), Task::Plan)?;
+        loop {
+            take_prints(&mut prints, 0.0, &reply)?;
+            // A number that is no cell's stays one that is none.
+            let index = |value: i64| i32::try_from(value).unwrap_or(i32::MAX);
+            cells.extend(reply.cells.iter().map(|&[x, y]| Cell::new(index(x), index(y))));
+            if cells.len() > MOST_CELLS {
+                return Err(format!("the plan has more than {MOST_CELLS} cells; does it go in circles?"));
+            }
+            if reply.done {
+                break;
+            }
+            reply = process.next(Task::Plan)?;
+        }
+        let missed = check_walk(&self.prepared.job, &cells).map_err(|fault| fault.to_string())?;
+        let answer = PlanAnswer { path: CoveragePath::walk(cells), seconds: 0.0, proof: None, trace: Vec::new() };
+        let planned = Planned::new(&self.prepared, &answer).map_err(|error| error.to_string())?;
+        let mut run = planned.run(&self.prepared, self.conditions, self.odometry, seed);
+        while !run.is_finished() && run.steps() < self.most_steps {
+            run.step();
+        }
+        let end = if run.is_finished() { "done" } else { "time" };
+        Ok(ProgramOutcome {
+            walk: planned.walk,
+            misses: missed.map(|missed| Misses { cells: missed.count, first: missed.first }),
+            ..ProgramOutcome::of(&run, seed, "planner", end, prints)
+        })
+    }
+}
+
+/// The host's first line.
+pub fn hello(robot: &RobotFacts, seed: u64) -> String {
+    json!({ "robovac": PROTOCOL, "kind": "hello", "robot": robot, "dt": STEP_S, "seed": seed }).to_string()
+}
+
+fn take_prints(prints: &mut Vec<(f64, String)>, time_s: f64, reply: &Reply) -> Result<(), String> {
+    prints.extend(reply.print.iter().map(|text| (time_s, Words::of(text.as_bytes()))));
+    if prints.len() > MOST_PRINTS {
+        return Err(format!("the program printed more than {MOST_PRINTS} lines; print less"));
+    }
+    Ok(())
+}
+
+impl ProgramOutcome {
+    fn of(run: &Run, seed: u64, kind: &'static str, end: &'static str, prints: Vec<(f64, String)>) -> Self {
+        let is_empty = run.events().iter().any(|event| event.what == What::BatteryEmpty);
+        Self {
+            seed,
+            kind,
+            end: if is_empty && end != "time" { "battery" } else { end },
+            time_s: run.time_s(),
+            coverage: run.coverage(),
+            distance_m: run.distance_m(),
+            turning_deg: run.turning_rad().to_degrees(),
+            bumps: run.bumps(),
+            falls: run.falls(),
+            overlap: run.tracker().overlap(),
+            pose_error_m: run.pose_error_m(),
+            digest: format!("{:016x}", run.digest()),
+            walk: None,
+            misses: None,
+            prints,
+        }
+    }
+
+    /// Why it ended, in words.
+    fn end_in_words(&self) -> &'static str {
+        match (self.end, self.kind) {
+            ("done", "planner") => "reached the end of the walk",
+            ("done", _) => "done",
+            ("battery", _) => "stopped by an empty battery",
+            _ => "stopped by --minutes",
+        }
+    }
+}
+
+impl ProgramReport {
+    fn to_text(&self, placement: &Placement) -> String {
+        let kind = self.runs.first().map_or("", |run| run.kind);
+        let name = Path::new(&self.program).file_name().map_or_else(String::new, |name| name.to_string_lossy().into());
+        let mut text = format!(
+            "Program   {name} ({kind})\nRoom      {}\nRobot     {}\nWheels    slip: {}\nSensors   noise: {}\n\n",
+            self.room, placement.robot.title, self.slip, self.noise
+        );
+        if let [run] = &*self.runs {
+            run.tell(&mut text);
+        } else {
+            self.table(&mut text);
+        }
+        text
+    }
+
+    fn table(&self, text: &mut String) {
+        let _ = writeln!(
+            text,
+            "{:>8} {:>9} {:>10} {:>10} {:>6}  {:16}  End",
+            "Seed", "Coverage", "Time", "Distance", "Bumps", "Digest"
+        );
+        for run in &self.runs {
+            let _ = writeln!(
+                text,
+                "{:>8} {:>7.1} % {:>6.1} min {:>8.1} m {:>6}  {}  {}",
+                run.seed,
+                100.0 * run.coverage,
+                run.time_s / 60.0,
+                run.distance_m,
+                run.bumps,
+                run.digest,
+                run.end_in_words(),
+            );
+        }
+        let median = |value: fn(&ProgramOutcome) -> f64| {
+            let mut values: Vec<f64> = self.runs.iter().map(value).collect();
+            values.sort_by(f64::total_cmp);
+            quantile(&values, 0.5).unwrap_or_default()
+        };
+        let _ = writeln!(
+            text,
+            "{:>8} {:>7.1} % {:>6.1} min {:>8.1} m {:>6.0}",
+            "median",
+            100.0 * median(|run| run.coverage),
+            median(|run| run.time_s) / 60.0,
+            median(|run| run.distance_m),
+            median(|run| f64::from(run.bumps)),
+        );
+    }
+}
+
+impl ProgramOutcome {
+    fn tell(&self, text: &mut String) {
+        for (time_s, print) in &self.prints {
+            let _ = writeln!(text, "{time_s:8.2} s  {print}");
+        }
+        if !self.prints.is_empty() {
+            text.push('\n');
+        }
+        if let Some(walk) = &self.walk {
+            let missed = match &self.misses {
+                None => "all cells visited".to_owned(),
+                Some(Misses { cells, first }) => format!("cells missed: {cells}, the first at {first}"),
+            };
+            let _ = writeln!(text, "Walk      {} steps, {} turns, {missed}", walk.steps, walk.turns);
+        }
+        let pose = self.pose_error_m.map(|metres| format!("Pose      {metres:.3} m off at the end\n"));
+        let _ = write!(
+            text,
+            "Coverage  {:.1} % of the reachable floor, {:.1} % overlap\n\
+             Drive     {:.1} m in {}, turns of {:.0}°, bumps: {}\n\
+             {}\
+             Run       {}, seed {}, digest {}\n",
+            100.0 * self.coverage,
+            100.0 * self.overlap,
+            self.distance_m,
+            output::minutes(self.time_s),
+            self.turning_deg,
+            self.bumps,
+            pose.unwrap_or_default(),
+            self.end_in_words(),
+            self.seed,
+            self.digest,
+        );
+    }
+}

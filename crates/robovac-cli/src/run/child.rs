@@ -1,0 +1,256 @@
+//! A user's program as a child process, held to its time, output and memory. It never outlives this one.
+
+use super::protocol::{Reply, Words};
+use std::{
+    io::{BufRead, BufReader, Read, Write},
+    process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio},
+    sync::{
+        Arc, Mutex, PoisonError,
+        atomic::{AtomicBool, AtomicU64, Ordering},
+        mpsc::{Receiver, channel},
+    },
+    thread::{self, JoinHandle},
+    time::{Duration, Instant},
+};
+
+/// Time in which a program answers a step, and in which it starts. An interpreter on a busy machine takes its time.
+const STEP_LIMIT: Duration = Duration::from_secs(1);
+const START_LIMIT: Duration = Duration::from_secs(15);
+/// Time for a plan.
+const PLAN_LIMIT: Duration = Duration::from_secs(60);
+/// How often the times are looked at.
+const LOOK: Duration = Duration::from_millis(20);
+/// Longest line of a program, bytes.
+const LONGEST_LINE: u64 = 1 << 20;
+/// What is kept of its error output, bytes.
+const MOST_ERRORS: usize = 4096;
+/// Time to end by itself once nothing more is to be done.
+const FAREWELL: Duration = Duration::from_millis(300);
+
+/// What a program is being waited for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Task {
+    /// Its start.
+    Start,
+    /// A command for the next step.
+    Step,
+    /// The next cells of a plan.
+    Plan,
+}
+
+/// A running program.
+pub struct ProgramProcess {
+    child: Arc<Mutex<Child>>,
+    input: Option<ChildStdin>,
+    output: BufReader<ChildStdout>,
+    line: Vec<u8>,
+    errors: Receiver<Vec<u8>>,
+    watch: Arc<Watch>,
+    watcher: Option<JoinHandle<()>>,
+}
+
+/// What the watcher thread looks at.
+struct Watch {
+    began: Instant,
+    /// Milliseconds since `began` at which the present task is overdue; 0 for none.
+    due: AtomicU64,
+    is_over: AtomicBool,
+    was_late: AtomicBool,
+}
+
+impl ProgramProcess {
+    /// Starts `command`, with at most `memory_mb` of memory where the system can limit it. It is ended when `end` becomes
+    /// true.
+    pub fn start(mut command: Command, memory_mb: u64, end: Arc<AtomicBool>) -> Result<Self, String> {
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let name = command.get_program().to_string_lossy().into_owned();
+        let mut child = command.spawn().map_err(|error| match error.kind() {
+            std::io::ErrorKind::NotFound => {
+                format!("\"{name}\" isn't installed; install it, or name another with --command")
+            }
+            _ => format!("\"{name}\" can't be started: {error}"),
+        })?;
+        limit_memory(&child, memory_mb);
+        let pipes = (child.stdin.take(), child.stdout.take(), child.stderr.take());
+        let (Some(input), Some(output), Some(errors)) = pipes else { return Err("a pipe is missing".to_owned()) };
+        let (tell, last_words) = channel();
+        thread::spawn(move || tell.send(last_of(errors)));
+        let child = Arc::new(Mutex::new(child));
+        let watch = Arc::new(Watch {
+            began: Instant::now(),
+            due: AtomicU64::new(0),
+            is_over: AtomicBool::new(false),
+            was_late: AtomicBool::new(false),
+        });
+        let watcher = thread::spawn({
+            let (child, watch) = (Arc::clone(&child), Arc::clone(&watch));
+            move || watch.keep(&child, &end)
+        });
+        Ok(Self {
+            child,
+            input: Some(input),
+            output: BufReader::with_capacity(1 << 16, output),
+            line: Vec::new(),
+            errors: last_words,
+            watch,
+            watcher: Some(watcher),
+        })
+    }
+
+    /// Sends a line.
+    pub fn send(&mut self, line: &str) -> Result<(), String> {
+        let Some(input) = &mut self.input else { return Err("the program has ended".to_owned()) };
+        let sent = input.write_all(line.as_bytes()).and_then(|()| input.write_all(b"\n")).and_then(|()| input.flush());
+        // Its last words say more than a broken pipe.
+        if sent.is_err() { Err(self.last_words("ended before the run was over")) } else { Ok(()) }
+    }
+
+    /// Sends a line and waits for the answer.
+    pub fn ask(&mut self, line: &str, task: Task) -> Result<Reply, String> {
+        self.watch.due_in(task.limit());
+        let answer = self.send(line).and_then(|()| self.answer(task));
+        self.watch.due.store(0, Ordering::Relaxed);
+        answer
+    }
+
+    /// Waits for a further line.
+    pub fn next(&mut self, task: Task) -> Result<Reply, String> {
+        self.watch.due_in(task.limit());
+        let answer = self.answer(task);
+        self.watch.due.store(0, Ordering::Relaxed);
+        answer
+    }
+
+    fn answer(&mut self, task: Task) -> Result<Reply, String> {
+        self.line.clear();
+        let read = (&mut self.output).take(LONGEST_LINE + 1).read_until(b'\n', &mut self.line);
+        if self.watch.was_late.load(Ordering::Relaxed) {
+            let seconds = task.limit().as_secs();
+            return Err(match task {
+                Task::Start => format!("the program didn't start within {seconds} s; does it read its input?"),
+                Task::Step => format!(
+                    "a step took more than {seconds} s; end its loops, and wait with \"yield\" instead of sleeping"
+                ),
+                Task::Plan => {
+                    format!("the plan took more than {seconds} s without a cell; yield cells as they are found")
+                }
+            });
+        }
+        if self.line.len() as u64 > LONGEST_LINE {
+            return Err(format!("the program wrote a line of more than {} KB; print less", LONGEST_LINE / 1024));
+        }
+        if read.is_err() || !self.line.ends_with(b"\n") {
+            return Err(self.last_words("ended before the run was over"));
+        }
+        Reply::parse(&self.line)
+    }
+
+    /// What the program wrote to its error output last, behind `what` happened.
+    fn last_words(&mut self, what: &str) -> String {
+        self.end();
+        // Something that it started elsewhere can hold its error output open.
+        let errors = self.errors.recv_timeout(FAREWELL).unwrap_or_default();
+        let text = Words::of(&errors);
+        if text.is_empty() { format!("the program {what}") } else { format!("the program {what}:\n{text}") }
+    }
+
+    /// Ends it: kindly at first.
+    fn end(&mut self) {
+        // An end of its input is how it learns that the run is over.
+        self.input = None;
+        let begin = Instant::now();
+        while begin.elapsed() < FAREWELL {
+            let ended = self.child.lock().unwrap_or_else(PoisonError::into_inner).try_wait();
+            if !matches!(ended, Ok(None)) {
+                break;
+            }
+            thread::sleep(Duration::from_millis(1));
+        }
+        kill(&self.child);
+    }
+}
+
+impl Drop for ProgramProcess {
+    fn drop(&mut self) {
+        self.end();
+        self.watch.is_over.store(true, Ordering::Relaxed);
+        if let Some(watcher) = self.watcher.take() {
+            watcher.thread().unpark();
+            let _ = watcher.join();
+        }
+    }
+}
+
+impl Watch {
+    fn due_in(&self, limit: Duration) {
+        let due = self.began.elapsed() + limit;
+        self.due.store(due.as_millis() as u64, Ordering::Relaxed);
+    }
+
+    /// Kills the child when it is late, or when the program is to end.
+    fn keep(&self, child: &Mutex<Child>, end: &AtomicBool) {
+        while !self.is_over.load(Ordering::Relaxed) {
+            let due = self.due.load(Ordering::Relaxed);
+            let is_late = due > 0 && self.began.elapsed().as_millis() as u64 > due;
+            if is_late || end.load(Ordering::Relaxed) {
+                self.was_late.store(is_late, Ordering::Relaxed);
+                kill(child);
+                return;
+            }
+            thread::park_timeout(LOOK);
+        }
+    }
+}
+
+impl Task {
+    fn limit(self) -> Duration {
+        match self {
+            Self::Start => START_LIMIT,
+            Self::Step => STEP_LIMIT,
+            Self::Plan => PLAN_LIMIT,
+        }
+    }
+}
+
+/// Kills a child with all that it has started.
+fn kill(child: &Mutex<Child>) {
+    let mut child = child.lock().unwrap_or_else(PoisonError::into_inner);
+    #[cfg(unix)]
+    if let Some(group) = i32::try_from(child.id()).ok().and_then(rustix::process::Pid::from_raw)
+        && matches!(child.try_wait(), Ok(None))
+    {
+        let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
+    }
+    let _ = child.kill();
+    let _ = child.wait();
+}
+
+/// Limits the memory that a child may write to.
+#[cfg(target_os = "linux")]
+fn limit_memory(child: &Child, megabytes: u64) {
+    use rustix::process::{Pid, Resource, Rlimit, prlimit};
+    let pid = i32::try_from(child.id()).ok().and_then(Pid::from_raw);
+    let bytes = Some(megabytes << 20);
+    // Where it isn't allowed, the program runs without that limit.
+    let _ = prlimit(pid, Resource::Data, Rlimit { current: bytes, maximum: bytes });
+}
+
+#[cfg(not(target_os = "linux"))]
+fn limit_memory(_: &Child, _: u64) {}
+
+/// The end of what is read.
+fn last_of(mut errors: ChildStderr) -> Vec<u8> {
+    let (mut kept, mut buffer) = (Vec::new(), [0; MOST_ERRORS]);
+    while let Ok(count) = errors.read(&mut buffer) {
+        if count == 0 {
+            break;
+        }
+        kept.extend_from_slice(buffer.get(..count).unwrap_or_default());
+        if kept.len() > 2 * MOST_ERRORS {
+            kept.drain(..kept.len() - MOST_ERRORS);
+        }
+    }
+    kept
+}

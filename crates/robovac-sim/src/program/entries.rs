@@ -1,0 +1,38 @@
+//! The entries that stand for a user's program, beside those of the registries.
+
+use crate::controller::{BehaviourClaims, BehaviourInfo};
+use coverage_planners::{PlannerClaims, PlannerInfo, Search};
+
+/// A program that drives the robot from its sensor readings.
+pub const BEHAVIOUR_PROGRAM: BehaviourInfo = BehaviourInfo {
+    id: "program",
+    title: "Your program",
+    summary: "Drives as your program says.",
+    claims: BehaviourClaims {
+        ends: false,
+        cleans: true,
+        walls_only: false,
+        manual: false,
+        explores: false,
+        needs_laser: false,
+    },
+    params: &[],
+};
+
+/// A program that plans a walk.
+pub const PLANNER_PROGRAM: PlannerInfo = PlannerInfo {
+    id: "program_planner",
+    title: "Your program",
+    summary: "Plans as your program says.",
+    claims: PlannerClaims {
+        complete: false,
+        deterministic: false,
+        fast: false,
+        in_metres: false,
+        traces: false,
+        search: Search::None,
+    },
+    params: &[],
+};
+
+const _: () = PLANNER_PROGRAM.check();

@@ -1,0 +1,13 @@
+// Drives straight on; backs off and turns when it bumps into something.
+let turnUntil = 0;
+
+function step(robot) {
+  if (robot.bump || robot.cliff) {
+    robot.go(-0.15);
+    turnUntil = robot.time + 0.4 + robot.random();
+  } else if (robot.time < turnUntil) {
+    robot.go(0, 120);
+  } else {
+    robot.go(0.3);
+  }
+}

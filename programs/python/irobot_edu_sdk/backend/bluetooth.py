@@ -1,0 +1,5 @@
+from . import Backend
+
+
+class Bluetooth(Backend):
+    """See Backend."""

@@ -1,0 +1,5 @@
+from . import Backend
+
+
+class Serial(Backend):
+    """See Backend."""

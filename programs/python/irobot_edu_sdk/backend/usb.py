@@ -1,0 +1,5 @@
+from . import Backend
+
+
+class USB(Backend):
+    """See Backend."""

@@ -1,0 +1,92 @@
+"""The protocol of docs/programs.md: one JSON object a line on standard input and output."""
+
+import io
+import json
+import sys
+
+from .program import Program, error_of
+
+VERSION = 1
+
+
+class Printed(io.TextIOBase):
+    """What the program prints, kept for the next answer."""
+
+    def __init__(self):
+        self.text = []
+
+    def write(self, text):
+        self.text.append(text)
+        return len(text)
+
+    def take(self):
+        text = "".join(self.text)
+        self.text = []
+        return text.split("\n")[:-1] if text.endswith("\n") else text.split("\n") if text else []
+
+
+def serve(path, read, write):
+    """Runs the program of that file until the host closes the connection. Returns the exit code."""
+    printed = Printed()
+
+    def answer(message):
+        lines = printed.take()
+        if lines:
+            message["print"] = lines
+        write(json.dumps(message) + "\n")
+
+    hello = json.loads(read() or "{}")
+    if hello.get("kind") != "hello" or hello.get("robovac") != VERSION:
+        answer({"error": "this program speaks version %d of the protocol; the host does not" % VERSION})
+        return 1
+    own = sys.stdout
+    sys.stdout = printed
+    try:
+        return _converse(path, hello, read, answer)
+    finally:
+        sys.stdout = own
+
+
+def _converse(path, hello, read, answer):
+    try:
+        import random
+
+        random.seed(hello["seed"])
+        with open(path, encoding="utf-8") as file:
+            program = Program(file.read(), path, hello["robot"], hello["seed"])
+        answer({"ready": "planner" if program.kind == "plan" else "behaviour"})
+        while True:
+            line = read()
+            if not line:
+                return 0
+            message = json.loads(line)
+            if "room" in message:
+                _plan(program, message["room"], answer)
+            else:
+                _step(program, message, answer)
+    except Exception as error:
+        words, line = error_of(error, path)
+        answer({"error": words, "line": line} if line else {"error": words})
+        return 1
+
+
+def _step(program, readings, answer):
+    left, right = program.step(readings)
+    message = {"left": left, "right": right}
+    if program.robot._events:
+        message["events"] = program.robot._take()
+    if program.is_done():
+        message["done"] = True
+    answer(message)
+
+
+def _plan(program, room, answer):
+    cells = []
+    for cell in program.cells(room):
+        cells.append(cell)
+        if len(cells) == 1000:
+            answer({"cells": cells})
+            cells = []
+    if cells:
+        answer({"cells": cells})
+    answer({"done": True})
