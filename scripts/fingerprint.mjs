@@ -31,7 +31,10 @@ fs.writeFileSync(index, fs.readFileSync(index, "utf8").replace(/\s*<link data-tr
 const HTML_SPARE = /<!--(?:(?!-->)[^])*-->\n*|^[ \t]+/gm;
 const CSS_SPARE = /\/\*(?:(?!\*\/)[^])*\*\/\n*|^[ \t]+|^\n/gm;
 
-for (const file of filesBelow(page).filter((name) => /\.(html|js|css)$/.test(name))) {
+// Programs are shown as they were written.
+const isWritten = (name) => name.startsWith(path.join(page, "programs"));
+
+for (const file of filesBelow(page).filter((name) => /\.(html|js|css)$/.test(name) && !isWritten(name))) {
   const text = rewriteReferences(file, (_target, reference) => `${reference}?v=${version}`);
   const lean = file.endsWith(".js") ? (await minify(text, { module: true })).code : text.replace(file.endsWith(".css") ? CSS_SPARE : HTML_SPARE, "");
   fs.writeFileSync(file, lean);

@@ -1,6 +1,6 @@
 // usage: node scripts/micropython.mjs OUT.wasm
 // Packs MicroPython for programs of users: npm's build catches exceptions by going through JavaScript at nearly every
-// call of its interpreter. Here WebAssembly's own exceptions replace that, which makes Python four times as fast
+// call of its interpreter. Here WebAssembly's own exceptions replace that, which makes Python more than three times as fast
 // (tests/programs/speed.mjs). The interpreter itself stays as it is.
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";

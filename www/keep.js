@@ -30,9 +30,17 @@ export async function restoreLink(app, link) {
   // Back from another tab: the run goes on.
   if (hasKept && isSame && (!isOwn || asked.includes(`own=${own?.currentId(app)}`))) return;
   const refusal = isOwn ? await (await ownRooms()).openLink(app, link) : "";
+  // The program has to be there before it is chosen.
+  if (/(^|&)(behaviour=program|planner=program_planner)(&|$)/.test(link)) await holdProgram(app, link);
   // Robot and algorithm hold without it, too.
   app.act((p) => p.restore(link));
   if (refusal) app.act((p) => p.report_error(refusal));
+}
+
+/** @param {App} app @param {string} link */
+async function holdProgram(app, link) {
+  const { enterProgram } = await import("./program/enter.js");
+  await (await enterProgram(app)).hold(link);
 }
 
 /** Keeps the state if it has changed. @param {App} app */

@@ -3,12 +3,15 @@
 import { pickUp } from "./explore/carry.js";
 import { button, byId, input, typed } from "./dom.js";
 import { objectKey } from "./explore/objects.js";
-import { currentTab } from "./tabs.js";
+import { currentTab, isOnFloor } from "./tabs.js";
 
 /**
  * @typedef {import("./main.js").App} App
  * @typedef {{ key(key: string): boolean }} Part What says whether it used a key.
  */
+
+/** Where keys write. */
+const WRITING = "select, textarea, [contenteditable] *, [contenteditable], input:not([type=checkbox], [type=range])";
 
 /** @type {Record<string, import("./types").FloorTool>} */
 const TOOLS = { v: "view", w: "wall", e: "erase", s: "start" };
@@ -38,7 +41,7 @@ export function startKeys(app, parts) {
   document.addEventListener("keydown", (event) => {
     if (document.querySelector("dialog[open]") || event.defaultPrevented || event.altKey) return;
     const target = event.target instanceof Element ? event.target : document.body;
-    if (target.matches("select, textarea, input:not([type=checkbox], [type=range])")) return;
+    if (target.matches(WRITING)) return;
     const used = event.ctrlKey || event.metaKey ? withControl(app, event) : singleKeys.checked && single(app, event, target, dialog, parts);
     if (used) event.preventDefault();
   });
@@ -46,14 +49,14 @@ export function startKeys(app, parts) {
 
 /** Whether Escape means the planner: nothing else is open or being written. @param {App} app @param {KeyboardEvent} event */
 function cancels({ view }, { target, ctrlKey, metaKey, altKey }) {
-  if (currentTab() !== "explore" || !view.can.cancel || ctrlKey || metaKey || altKey) return false;
+  if (!isOnFloor() || !view.can.cancel || ctrlKey || metaKey || altKey) return false;
   const isOpen = document.querySelector("dialog[open], .sheet.open, #layers:not([hidden]), #tip:not([hidden])");
-  return !isOpen && !(target instanceof Element && target.matches("select, textarea, input:not([type=checkbox], [type=range])"));
+  return !isOpen && !(target instanceof Element && target.matches(WRITING));
 }
 
 /** Ctrl or Cmd and a key. @param {App} app @param {KeyboardEvent} event */
 function withControl({ act, view }, event) {
-  if (!["explore", "compare"].includes(currentTab())) return false;
+  if (!isOnFloor() && currentTab() !== "compare") return false;
   const key = event.key.toLowerCase();
   if (key === "y" || (key === "z" && event.shiftKey)) return view.can.redo && act((p) => p.redo());
   return key === "z" && view.can.undo && act((p) => p.undo());
@@ -69,7 +72,7 @@ function single(app, event, target, dialog, parts) {
     openHelp(dialog);
     return true;
   }
-  if (currentTab() !== "explore") return app.tabKey(key);
+  if (!isOnFloor()) return app.tabKey(key);
   const tool = TOOLS[key];
   if (tool) return (tool === "view" || view.can.edit) && act((p) => p.set_tool(tool));
   switch (key) {

@@ -12,7 +12,7 @@ import { startObjects } from "./explore/objects.js";
 import { startPanel } from "./explore/panel.js";
 import { endOpening, tellBefore, tellOpening } from "./explore/opening.js";
 import { TabLoader } from "./tab-loader.js";
-import { currentTab, tabOf, startTabs } from "./tabs.js";
+import { isOnFloor, tabOf, startTabs } from "./tabs.js";
 import { startPlanning } from "./start-planning.js";
 import { startPlaybar } from "./explore/playbar.js";
 import { startSheets } from "./sheets.js";
@@ -34,6 +34,7 @@ import { compile, missing } from "./wasm.js";
  * @property {() => void} cancelPlanning
  * @property {() => void} keepPlan Ends planning with the best plan so far.
  * @property {() => string} link The link of the current state, after `#`.
+ * @property {() => Promise<string>} share What the tab adds to a link that is to be passed on.
  * @property {(key: string) => boolean} tabKey A single key in another tab; says whether it was used.
  */
 
@@ -99,6 +100,7 @@ async function start() {
       if (seconds !== undefined) app.act((p) => p.keep_plan(seconds));
     },
     link: () => [playground.link(), ...(tabs.shown ? [tabs.shown.link()] : [])].join("&"),
+    share: async () => (await tabs.shown?.share?.()) ?? "",
     tabKey: (key) => tabs.shown?.key(key) ?? false,
   };
   const planning = startPlanning(playground, guard);
@@ -148,7 +150,7 @@ async function start() {
     guard(() => {
       const request = playground.take_plan_request();
       if (request) void planning.start({ .../** @type {import("./worker-types").PlanRequest} */ (request), place: playground.snapshot() });
-      if (currentTab() === "explore") {
+      if (isOnFloor()) {
         stage.resized();
         playground.frame(now);
       }
@@ -158,7 +160,8 @@ async function start() {
       else if (view.time_s < 60) endOpening();
       tellBefore(view.swept_before);
       isFirst = false;
-      if (tabs.shown) return updateMessage(tabs.shown.frame(now) ?? view);
+      const notice = tabs.shown?.frame(now);
+      if (!isOnFloor()) return updateMessage(notice ?? view);
       updateView(app);
       for (const update of updates) update(view);
       updateLater(view);

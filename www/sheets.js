@@ -4,11 +4,12 @@ import { byId } from "./dom.js";
 
 /** @param {ParentNode} root The tab whose panels they are. @param {HTMLElement} floor */
 export function startSheets(root, floor) {
-  const openers = [...root.querySelectorAll("button[data-sheet]")];
+  // Some come with their tab.
+  const openers = () => [...root.querySelectorAll("button[data-sheet]")];
 
   /** @param {string} name The sheet to show, "" for none. */
   const open = (name) => {
-    for (const opener of openers) {
+    for (const opener of openers()) {
       const id = opener.getAttribute("data-sheet") ?? "";
       const isOpen = id === name;
       byId(id).classList.toggle("open", isOpen);
@@ -18,7 +19,7 @@ export function startSheets(root, floor) {
       opener.setAttribute("aria-expanded", String(isOpen));
     }
   };
-  const current = () => openers.find((opener) => opener.getAttribute("aria-expanded") === "true");
+  const current = () => openers().find((opener) => opener.getAttribute("aria-expanded") === "true");
 
   // A sheet that is swiped down.
   root.addEventListener("swiped", () => open(""));
@@ -28,14 +29,15 @@ export function startSheets(root, floor) {
     if (opener instanceof HTMLElement) opener.focus();
   };
 
-  for (const opener of openers) {
-    opener.addEventListener("click", () => {
-      const name = opener === current() ? "" : (opener.getAttribute("data-sheet") ?? "");
-      open(name);
-      if (name) byId(name).querySelector("button")?.focus();
-    });
-  }
-  for (const button of root.querySelectorAll(".sheet-close")) button.addEventListener("click", close);
+  root.addEventListener("click", ({ target }) => {
+    if (!(target instanceof Element)) return;
+    if (target.closest(".sheet-close")) return close();
+    const opener = target.closest("button[data-sheet]");
+    if (!opener) return;
+    const name = opener === current() ? "" : (opener.getAttribute("data-sheet") ?? "");
+    open(name);
+    if (name) byId(name).querySelector("button")?.focus();
+  });
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape" && current()) close();
   });

@@ -3,6 +3,11 @@
 
 /** @typedef {import("./worker-types").PlanRequest} PlanRequest */
 
+/** Who plans for programs of users, once their tab is loaded. @type {((request: PlanRequest) => void) | undefined} */
+let byProgram;
+/** @param {(request: PlanRequest) => void} plan */
+export const planWith = (plan) => void (byProgram = plan);
+
 /** @param {import("../page.js").Playground} playground @param {(what: () => void) => boolean} guard Runs what can fail. */
 export function startPlanning(playground, guard) {
   /** @type {import("./planning.js").Planning | undefined} */
@@ -24,6 +29,7 @@ export function startPlanning(playground, guard) {
     /** @param {PlanRequest} request */
     async start(request) {
       wanted = request.id;
+      if (request.planner === "program_planner") return byProgram?.(request);
       try {
         const { Planning } = await import("./planning.js");
         if (wanted === request.id) (planning ??= new Planning(listeners)).start(request);

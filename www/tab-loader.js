@@ -6,7 +6,7 @@ import { currentTab, go } from "./tabs.js";
 
 /**
  * A loaded tab. Its `frame` can return a message to show.
- * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void, take?(files: File[]): void }} LoadedTab
+ * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void, take?(files: File[]): void, share?(): Promise<string> }} LoadedTab
  */
 
 export class TabLoader {
@@ -23,6 +23,7 @@ export class TabLoader {
   constructor(app, guard) {
     this.#doors = {
       explore: undefined,
+      program: () => import("./program/enter.js").then(({ enterProgram }) => enterProgram(app)),
       compare: () => import("./compare/enter.js").then(({ enterCompare }) => enterCompare(app, guard)),
       map: () => import("./map/enter.js").then(({ enterMap }) => enterMap(app)),
       "floor-plan": () => import("./floor-plan/enter.js").then(({ enterFloorPlan }) => enterFloorPlan(app)),
@@ -62,10 +63,11 @@ export class TabLoader {
     if (this.#wanted === next) go(next);
   }
 
-  /** Shows files as a floor plan. @param {File[]} files */
+  /** Shows files: programs, or else a floor plan. @param {File[]} files */
   async bring(files) {
-    await this.enter("floor-plan");
-    this.#loaded["floor-plan"]?.take?.(files);
+    const next = files.some(({ name }) => /\.(py|m?js)$/i.test(name)) ? "program" : "floor-plan";
+    await this.enter(next);
+    this.#loaded[next]?.take?.(files);
   }
 
   /** @param {boolean} dark */

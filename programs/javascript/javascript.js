@@ -3,13 +3,12 @@
 import { makeRobot } from "./robot.js";
 import { Room } from "./room.js";
 import { instrument, syntaxError } from "./trace-javascript.js";
-import { SourceError, nearest, shown } from "./words.js";
+import { KINDS, SourceError, located, meant, missing, shown } from "./words.js";
 
 /** @typedef {import("./robot.js").Robot} Robot */
 /** @typedef {import("./runtime.js").Options} Options */
 /** @typedef {import("./runtime.js").Program} Program */
 
-const KINDS = ["step", "run", "plan"];
 /** The most characters that are printed in one step. */
 export const MOST_PRINTED = 20000;
 
@@ -194,34 +193,3 @@ export function loadJavaScript(options) {
 
 /** A program may be written as a module. @param {string} source */
 const tidy = (source) => source.replace(/^export (?=(async )?(function|const|let|class)\b)/gm, "       ");
-
-/** What was meant to be the behaviour: the kind and the name that it has. @param {string} source */
-function meant(source) {
-  for (const [, name] of source.matchAll(/function\s*\*?\s*(\w+)/g)) {
-    const kind = nearest(name, KINDS);
-    if (kind) return { kind, name };
-  }
-  return undefined;
-}
-
-/** @param {string} source */
-function missing(source) {
-  const instead = meant(source);
-  if (instead) return `there is no function step(robot), function* run(robot) or plan(room); did you mean ${instead.kind} instead of ${instead.name}?`;
-  return "there is no function step(robot) (called every 15 ms), function* run(robot) (with yield) or plan(room) (a planner)";
-}
-
-/** An error with the program's line. @param {any} error @param {string} name @param {number} at the line that is known otherwise */
-function located(error, name, at) {
-  if (error instanceof SourceError && error.line) return error;
-  /** @type {(number | undefined)[]} */
-  let [line, column] = [at || undefined, undefined];
-  const escaped = name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-  // The innermost place in the program.
-  const place = new RegExp(`${escaped}:(\\d+)(?::(\\d+))?`).exec(String(error?.stack ?? "").split("\n").slice(error?.stack?.startsWith?.(error?.name) ? 1 : 0).join("\n"));
-  if (place) [line, column] = [Number(place[1]), Number(place[2]) || undefined];
-  if (error instanceof RangeError && /stack|recursion/i.test(error.message)) return new SourceError("a function calls itself without end", line);
-  if (error instanceof SourceError) return new SourceError(error.message, line, column);
-  const words = error instanceof Error ? `${error.name}: ${error.message}` : `thrown: ${shown(error)}`;
-  return new SourceError(words, line, column);
-}

@@ -1,26 +1,17 @@
 // @ts-check
-// A program in Python, in MicroPython. Readings get there without a call: its memory is written directly. Fractions go to
-// an array of the package; flags and whole numbers that have changed go straight into the robot's attributes.
+// A program in Python, in MicroPython.
 import { chance } from "./chance.js";
 import { MOST_PRINTED, whole } from "./javascript.js";
 import { NONE, startMicroPython } from "./micropython.js";
+import { attributeWriter } from "./python-attributes.js";
 import { instrument } from "./trace-python.js";
 import { SourceError } from "./words.js";
 
 /** @typedef {import("./runtime.js").Options} Options */
 /** @typedef {import("./runtime.js").Program} Program */
-/** Pages of memory that differ from those after loading. @typedef {{bytes: number, pages: Uint32Array, content: Uint8Array, length: number, table: number, left: number, right: number}} State */
+/** Pages of memory that differ from those after loading. @typedef {{bytes: number, pages: Uint32Array, content: Uint8Array, length: number, left: number, right: number}} State */
 
-/** As in robot.py. */
-const FLOATS = ["time", "x", "y", "heading", "distance", "turned", "charge", "voltage", "current", "left_speed", "right_speed"];
-const MARKER = 1000000;
 const PAGE = 4096;
-/** How MicroPython 1.27 keeps true, false and whole numbers in a word (py/obj.h, representation A). */
-const TRUE = 30;
-const FALSE = 14;
-const small = (/** @type {number} */ value) => (value << 1) | 1;
-/** Words of an instance: its type, then a map of its attributes: flags, places, address of (name, value) pairs (py/objtype.h). */
-const [PLACES, TABLE] = [2, 3];
 const MEGABYTE = 1 << 20;
 
 /** @param {Options} options @returns {Promise<Program>} */
@@ -75,82 +66,9 @@ export async function loadPython(options) {
   const [takeEvents, variablesOf] = [named("take"), named("variables")];
   const args = python.args([{ ref: robot }]);
 
-  // Where the robot's attributes are.
-  const { names, flags } = /** @type {{names: string[], flags: number}} */ (JSON.parse(String(call(named("attributes")))));
-  const robotAt = Number(call(named("mark"))) >> 2;
-  let table = heap.words[robotAt + TABLE];
-  const keys = new Int32Array(names.length);
-  const places = new Int32Array(names.length);
-  const pairs = () => heap.words.subarray(table >> 2, (table >> 2) + 2 * heap.words[robotAt + PLACES]);
-  {
-    const words = pairs();
-    for (let at = 0; at < words.length; at += 2) {
-      const index = (words[at + 1] >> 1) - MARKER;
-      if (index >= 0 && index < names.length && words[at + 1] === small(MARKER + index)) keys[index] = words[at];
-    }
-  }
-  /** The table moves when the program gives the robot attributes of its own. */
-  const find = () => {
-    table = heap.words[robotAt + TABLE];
-    const words = pairs();
-    for (let at = 0; at < words.length; at += 2) {
-      const index = words[at] ? keys.indexOf(words[at]) : -1;
-      if (index >= 0) places[index] = (table >> 2) + at + 1;
-    }
-  };
-  find();
-  const laserAt = layout.laser;
-  const beams = facts.laser?.beams ?? 0;
-  const indices = Object.fromEntries(layout.slots.map(({ name: slot, index }) => [slot, index]));
-  const floatFrom = FLOATS.map((slot) => indices[slot] ?? -1);
-  const any = (/** @type {string} */ slot) => ({ bump: ["bump_left", "bump_right"], wheel_drop: ["wheel_drop_left", "wheel_drop_right"], cliff: ["cliff_left", "cliff_right"] })[slot]?.map((part) => indices[part]);
-  /** First and last reading of each attribute: it is their greatest. */
-  const spans = names.slice(0, -2).map((slot) => {
-    const list = /^_([bs])(\d)$/.exec(slot);
-    if (list) return [0, 1].map(() => indices[list[1] === "b" ? "light_bumper" : "light"] + Number(list[2]));
-    return any(slot) ?? [indices[slot], indices[slot]];
-  });
-  const isFlag = spans.map((_, index) => index < flags || names[index].startsWith("_b"));
-  // Behind them: whether the lists of six have to be put together again.
-  const [bumperAt, signalsAt] = [names.indexOf("_b0"), names.indexOf("_s0")];
-  const [oldBumper, oldSignals] = [names.length - 2, names.length - 1];
-  const begin = Int32Array.from(spans, ([from]) => from ?? -1);
-  const isSingle = Uint8Array.from(spans, ([from, to]) => (from === to ? 1 : 0));
-  const last = Int32Array.from(spans, ([, to]) => to ?? -1);
-  const flag = Uint8Array.from(isFlag, Number);
-  const sent = new Float64Array(spans.length).fill(NaN);
-  let scan = -1;
-
-  /** @param {Float64Array} readings */
-  const write = (readings) => {
-    const { words, doubles } = heap;
-    if (words[robotAt + TABLE] !== table) {
-      find();
-      sent.fill(NaN);
-    }
-    for (let index = 0; index < floatFrom.length; index++) doubles[floatsAt + index] = readings[floatFrom[index]];
-    for (let index = 0; index < begin.length; index++) {
-      const from = begin[index];
-      let value = readings[from];
-      if (isSingle[index] === 0) for (let at = from + 1; at <= last[index]; at++) if (readings[at] > value) value = readings[at];
-      if (value === sent[index]) continue;
-      sent[index] = value;
-      words[places[index]] = flag[index] === 1 ? (value === 0 ? FALSE : TRUE) : small(value);
-      if (index >= signalsAt) words[places[oldSignals]] = TRUE;
-      else if (index >= bumperAt) words[places[oldBumper]] = TRUE;
-    }
-    if (beams > 0 && readings[indices.laser_scan] !== scan) {
-      scan = readings[indices.laser_scan];
-      doubles.set(readings.subarray(laserAt, laserAt + beams), floatsAt + FLOATS.length);
-    }
-  };
-  // The layout of MicroPython's objects is no interface of it, so it is checked before anything relies on it.
-  const trial = Float64Array.from({ length: laserAt + beams }, (_, index) => index % 2);
-  write(trial);
-  const seen = JSON.parse(String(call(named("check"))));
-  const wrong = spans.findIndex((_, index) => seen[index] !== (flag[index] ? sent[index] !== 0 : sent[index]));
-  if (wrong >= 0) throw new Error(`MicroPython's robot.${names[wrong]} is not where it was expected: this needs version 1.27.0`);
-  write(trial.fill(0));
+  const { names, flags } = JSON.parse(String(call(named("attributes"))));
+  const places = { names, flags, robotAt: Number(call(named("mark"))) >> 2, floatsAt };
+  const { write, forget } = attributeWriter(heap, places, layout, facts.laser?.beams ?? 0, () => JSON.parse(String(call(named("check")))));
 
   const drain = () => {
     if (state.printed) {
@@ -199,7 +117,7 @@ export async function loadPython(options) {
       for (let at = 0; at < bytes.length; at += PAGE) if (differs(bytes, base, at)) pages.push(at);
       const content = new Uint8Array(pages.length * PAGE);
       pages.forEach((at, index) => content.set(bytes.subarray(at, at + PAGE), index * PAGE));
-      return { bytes: content.length, pages: Uint32Array.from(pages), content, length: bytes.length, table, left: program.left, right: program.right };
+      return { bytes: content.length, pages: Uint32Array.from(pages), content, length: bytes.length, left: program.left, right: program.right };
     },
     /** @param {State} saved */
     restore(saved) {
@@ -209,9 +127,7 @@ export async function loadPython(options) {
       bytes.set(base);
       bytes.fill(0, base.length);
       saved.pages.forEach((at, index) => bytes.set(saved.content.subarray(index * PAGE, (index + 1) * PAGE), at));
-      find();
-      sent.fill(NaN);
-      scan = -1;
+      forget();
       state.printed = "";
       output.length = 0;
       isDead = false;

@@ -65,8 +65,7 @@ class Base {
   }
 
   stop() {
-    this._left = 0;
-    this._right = 0;
+    this.drive(0, 0);
   }
 
   done() {
@@ -133,9 +132,7 @@ class Base {
     this._say({ kind: "text", x: number("robot.text: x", x), y: number("robot.text: y", y), text: String(words).slice(0, 200) });
   }
 
-  clear() {
-    this._say({ kind: "clear" });
-  }
+  clear() { this._say({ kind: "clear" }); }
 
   /** @param {Saying} saying */
   _say(saying) {

@@ -1,6 +1,9 @@
 // @ts-check
 // Errors that name the cause and the mend: the twin of programs/python/robovac_program/words.py.
 
+/** What a program can be: it has one function of these names. */
+export const KINDS = ["step", "run", "plan"];
+
 /** A mistake in a program, said in words, with its line and column if they are known. */
 export class SourceError extends Error {
   /** @param {string} message @param {number} [line] @param {number} [column] */
@@ -67,4 +70,35 @@ export function shown(value, most = 80) {
   }
   text ??= "undefined";
   return text.length > most ? `${text.slice(0, most - 1)}…` : text;
+}
+
+/** What was meant to be the behaviour: the kind and the name that it has. @param {string} source */
+export function meant(source) {
+  for (const [, name] of source.matchAll(/function\s*\*?\s*(\w+)/g)) {
+    const kind = nearest(name, KINDS);
+    if (kind) return { kind, name };
+  }
+  return undefined;
+}
+
+/** @param {string} source */
+export function missing(source) {
+  const instead = meant(source);
+  if (instead) return `there is no function step(robot), function* run(robot) or plan(room); did you mean ${instead.kind} instead of ${instead.name}?`;
+  return "there is no function step(robot) (called every 15 ms), function* run(robot) (with yield) or plan(room) (a planner)";
+}
+
+/** An error with the program's line. @param {any} error @param {string} name @param {number} at the line that is known otherwise */
+export function located(error, name, at) {
+  if (error instanceof SourceError && error.line) return error;
+  /** @type {(number | undefined)[]} */
+  let [line, column] = [at || undefined, undefined];
+  const escaped = name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+  // The innermost place in the program.
+  const place = new RegExp(`${escaped}:(\\d+)(?::(\\d+))?`).exec(String(error?.stack ?? "").split("\n").slice(error?.stack?.startsWith?.(error?.name) ? 1 : 0).join("\n"));
+  if (place) [line, column] = [Number(place[1]), Number(place[2]) || undefined];
+  if (error instanceof RangeError && /stack|recursion/i.test(error.message)) return new SourceError("a function calls itself without end", line);
+  if (error instanceof SourceError) return new SourceError(error.message, line, column);
+  const words = error instanceof Error ? `${error.name}: ${error.message}` : `thrown: ${shown(error)}`;
+  return new SourceError(words, line, column);
 }

@@ -5,8 +5,9 @@ use robovac_core::geometry::Point;
 use robovac_link::connection;
 use robovac_playground::wire::{to_js, trajectory::trajectory_from_js};
 use robovac_sim::{
-    controller::Setup,
+    controller::{Controller, Setup},
     experiment::{Algorithm, planning::Driven},
+    program::{Pilot, Piloted, RobotFacts},
 };
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
@@ -15,6 +16,8 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 pub struct Connection {
     link: connection::Connection,
+    /// What asks the user's program, if it drives.
+    pilot: Pilot,
 }
 
 #[wasm_bindgen]
@@ -22,7 +25,7 @@ impl Connection {
     /// Not connected.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
-        Self { link: connection::Connection::new() }
+        Self { link: connection::Connection::new(), pilot: Pilot::default() }
     }
 
     /// The line is open at 115200 baud: starts the diagnosis. `transport` is its state.
@@ -113,7 +116,11 @@ impl Connection {
         let prepared = session.prepared().ok_or("The robot doesn't fit into the room.")?;
         let (settings, start) = (session.settings(), prepared.floor.start);
         let (robot, odometry) = (self.link.calibrated(&prepared.robot), self.link.odometry());
-        let controller = match settings.algorithm {
+        self.pilot = Pilot::default();
+        let controller: Box<dyn Controller> = match settings.algorithm {
+            Algorithm::Behaviour(_) if settings.algorithm.is_program() => {
+                Box::new(Piloted::new(self.pilot.clone(), &robot, start))
+            }
             Algorithm::Behaviour(behaviour) => {
                 let mut params = settings.params.clone();
                 // Only behaviours with their own odometry have this parameter.
@@ -132,6 +139,22 @@ impl Connection {
         };
         let (title, cleans) = (settings.algorithm.title(), cleans && settings.algorithm.cleans());
         self.link.ride(now, title, controller, start, cleans).map_err(|e| e.to_string().into())
+    }
+
+    /// The latest readings for the user's program, if it drives: for its `step`. Each is returned once.
+    pub fn take_readings(&mut self) -> Vec<f64> {
+        self.pilot.take_readings().unwrap_or_default()
+    }
+
+    /// The program's answer: speeds of both wheels, mm/s; not a number if it is done.
+    pub fn answer(&mut self, left: f64, right: f64) {
+        self.pilot.answer((!left.is_nan() && !right.is_nan()).then_some([left, right]));
+    }
+
+    /// Facts about the robot for a program, as JSON, as it is calibrated.
+    pub fn program_facts(&self, mirror: &SessionMirror) -> Result<String, JsValue> {
+        let prepared = mirror.session().prepared().ok_or("The robot doesn't fit into the room.")?;
+        Ok(RobotFacts::of(&self.link.calibrated(&prepared.robot)).to_json())
     }
 
     /// The snapshot for the page; `transport` is the state of the line.

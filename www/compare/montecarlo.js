@@ -40,7 +40,7 @@ export function startRuns(app, module, guard, mirror) {
   const study = new MonteCarlo();
   /** @type {Offer} */
   const offer = study.offer();
-  const pool = new Pool(module, runsOf(study), guard);
+  const pool = new Pool(module, runsOf(study, () => app.playground.program()), guard);
   const chart = startChart(byId("runs-plot"));
   const act = (/** @type {(study: MonteCarlo) => void} */ what) => app.act(() => what(study));
   /** @type {View} */
@@ -118,8 +118,9 @@ export function startRuns(app, module, guard, mirror) {
   };
 }
 
-/** Runs as work for workers. @param {MonteCarlo} study @returns {import("./pool.js").Source} */
-const runsOf = (study) => ({
+/** Runs as work for workers. @param {MonteCarlo} study @param {import("./pool.js").Source["program"]} program @returns {import("./pool.js").Source} */
+const runsOf = (study, program) => ({
+  program,
   type: "runs",
   most: MOST_WORKERS,
   take: () => study.take_batch(),

@@ -1,12 +1,15 @@
 // @ts-check
 // Workers that make trials or runs, as many as the computer has cores for.
+import { textOf } from "../messages.js";
 
 /**
+ * @typedef {{ id: number, job?: ArrayLike<number> }} Request
  * @typedef {{ worker: Worker, busy: number | undefined }} Hand
  * @typedef {object} Source A source of work that takes the results.
  * @property {"trial" | "runs"} type The kind of work.
  * @property {number} most Most workers: each holds a room and a planner's memory.
- * @property {() => { id: number } | undefined} take
+ * @property {() => Request | undefined} take
+ * @property {() => import("../program/work.js").Text | undefined} program The user's program, for requests with a job for it.
  * @property {(id: number) => boolean} isWanted
  * @property {(answer: import("../worker-types").FromTrial | import("../worker-types").FromRuns) => void} answered
  * @property {(id: number, message: string) => void} failed
@@ -43,8 +46,26 @@ export class Pool {
       if (!request) return;
       const hand = idle ?? this.#hire();
       hand.busy = request.id;
-      hand.worker.postMessage({ type: this.#source.type, request });
+      if (request.job) this.#prepare(hand, request);
+      else hand.worker.postMessage({ type: this.#source.type, request });
     }
+  }
+
+  /** The user's program drives or plans first, in the sandbox. @param {Hand} hand @param {Request} request */
+  #prepare(hand, request) {
+    const { worker } = hand;
+    const isWanted = () => worker === hand.worker && hand.busy === request.id;
+    const { type, program } = this.#source;
+    void import("../program/work.js")
+      .then(({ prepared }) => prepared(program(), { ...request, job: request.job ?? [] }, isWanted))
+      .then(
+        (whole) => isWanted() && worker.postMessage({ type, request: whole }),
+        (error) => {
+          if (!isWanted()) return;
+          hand.busy = undefined;
+          this.#guard(() => this.#source.failed(request.id, textOf(error)));
+        },
+      );
   }
 
   /** @returns {Hand} */

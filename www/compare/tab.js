@@ -48,7 +48,7 @@ export function startCompare(app, module, guard) {
     about: () => {},
   };
   it.about = startAbout(it);
-  const pool = new Pool(module, trialsOf(comparison), guard);
+  const pool = new Pool(module, trialsOf(comparison, () => app.playground.program()), guard);
   startSetup(it);
   const race = startRace(it);
   const updateNumbers = startNumbers(it);
@@ -66,6 +66,7 @@ export function startCompare(app, module, guard) {
       }
       comparison.take(mirror());
       pool.tend();
+      raceProgram(app, comparison);
       comparison.frame(now);
       it.view = comparison.view();
       updateSetup(it);
@@ -93,6 +94,19 @@ export function startCompare(app, module, guard) {
   };
 }
 
+/** The user's program drives its race in the sandbox. @param {App} app @param {Comparison} comparison */
+function raceProgram(app, comparison) {
+  const job = comparison.take_race_job();
+  const program = job && app.playground.program();
+  if (!job || !program) return;
+  const { version } = JSON.parse(new TextDecoder().decode(job));
+  let isWanted = true;
+  const seconds = 1.5 * (comparison.view().race?.planned_s ?? 0) + 60;
+  void import("../program/work.js")
+    .then(({ work }) => work({ program, job, seconds, onPart: (part) => void (isWanted = comparison.extend_race(version, part)) }, { isWanted: () => isWanted }))
+    .catch((error) => isWanted && complain(textOf(error)));
+}
+
 /** @returns {ViewName} */
 const shownView = () => VIEWS.find((name) => name === byId("panel-compare").dataset.view) ?? "race";
 
@@ -102,8 +116,9 @@ function showView(view) {
   for (const name of VIEWS) byId(`view-${name}`).setAttribute("aria-pressed", String(name === view));
 }
 
-/** The trials of a comparison as work for workers. @param {Comparison} comparison @returns {import("./pool.js").Source} */
-const trialsOf = (comparison) => ({
+/** The trials of a comparison as work for workers. @param {Comparison} comparison @param {import("./pool.js").Source["program"]} program @returns {import("./pool.js").Source} */
+const trialsOf = (comparison, program) => ({
+  program,
   type: "trial",
   most: MOST_WORKERS,
   take: () => comparison.take_trial(),

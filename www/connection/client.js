@@ -22,6 +22,8 @@ export class ConnectionClient {
   ontraffic = () => {};
   /** New part of the estimated trail: x, y in m, heading in rad, contacts, in turn. @type {(trace: Float64Array) => void} */
   ontrace = () => {};
+  /** Readings for the user's program, which drives: each is to be answered. @type {(readings: Float64Array) => void} */
+  onreadings = () => {};
   /** @type {(failure: Failure) => void} */
   onfailed = () => {};
 
@@ -134,6 +136,17 @@ export class ConnectionClient {
     return (await this.#ask({ type: "ride", id: 0, corners: Float64Array.from(corners), knots, cleans })) === true;
   }
 
+  /** Facts about the robot for the user's program, as JSON; empty if there are none. */
+  async facts() {
+    const facts = await this.#ask({ type: "facts", id: 0 });
+    return typeof facts === "string" ? facts : "";
+  }
+
+  /** What the user's program answers: speeds of both wheels, mm/s; NaN if it is done. @param {number} left @param {number} right */
+  answer(left, right) {
+    this.#tell({ type: "answer", left, right });
+  }
+
   /** Stops the robot and gives control up. @param {string} why A sentence for a returning user. */
   leave(why) {
     this.#tell({ type: "leave", why });
@@ -184,6 +197,7 @@ export class ConnectionClient {
       this.onview(message.view);
     } else if (message.type === "traffic") this.ontraffic(message.traffic);
     else if (message.type === "trace") this.ontrace(message.trace);
+    else if (message.type === "readings") this.onreadings(message.readings);
     else if (message.type === "answer") {
       this.#waiting.get(message.id)?.(message.value);
       this.#waiting.delete(message.id);

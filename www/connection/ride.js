@@ -4,11 +4,18 @@ import { button, byId, changed, fill, input, make, select, setAttribute, setEnab
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { Planning } from "../planning.js";
 import { choose, keep, kept } from "./dialogs.js";
+import { PROGRAM } from "./room.js";
 
 /** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 
 /** Whether brushes and vacuum run: "on" or "off". */
 const CLEANS = "connection-cleans";
+
+/** The user's program gets ready to answer. @param {ConnectionTab} it */
+async function takeSeat(it) {
+  const { pilot } = await import("../program/pilot.js");
+  return pilot(it.app, it.connection, it.view.virtual === null, it.complain);
+}
 
 /** @param {ConnectionTab} it */
 export function startRide(it) {
@@ -100,6 +107,8 @@ export function startRide(it) {
     // After a stop or a loss of control it must not start.
     if (!line || !it.view.can.ride) return;
     it.connection.follow(room.followed());
+    if (room.algorithm?.id === PROGRAM && !(await takeSeat(it))) return;
+    if (!it.view.can.ride) return;
     it.live.map.set_planned(line);
     await it.connection.ride(line, wantsCleaning, room.algorithm?.kind === "planner" ? knots : undefined);
   });
@@ -123,6 +132,11 @@ export function startRide(it) {
       if (changed(choice, "path", room.hasPath)) {
         choice.querySelector("option[value=path]")?.remove();
         if (room.hasPath) choice.append(new Option("Path from Floor plan", "path"));
+      }
+      const own = room.program();
+      if (changed(choice, "program", own?.title)) {
+        choice.querySelector(`option[value=${PROGRAM}]`)?.remove();
+        if (own) choice.prepend(new Option(own.title, own.id));
       }
       if (document.activeElement !== choice) choice.value = room.algorithm?.id ?? "";
       const { can, is_moving: goes } = view;

@@ -4,6 +4,8 @@ import { SessionMirror } from "../../workshop.js";
 
 /** Stands for the path of Explore in place of an algorithm's id. */
 const PATH = "path";
+/** Stands for the user's program. */
+export const PROGRAM = "program";
 
 /**
  * The playground's room as it was when it was last taken over, with an algorithm of one's own choice.
@@ -20,6 +22,13 @@ export function startRoom({ playground, catalogue }) {
   /** The path that Explore drives, in place of an algorithm. */
   const path = { .../** @type {import("../types").CatalogueEntry} */ (catalogue.planners[0]), id: PATH, title: "Path from Floor plan" };
 
+  let own = playground.program();
+  /** The user's program, if it drives. */
+  const program = () => {
+    if (own?.kind !== "behaviour") return undefined;
+    return { .../** @type {import("../types").CatalogueEntry} */ (catalogue.behaviours[0]), id: PROGRAM, title: `Your program: ${own.name}`, params: [], cleans: true, manual: false };
+  };
+
   /** Says which room it is, and where the robot starts in it. */
   const version = () => JSON.stringify([taken.room_version, taken.room, taken.start]);
   const follow = () => mirror.follow(taken, algorithm);
@@ -29,22 +38,24 @@ export function startRoom({ playground, catalogue }) {
     /** Algorithms that can drive a robot. */
     all,
     get algorithm() {
-      return algorithm === PATH ? path : all.find(({ id }) => id === algorithm);
+      return algorithm === PATH ? path : algorithm === PROGRAM ? program() : all.find(({ id }) => id === algorithm);
     },
     /** Whether Explore drives a path from the tab Floor plan. */
     get hasPath() {
       return Boolean(taken.choices.path);
     },
+    program,
     /** Why a Roomba can't ride the chosen path; empty if it can. */
     refusal: () => (algorithm === PATH ? refusal : ""),
     /** Takes over what Explore shows now; says whether the room is another one. */
     take() {
       const before = version();
       taken = playground.snapshot();
+      own = playground.program();
       const there = taken.choices.path ? PATH : (taken.choices.behaviour ?? taken.choices.planner);
       // Manual driving needs no algorithm here.
       if (there === PATH) algorithm = there === chosenThere ? algorithm : PATH;
-      else if (there !== chosenThere || !algorithm) algorithm = all.find(({ id }) => id === there)?.id ?? (algorithm && algorithm !== PATH ? algorithm : (all[0]?.id ?? ""));
+      else if (there !== chosenThere || !algorithm) algorithm = (there === PROGRAM ? program() : all.find(({ id }) => id === there))?.id ?? (algorithm && algorithm !== PATH ? algorithm : (all[0]?.id ?? ""));
       chosenThere = there;
       refusal = SessionMirror.path_refusal(taken);
       follow();

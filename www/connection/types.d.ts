@@ -101,7 +101,11 @@ export type ToConnection =
   | { type: "request"; id: number; request: Request }
   | { type: "ride"; id: number; corners: Float64Array; knots: Float64Array; cleans: boolean }
   | { type: "virtual"; touch: Touch }
-  | { type: "recording"; id: number };
+  | { type: "recording"; id: number }
+  /** Facts about the robot for the user's program, as JSON. */
+  | { type: "facts"; id: number }
+  /** What the user's program answers to readings: speeds of both wheels, mm/s; NaN if it is done. */
+  | { type: "answer"; left: number; right: number };
 
 /** Messages from the workers to the page. */
 export type FromConnection =
@@ -113,6 +117,8 @@ export type FromConnection =
   | { type: "view"; view: ConnectionView }
   | { type: "traffic"; traffic: Traffic[] }
   | { type: "trace"; trace: Float64Array }
+  /** For the user's program, which drives: to be answered. */
+  | { type: "readings"; readings: Float64Array }
   | { type: "failed"; failure: Failure }
   /** `value` of a recording is its text, of anything else whether it was done. */
   | { type: "answer"; id: number; value: boolean | string };

@@ -39,6 +39,8 @@ function safely(what) {
   try {
     what();
     pump();
+    const readings = connection.take_readings();
+    if (readings.length) tell({ type: "readings", readings }, [readings.buffer]);
   } catch (error) {
     broke(error);
   }
@@ -189,6 +191,7 @@ async function answer(message) {
     return connection.recording();
   }
   if (isBroken) return false;
+  if (message.type === "facts") return connection.program_facts(mirror);
   if (message.type === "request" && message.request.do !== "disconnect") {
     attempt(() => connection.request(now(), message.request));
   } else if (message.type === "ride") {
@@ -241,6 +244,7 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
   await ready;
   if (message.type === "beat") connection.beat(beatenAt(now(), message.at));
   else if (message.type === "leave") safely(() => connection.leave(now(), message.why));
+  else if (message.type === "answer") connection.answer(message.left, message.right);
   else if (message.type === "virtual") safely(() => line instanceof VirtualLine && line.touch(message.touch));
   else {
     let value = /** @type {boolean | string} */ (false);

@@ -2,6 +2,7 @@
 // The list of events: what happened to the robot, latest first; each leads back to its time.
 import { byId, changed, make, setHidden, setText } from "../dom.js";
 import { clock } from "../format.js";
+import { moreVersion, withMore } from "./more-events.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 
 /**
@@ -21,6 +22,8 @@ export function startEvents(app) {
   const lines = [];
   /** @type {Entry[]} */
   let entries = [];
+  /** Those of the session. @type {Entry[]} */
+  let known = [];
   const isDue = atMostEvery(PAUSE);
 
   const add = () => {
@@ -39,9 +42,10 @@ export function startEvents(app) {
   return (view) => {
     // The list doesn't move under the pointer.
     const held = view.state === "playing" && list.matches(":hover, :focus-within");
-    const key = `${view.diary} ${view.run_end_s < (entries[0]?.time ?? 0)} ${view.state === "playing" || view.time_s}`;
+    const key = `${view.diary} ${view.run_end_s < (known[0]?.time ?? 0)} ${view.state === "playing" || view.time_s} ${moreVersion()}`;
     if (held || !isDue(() => list.checkVisibility() && changed(list, "entries", key))) return;
-    entries = merged(entries, read(app.playground.diary()), view);
+    known = merged(known, read(app.playground.diary()), view);
+    entries = withMore(known, view.time_s, MOST);
     while (lines.length < entries.length) add();
     lines.forEach(({ item, time, text }, index) => {
       const entry = entries[index];

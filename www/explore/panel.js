@@ -99,8 +99,13 @@ export function startPanel(app) {
   };
 
   /** @param {View} view */
-  const showAlgorithm = ({ algorithm, path_corners }) => {
+  const showAlgorithm = ({ algorithm, path_corners, program }) => {
     const menu = select("algorithm");
+    if (program && changed(menu, "program", `${algorithm} ${program.name}`)) {
+      menu.querySelector("option[value^=program]")?.remove();
+      menu.prepend(new Option(`Your program: ${program.name}`, algorithm));
+      shown.delete(menu);
+    }
     if (changed(menu, "path", path_corners > 0)) {
       menu.querySelector(`option[value=${PATH}]`)?.remove();
       if (path_corners) menu.prepend(new Option("Path from Floor plan", PATH));
@@ -122,6 +127,17 @@ export function startPanel(app) {
     });
     byId("params").replaceChildren(...fields.slice(0, FEW));
     byId("params-more").replaceChildren(...fields.slice(FEW));
+  };
+
+  /** @param {string} name */
+  const tellProgram = (name) => {
+    paramControls = new Map();
+    for (const id of ["params", "params-more"]) byId(id).replaceChildren();
+    setText(byId("algorithm-kind"), "your program");
+    setText(byId("algorithm-note"), "");
+    setText(byId("explainer-title"), name);
+    byId("explainer-text").dataset.about = "program";
+    byId("explainer-text").replaceChildren(make("p", {}, "A program of your own. Read and change it in the tab Program."));
   };
 
   /** Of the algorithm. */
@@ -157,6 +173,7 @@ export function startPanel(app) {
       setText(byId("explainer-title"), algorithm.title);
       void import("../explainer.js").then(({ explain }) => explain(byId("explainer-text"), algorithm, rooms, (room) => change((p) => p.select_room(room))));
     }
+    if (view.program && changed(byId("params"), "algorithm", `${view.algorithm} ${view.program.name}`)) tellProgram((title = view.program.name));
     for (const [id, controls] of paramControls) {
       const value = view.params[id];
       if (value !== undefined) for (const control of controls) show(control, String(value));

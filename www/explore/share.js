@@ -1,6 +1,6 @@
 // @ts-check
 // Copies the link of what is shown, with the room in it if that is an own one.
-import { complain, toast } from "../messages.js";
+import { complain, textOf, toast } from "../messages.js";
 import { MOST_PACKED } from "./own-rooms.js";
 import { pack } from "./pack.js";
 
@@ -19,7 +19,9 @@ export async function copyLink(app) {
     }
     hash = hash.replace("room=own", `room=own&map=${map}`);
   }
-  link.hash = hash;
+  const more = await app.share().catch((error) => void complain(`No link was copied: ${textOf(error)}`));
+  if (more === undefined) return;
+  link.hash = more ? `${hash}&${more}` : hash;
   try {
     await navigator.clipboard.writeText(link.href);
     toast("Link copied");

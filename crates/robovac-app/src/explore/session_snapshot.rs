@@ -7,7 +7,7 @@ use robovac_core::{
     cspace::Outline,
     floor_plan::{FloorPlan, MapError, Scenario},
     geometry::Pose,
-    program::Program,
+    program::{Program, ProgramKind},
     robot::model,
 };
 use robovac_sim::{
@@ -112,7 +112,9 @@ impl SessionSnapshot {
         if choices.algorithm() != Some(algorithm) && !rides_path {
             choices.params.clear();
             let id = Some(algorithm.to_owned());
-            (choices.planner, choices.behaviour) = match Algorithm::find("algorithm", algorithm, Algorithm::all())? {
+            let programs = [ProgramKind::Behaviour, ProgramKind::Planner].map(Algorithm::of_program);
+            let all = Algorithm::all().chain(programs);
+            (choices.planner, choices.behaviour) = match Algorithm::find("algorithm", algorithm, all)? {
                 Algorithm::Planner(_) => (id, None),
                 Algorithm::Behaviour(_) => (None, id),
             };

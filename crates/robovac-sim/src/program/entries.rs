@@ -34,3 +34,5 @@ pub const PLANNER_PROGRAM: PlannerInfo = PlannerInfo {
     },
     params: &[],
 };
+
+const _: () = PLANNER_PROGRAM.check();

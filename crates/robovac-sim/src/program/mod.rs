@@ -8,6 +8,7 @@
 //! - [`ProgramSenses`]: keeps them up to date, of a simulated or a real robot
 //! - [`Lockstep`]: sense and drive, step by step
 //! - [`CommandLog`], [`Logged`]: the log, and the controller that repeats it
+//! - [`Piloted`]: the controller that asks a program elsewhere, for a real robot
 //! - [`ProgramRoom`], [`check_walk`]: what a user's planner gets, and what its walk is checked for
 //! - [`BEHAVIOUR_PROGRAM`], [`PLANNER_PROGRAM`]: the entries of programs beside those of the registries
 
@@ -16,6 +17,7 @@ mod layout;
 mod lockstep;
 mod log;
 mod logged;
+mod piloted;
 mod room;
 mod senses;
 mod walk;
@@ -28,6 +30,7 @@ pub use layout::{
 pub use lockstep::{Lockstep, LockstepFrame};
 pub use log::{CommandChange, CommandLog, LogEnd, LogError, LogPart};
 pub use logged::{Logged, SharedLog};
+pub use piloted::{Pilot, Piloted};
 pub use room::ProgramRoom;
 pub use senses::ProgramSenses;
 pub use walk::{MissedCells, WalkFault, check_walk};

@@ -1,0 +1,157 @@
+// The tab Program: writing, running and looking into a program of one's own.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openApp } from "./app.mjs";
+import { Robot } from "./connection.mjs";
+
+/** Opens the tab; the first program runs by itself. */
+async function openProgram(t, options = {}) {
+  const opened = await openApp(t, { address: "#tab=program", viewport: { width: 1280, height: 800 }, ...options });
+  await opened.page.locator("#program-run").waitFor();
+  return opened;
+}
+
+const text = (page) => page.evaluate(() => [...document.querySelectorAll(".cm-line")].map(({ textContent }) => textContent).join("\n"));
+/** Replaces the program. */
+async function write(page, source) {
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("ControlOrMeta+a");
+  await page.keyboard.insertText(source);
+}
+const time = (page) => page.evaluate(() => document.getElementById("n-time").textContent);
+const seconds = (clock) => clock.split(":").reduce((sum, part) => 60 * sum + Number(part), 0);
+const driven = (page) => page.waitForFunction(() => Number(document.getElementById("n-distance").textContent) > 0.5);
+
+test("it opens on a program that already cleans, and a changed number holds at once", async (t) => {
+  const { page, screenshot } = await openProgram(t);
+  await driven(page);
+  await screenshot("program");
+  assert.match(await text(page), /def step\(robot\)/);
+  // What was changed becomes an own program; an example stays as it is.
+  const source = (await text(page)).replace("robot.go(0.3)", "robot.go(0.05)");
+  await write(page, source);
+  await page.getByText("Changed: press Run").waitFor();
+  await page.keyboard.press("Control+Enter");
+  await page.waitForFunction(() => Number(document.getElementById("n-distance").textContent) < 0.5);
+  await driven(page);
+  assert.equal(await page.locator("#program-error").isVisible(), false);
+  assert.match(await page.locator("#program-list option:checked").textContent(), /Turn when you bump\.py/);
+  await page.reload();
+  await page.waitForFunction(() => document.querySelector(".cm-content")?.textContent.includes("robot.go(0.05)"));
+});
+
+test("an error is underlined in its line and said in words", async (t) => {
+  const { page } = await openProgram(t);
+  await write(page, "speed = 0.2\n\ndef step(robot):\n    robot.go(sped)\n");
+  await page.keyboard.press("Control+Enter");
+  await page.getByRole("alert").filter({ hasText: "sped" }).waitFor();
+  await page.locator(".cm-line:nth-child(4) .cm-lintRange-error").waitFor();
+  await page.getByRole("button", { name: "Line 4" }).click();
+});
+
+test("an endless loop is ended, its line named, and the text is untouched", async (t) => {
+  const { page } = await openProgram(t);
+  const source = "let n = 0;\nfunction step(robot) {\n  robot.go(0.2);\n  if (robot.time > 1)\n    while (true) n += 1;\n}\n";
+  await page.locator("#program-list").selectOption("turn_when_you_bump.javascript");
+  await driven(page);
+  await write(page, source);
+  await page.keyboard.press("Control+Enter");
+  await page.getByRole("alert").filter({ hasText: "never ends" }).waitFor();
+  await page.getByRole("button", { name: "Line 5" }).waitFor();
+  assert.equal(await text(page), source);
+  // The next run is as any.
+  await write(page, source.replace("true", "false"));
+  await page.keyboard.press("Control+Enter");
+  await driven(page);
+  assert.equal(await page.locator("#program-error").isVisible(), false);
+});
+
+test("scrubbing back shows variables, prints and the line of that time", async (t) => {
+  const { page, app } = await openProgram(t);
+  await write(page, "ticks = 0\n\ndef step(robot):\n    global ticks\n    ticks += 1\n    if ticks % 100 == 0:\n        print('tick', ticks)\n    robot.go(0.1)\n");
+  await page.keyboard.press("Control+Enter");
+  await page.locator("#program-watch summary").click();
+  await page.waitForFunction(() => document.getElementById("events").textContent.includes("tick 200"));
+  await page.getByRole("button", { name: "Pause" }).click();
+  const ticks = () => page.locator("#program-variables tr", { hasText: "ticks" }).locator("td").textContent();
+  const step = async () => Number((await page.locator("#program-moment").textContent()).replace(/.*step |,/g, ""));
+  await app.poll(async () => [Number(await ticks()), await step()], ([ticks, step]) => ticks === step && step >= 200, "the variables of this time");
+  await page.getByRole("button", { name: /tick 100/ }).click();
+  await app.poll(ticks, (value) => Number(value) <= 101, "the variables of an earlier time");
+  await page.locator(".cm-running").waitFor();
+});
+
+test("a breakpoint pauses the run at its line", async (t) => {
+  const { page } = await openProgram(t);
+  await write(page, "def step(robot):\n    robot.go(0.2)\n    if robot.time > 2:\n        robot.stop()\n");
+  await page.locator(".cm-line:nth-child(4)").click();
+  await page.keyboard.press("F9");
+  await page.keyboard.press("Control+Enter");
+  await page.getByRole("button", { name: "Play", exact: true }).waitFor();
+  assert.equal(seconds(await time(page)), 2);
+  await page.locator(".cm-line:nth-child(4).cm-running").waitFor();
+});
+
+test("a link opens the program elsewhere, where it waits to be read", async (t) => {
+  const { page, context } = await openProgram(t);
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await write(page, "# mine\ndef step(robot):\n    robot.go(0.21)\n");
+  await page.locator("#share").click();
+  await page.getByText("Link copied").waitFor();
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  assert.match(link, /code=/);
+  await page.evaluate(() => localStorage.clear());
+  await page.goto("about:blank");
+  await page.goto(link);
+  await page.getByText("This program came by a link").waitFor();
+  assert.match(await text(page), /# mine/);
+  assert.equal(await page.locator("#program-status").textContent(), "Not run yet");
+  await page.locator("#program-run").click();
+  await driven(page);
+});
+
+test("a planner in Python plans, and a wrong one is told what is wrong", async (t) => {
+  const { page } = await openProgram(t);
+  await page.locator("#program-list").selectOption("plan_in_rows.python");
+  await driven(page);
+  await write(page, "def plan(room):\n    return [room.start, (0, 0)]\n");
+  await page.keyboard.press("Control+Enter");
+  await page.getByText("The program's plan can't be driven").waitFor();
+});
+
+test("Explore names the program, and it takes part in the race and in many runs", async (t) => {
+  const { page } = await openProgram(t);
+  await driven(page);
+  await page.locator("#tab-explore").click();
+  assert.match(await page.locator("#algorithm option:checked").textContent(), /Your program: Turn when you bump/);
+  await page.locator("#tab-compare").click();
+  await page.getByText("Behaviours, in the race only").click();
+  await page.locator("#racing-behaviours li", { hasText: "Your program" }).locator("input[type=checkbox]").first().check();
+  await page.locator("#lanes figure", { hasText: "Your program" }).waitFor();
+  await page.locator("#race-play").click();
+  await page.waitForFunction(() => [...document.querySelectorAll("#lanes figure")].some((lane) => lane.textContent.includes("Your program") && Number.parseFloat(lane.querySelector("output").textContent) > 0.5));
+  await page.locator("#view-runs").click();
+  for (const box of await page.locator("#panel-compare .runs-choices input:checked, #runs-behaviours input:checked, #runs-planners input:checked").all()) await box.uncheck();
+  await page.locator("#runs-behaviours li", { hasText: "Your program" }).locator("input").check();
+  await page.locator("#runs-seeds").selectOption({ index: 0 });
+  await page.locator("#runs-minutes").selectOption({ index: 0 });
+  await page.locator("#runs-go").click();
+  await page.locator("#runs-behaviours li", { hasText: "Your program" }).getByText("✓").waitFor();
+});
+
+test("the virtual Roomba is driven by the program, and stops for good when answers fail to come", async (t) => {
+  const { page, app } = await openProgram(t, { address: "#room=empty&robot=roomba600&tab=program", viewport: { width: 1000, height: 640 } });
+  const robot = new Robot(page, app);
+  await write(page, "def step(robot):\n    if robot.distance > 0.3:\n        while True: pass\n    robot.go(0.2)\n");
+  await page.keyboard.press("Control+Enter");
+  await page.locator("#program-error").filter({ hasText: "never ends" }).waitFor();
+  await page.locator("#tab-connection").click();
+  await robot.connect();
+  await robot.arm();
+  await page.locator("#connection-algorithm").selectOption("program");
+  await page.locator("#connection-go").click();
+  await robot.drives(0.25);
+  await page.getByText("was too slow").or(page.getByText("took too long")).first().waitFor();
+  await robot.rests();
+  assert.ok((await robot.distance()) < 0.6, "it drove on");
+});

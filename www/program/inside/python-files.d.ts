@@ -1,0 +1,5 @@
+// scripts/bundles.mjs makes it of programs/python.
+declare module "python-files" {
+  const files: Record<string, string>;
+  export default files;
+}

@@ -1,0 +1,74 @@
+// @ts-check
+// The user's program drives a connected robot: from the sandbox, it answers to the readings of each step. The driver's rules
+// hold as for every other: speeds are limited, and without an answer for 200 ms the robot stops.
+import { make } from "../dom.js";
+import { style } from "../parts.js";
+import { kitFor } from "./kit.js";
+import { find, list } from "./own-programs.js";
+import { Inmate } from "./sandbox.js";
+
+/** The one that drives, or did. @type {Inmate | undefined} */
+let inmate;
+let lastId = 0;
+
+/**
+ * Gets the program ready. A program that came from elsewhere drives a real robot only after its text was shown.
+ * @param {import("../main.js").App} app @param {import("../connection/client.js").ConnectionClient} connection @param {boolean} isReal @param {(text: string) => void} complain
+ * @returns {Promise<boolean>} Whether it is ready.
+ */
+export async function pilot(app, connection, isReal, complain) {
+  const program = app.playground.program();
+  if (!program) return complain("There is no program any more. Choose one in the tab Program."), false;
+  const isForeign = list().some(({ id, isForeign }) => isForeign && find(id)?.source === program.source);
+  if (isReal && isForeign && !(await confirmed(program))) return false;
+  const facts = await connection.facts();
+  if (!facts) return complain("The robot doesn't fit into the room."), false;
+  inmate?.end();
+  const kit = await kitFor(program.language);
+  const id = (lastId += 1);
+  return new Promise((resolve) => {
+    const fail = (/** @type {string} */ text) => {
+      complain(text);
+      connection.answer(NaN, NaN);
+      mine.end();
+      resolve(false);
+    };
+    const mine = new Inmate(
+      kit,
+      (message) => {
+        if (!("id" in Object(message)) || /** @type {{ id: number }} */ (message).id !== id) return;
+        if (message.type === "loaded") {
+          if (message.kind === "plan") return fail("This program plans, and doesn't drive: choose a behaviour.");
+          resolve(true);
+        } else if (message.type === "drive") {
+          if (message.isDone === true) mine.end();
+          connection.answer(message.isDone === true ? NaN : Number(message.left), Number(message.right));
+        } else if (message.type === "failed") fail(`The program failed${Number(message.line) ? ` in line ${Number(message.line)}` : ""}: ${String(message.message).slice(0, 500)}. The robot was stopped.`);
+      },
+      () => fail("A step of the program took too long. The robot was stopped."),
+    );
+    inmate = mine;
+    connection.onreadings = (readings) => mine.isAlive && mine.ask({ type: "sense", id, readings });
+    mine.ask({ type: "load", id, language: program.language, source: program.source, job: app.playground.program_job(), traced: false, breakpoints: [], from: 0, facts });
+  });
+}
+
+/** Shows the text, and asks. @param {{ name: string, source: string }} program @returns {Promise<boolean>} */
+async function confirmed({ name, source }) {
+  await style(new URL("./program.css", import.meta.url).href);
+  const yes = make("button", { type: "submit", value: "yes" }, "Let it drive the robot");
+  const no = make("button", { type: "submit", value: "no", className: "primary" }, "Cancel");
+  const dialog = make(
+    "dialog",
+    { className: "program-confirm", "aria-labelledby": "program-confirm-title" },
+    make("form", { method: "dialog" }, make("h2", { id: "program-confirm-title" }, `Let “${name}” drive the robot?`), make("p", {}, "It came by a link or a file. Read what it does:"), make("pre", { tabIndex: 0 }, source), make("div", { className: "row" }, no, yes)),
+  );
+  document.body.append(dialog);
+  dialog.showModal();
+  return new Promise((resolve) =>
+    dialog.addEventListener("close", () => {
+      dialog.remove();
+      resolve(dialog.returnValue === "yes");
+    }),
+  );
+}

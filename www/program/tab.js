@@ -1,0 +1,185 @@
+// @ts-check
+// The tab Program: an editor beside the floor of Explore, and the program that runs on it.
+import { button, byId, make, setHidden, setText } from "../dom.js";
+import { clock } from "../format.js";
+import { tellMore } from "../explore/more-events.js";
+import { complain, textOf } from "../messages.js";
+import { planWith } from "../start-planning.js";
+import { currentTab } from "../tabs.js";
+import { Editor } from "./editor.js";
+import { MOST_PACKED, packProgram, unpackProgram } from "./link.js";
+import { startMarks } from "./marks.js";
+import { find, isOwn, remember, remembered } from "./own-programs.js";
+import { startPlace } from "./place.js";
+import { ProgramRun, STEP } from "./run.js";
+import { Shelf } from "./shelf.js";
+import { Watch } from "./watch.js";
+
+/** @typedef {import("./own-programs.js").Program} Program */
+
+/** @param {import("../main.js").App} app */
+export async function startProgram(app) {
+  const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  /** Whether the program on the page came from elsewhere and wasn't run by hand yet. */
+  let isHeld = false;
+  /** Whether its text differs from what runs. */
+  let isChanged = false;
+  /** Where a breakpoint paused: the steps after it, and its line. */
+  let broke = { step: 0, line: 0 };
+  const editor = new Editor(byId("program-editor"), { changed: () => edited(), run: () => void start(true), stop: () => run.stop(), marked: () => marked() });
+  const run = new ProgramRun(app, () => show());
+  const watch = new Watch(app, run, (line) => editor.light(line && broke.line && broke.step === Math.round(app.view.time_s / STEP) ? broke.line : line));
+  const shelf = await new Shelf({
+    open(program) {
+      const isOther = program.id !== run.program?.id || program.source !== editor.text;
+      if (!isOther) return;
+      editor.open(program.source, program.language);
+      remember(program.id);
+      isHeld = program.isForeign === true;
+      isChanged = false;
+      if (isHeld || run.state !== "idle") run.stop();
+      run.state = "idle";
+      watch.clear();
+      show();
+      if (!isHeld && isOpened) void start(!calm);
+    },
+    share: () => void import("../explore/share.js").then(({ copyLink }) => copyLink(app)).catch((error) => complain(textOf(error))),
+  }).begin();
+  /** Until the first program is chosen, nothing runs. */
+  let isOpened = false;
+
+  /** @param {boolean} plays */
+  const start = async (plays) => {
+    const program = shelf.current;
+    if (!program) return;
+    isHeld = isChanged = false;
+    run.breakpoints = editor.breakpoints;
+    watch.clear();
+    await run.start({ ...program, source: editor.text }, plays);
+  };
+  const edited = () => {
+    isChanged = true;
+    shelf.edit(editor.text);
+  };
+  /** Breakpoints hold from now on: the same run is simulated again. */
+  const marked = () => {
+    if (run.state === "running" || run.state === "stopped") void start(app.view.state === "playing");
+  };
+
+  const show = () => {
+    const { state, fault, program } = run;
+    setHidden(byId("program-foreign"), !isHeld);
+    button("program-stop").disabled = state !== "running" && state !== "loading";
+    const error = byId("program-error");
+    error.hidden = !fault;
+    if (fault) {
+      const go = fault.line ? [make("button", { type: "button", onclick: () => (editor.show(fault.line), editor.focus()) }, `Line ${fault.line}`)] : [];
+      error.replaceChildren(...go, fault.message);
+    }
+    editor.complain(fault && program?.id === shelf.current?.id ? fault : undefined);
+  };
+
+  button("program-run").addEventListener("click", () => void start(true));
+  button("program-stop").addEventListener("click", () => run.stop());
+  planWith((request) => run.plan(request));
+  startPlace();
+  // By its button, or by a link: then the address says which program.
+  document.addEventListener("tab", () => currentTab() === "program" && enter(location.hash.includes("tab=program") ? location.hash.slice(1) : ""));
+  const draw = startMarks(app, run);
+  tellMore(
+    () => run.outputVersion,
+    () => (app.view.program ? run.output.filter(({ kind }) => kind === "print").map(({ step = 0, text }) => ({ time: step * STEP, text: String(text ?? ""), felt: false })) : []),
+  );
+
+  /** In words, what goes on. */
+  const status = () => {
+    const { view } = app;
+    const at = run.fault ? ` at ${clock(run.fault.step * STEP)}` : "";
+    if (isHeld) return "Not run yet";
+    if (isChanged) return "Changed: press Run, or Ctrl+Enter";
+    if (run.state === "loading") return shelf.current?.language === "python" ? "Loading Python…" : "Loading…";
+    if (run.state === "failed") return `Ended by an error${at}`;
+    if (run.state === "stopped") return "Stopped";
+    if (run.state === "idle" || !view.program) return "";
+    if (view.program.end === "done") return `Ends at ${clock((view.program.reach_steps ?? 0) * STEP)}`;
+    return view.program.waits ? "Waiting for the program…" : "Change a number, then press Ctrl+Enter";
+  };
+
+  // Explore shows the run, too.
+  const frame = () => {
+    requestAnimationFrame(frame);
+    draw();
+    stopAtBreaks();
+    if (currentTab() !== "program") return;
+    setText(byId("program-status"), status());
+    watch.frame();
+  };
+  requestAnimationFrame(frame);
+
+  /** The latest step that was shown while the run played. */
+  let shown = 0;
+  const stopAtBreaks = () => {
+    const now = Math.round(app.view.time_s / STEP);
+    const isPlaying = app.view.state === "playing";
+    const hit = isPlaying && now > shown ? run.output.find(({ kind, step = 0 }) => kind === "break" && step > shown && step <= now) : undefined;
+    shown = now;
+    if (!hit) return;
+    // The line ran in the step that follows what it had read.
+    broke = { step: (hit.step ?? 0) + 1, line: Number(hit.line) || 0 };
+    shown = broke.step;
+    app.act((p) => (p.pause(), p.seek(broke.step * STEP)));
+  };
+
+  /** Opens the program of a link, else the last one, else the first. @param {string} link */
+  const open = async (link) => {
+    const pairs = new URLSearchParams(link);
+    const [id, code] = [pairs.get("script") ?? "", pairs.get("code")];
+    try {
+      const own = isOwn(id) ? find(id) : undefined;
+      if (code && !(own && (await packProgram(own)) === code)) return shelf.add(await unpackProgram(code));
+      if (id && id === shelf.current?.id) return;
+      if (id && (await shelf.choose(id))) return;
+      if (shelf.current) return;
+      if (!(await shelf.choose(remembered()))) await shelf.choose(shelf.first);
+    } catch (error) {
+      complain(textOf(error));
+      if (!shelf.current) await shelf.choose(shelf.first);
+    }
+  };
+
+  /** The tab is shown: a program runs, unless it waits to be read. @param {string} link */
+  const enter = async (link) => {
+    isOpened = true;
+    await open(link);
+    if (!isHeld && (run.state === "idle" || !app.view.program)) await start(!calm);
+  };
+
+  return {
+    frame() {},
+    key: () => false,
+    link: () => `tab=program${shelf.current ? `&script=${encodeURIComponent(shelf.current.id)}` : ""}`,
+    /** What a link carries to others. */
+    async share() {
+      const program = shelf.current;
+      if (!program) return "";
+      const code = await packProgram({ ...program, source: editor.text });
+      if (code.length > MOST_PACKED) throw `this program takes ${Math.ceil(code.length / 1000)} KB in a link, more than the ${MOST_PACKED / 1000} KB that other programs are sure to pass on. Export it and send the file.`;
+      return `code=${code}`;
+    },
+    /** @param {string} link */
+    restore: (link) => void enter(link),
+    /** Keeps the program of a link for a session that says that it drives; another tab may be shown. @param {string} link */
+    async hold(link) {
+      await open(link);
+      const program = shelf.current;
+      const kind = /(^|&)planner=/.test(link) ? "planner" : "behaviour";
+      if (!program) return;
+      app.act((p) => p.set_program(program.name, program.language, kind, program.source, false));
+      if (!isHeld) run.adopt(program);
+      else if (!isOpened) complain("A program drives in this link. Read it in the tab Program, then press Run there.");
+    },
+    setDark() {},
+    /** @param {File[]} files */
+    take: (files) => shelf.take(files),
+  };
+}
