@@ -35,8 +35,8 @@ pub fn planning(bench: &mut Bench<'_>) {
         bench.take("simulate the furnished flat", &mut simulate, Some(f64::from(SIMULATED_STEPS) * STEP_S));
     }
     let request = cycle();
-    if let Ok(mut lab) = request.lab() {
-        let mut runs = || drop(request.run(&mut lab, None));
+    if let Ok(lab) = request.lab() {
+        let mut runs = || drop(request.run(&lab, None));
         bench.take("simulate the cleaning cycle in the flat", &mut runs, Some(request.duration_s));
     }
 }

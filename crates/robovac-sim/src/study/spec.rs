@@ -323,7 +323,7 @@ impl ConditionsEntry {
         match &self.noise {
             None => {}
             Some(Value::String(level)) => {
-                settings.set_noise(None, level).map_err(|e| at(format!("{path}.noise"))(&e))?
+                settings.set_noise(None, level).map_err(|e| at(format!("{path}.noise"))(&e))?;
             }
             Some(Value::Object(levels)) => {
                 for (sensor, level) in levels {
