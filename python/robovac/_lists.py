@@ -13,12 +13,12 @@ def _by_id(text: str) -> dict[str, dict[str, Any]]:
 
 
 def planners() -> dict[str, dict[str, Any]]:
-    """Planners by id: title, summary, source, claims (complete, deterministic, fast) and parameters."""
+    """Planners by id: title, summary, claims (complete, deterministic, fast) and parameters."""
     return _by_id(_native.planners())
 
 
 def behaviours() -> dict[str, dict[str, Any]]:
-    """Behaviours by id: title, summary, source, what they do (ends, cleans, explores) and parameters."""
+    """Behaviours by id: title, summary, what they do (ends, cleans, explores) and parameters."""
     return _by_id(_native.behaviours())
 
 

@@ -1,7 +1,8 @@
 """A study on a Ray cluster of two nodes, one of which is killed while it works: the results are those of one machine.
 
-    python3 -m venv target/ray && target/ray/bin/pip install -r tests/ray/requirements.txt
-    PYTHONPATH=python target/ray/bin/python tests/ray/study_test.py target/debug/robovac
+    ./dev python
+    python3 -m venv target/ray && target/ray/bin/pip install -r tests/ray/requirements.txt target/wheels/robovac-*.whl
+    target/ray/bin/python tests/ray/study_test.py target/debug/robovac
 """
 
 import os

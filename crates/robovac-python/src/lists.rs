@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 pub fn planners() -> String {
     let entry = |info: &&coverage_planners::PlannerInfo| {
         json!({
-            "id": info.id, "title": info.title, "summary": info.summary, "source": info.source, "link": info.link,
+            "id": info.id, "title": info.title, "summary": info.summary,
             "complete": info.claims.complete, "deterministic": info.claims.deterministic, "fast": info.claims.fast,
             "in_metres": info.claims.in_metres, "params": params(info.params),
         })
@@ -28,7 +28,7 @@ pub fn planners() -> String {
 pub fn behaviours() -> String {
     let entry = |info: &&robovac_sim::controller::BehaviourInfo| {
         json!({
-            "id": info.id, "title": info.title, "summary": info.summary, "source": info.source, "link": info.link,
+            "id": info.id, "title": info.title, "summary": info.summary,
             "ends": info.claims.ends, "cleans": info.claims.cleans, "explores": info.claims.explores,
             "needs_laser": info.claims.needs_laser, "params": params(info.params),
         })
