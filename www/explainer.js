@@ -24,21 +24,30 @@ const BEHAVIOUR_CLAIMS = [
 /** @type {Claim[]} */
 const MANUAL_CLAIMS = [["manual", "you drive", "", "You drive; only commands that would do harm are blocked.", ""]];
 
-/** The texts, fetched once. @type {Promise<Explainers> | undefined} */
-let texts;
+/** The opening scene's text, which is all that opening the page needs. */
+const OPENING = new URL("./explainers-opening.json", import.meta.url);
+/** All texts. Made in another way, so that scripts/size.mjs doesn't take them for a part of the first load. */
+const ALL = new URL(`./explainers.json${OPENING.search}`, OPENING);
 
-/** Of every algorithm, by its id; of none while they can't be fetched. */
-export async function explainers() {
-  texts ??= text(new URL("./explainers.json", import.meta.url)).then((json) => JSON.parse(json));
+/** What was fetched. @type {Map<URL, Promise<Explainers>>} */
+const texts = new Map();
+
+/** The texts at `address`, by the algorithm's id; none while they can't be fetched. @param {URL} address */
+async function load(address) {
+  const coming = texts.get(address) ?? text(address).then((json) => /** @type {Explainers} */ (JSON.parse(json)));
+  texts.set(address, coming);
   try {
-    return await texts;
+    return await coming;
   } catch (error) {
     // Fetched again for the next algorithm; until then the claims have to do.
-    texts = undefined;
+    texts.delete(address);
     console.warn(error);
-    return /** @type {Explainers} */ ({});
+    return {};
   }
 }
+
+/** Of every algorithm, by its id; of none while they can't be fetched. */
+export const explainers = () => load(ALL);
 
 /**
  * Explains an algorithm in `into`, once the texts are there.
@@ -50,7 +59,7 @@ export async function explainers() {
  */
 export async function explain(into, algorithm, rooms, openRoom, withColours = true) {
   into.dataset.about = algorithm.id;
-  const explained = (await explainers())[algorithm.id];
+  const explained = (await load(OPENING))[algorithm.id] ?? (await explainers())[algorithm.id];
   // Another one was chosen meanwhile.
   if (into.dataset.about !== algorithm.id) return;
   const plans = algorithm.kind === "planner";

@@ -1,6 +1,7 @@
 // @ts-check
 // The forms: what cleans which room, made from the catalogue.
 import { button, byId, changed, fill, input, make, select, setHidden, setText, typed } from "../dom.js";
+import { explain } from "../explainer.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { complain } from "../messages.js";
 import { paramField } from "../params.js";
@@ -171,7 +172,7 @@ export function startPanel(app) {
       setText(byId("algorithm-kind"), view.path_corners ? "planned path" : algorithm.manual ? "you drive" : algorithm.kind === "planner" ? "path planner" : "reactive behaviour");
       setText(byId("algorithm-note"), view.path_corners ? `Planned in the tab Floor plan: ${view.path_corners.toLocaleString("en")} corners, driven as they are` : algorithm.summary);
       setText(byId("explainer-title"), algorithm.title);
-      void import("../explainer.js").then(({ explain }) => explain(byId("explainer-text"), algorithm, rooms, (room) => change((p) => p.select_room(room))));
+      void explain(byId("explainer-text"), algorithm, rooms, (room) => change((p) => p.select_room(room)));
     }
     if (view.program && changed(byId("params"), "algorithm", `${view.algorithm} ${view.program.name}`)) tellProgram((title = view.program.name));
     for (const [id, controls] of paramControls) {

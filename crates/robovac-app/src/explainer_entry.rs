@@ -5,7 +5,7 @@ use robovac_sim::experiment::Algorithm;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// An explanation. The page loads all of them from a file, `www/explainers.json`, after its first picture.
+/// An explanation. The page loads them from `www/explainers.json`, and the opening scene's from a file of its own.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct ExplainerEntry {

@@ -80,6 +80,7 @@ impl Link {
             behaves,
             entrant: format!("{id}{params}"),
             seeds,
+            job: None,
         }
     }
 }

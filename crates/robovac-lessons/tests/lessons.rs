@@ -68,7 +68,7 @@ fn answers_pass_and_starts_miss(runs: usize) {
         let mark = |answer: &Answer| {
             let results = GradedAnswer::jobs(&lesson, answer, None).into_iter().map(|mut job| {
                 job.request.seeds.truncate(runs);
-                let made = job.request.lab().and_then(|mut lab| job.request.run(&mut lab, None));
+                let made = job.request.lab().and_then(|lab| job.request.run(&lab, None));
                 (job.goal, made)
             });
             GradedAnswer::new(&lesson, answer, "", results.collect())

@@ -648,7 +648,7 @@ fn size(path: &CoveragePath) -> usize {
 
 /// The same for a trajectory.
 fn smooth_size(trajectory: &Arc<Trajectory>) -> usize {
-    trajectory.knots().len() * size_of::<Knot>() / 8
+    size_of_val(trajectory.knots()) / 8
 }
 
 fn key(place: &str, entrant: &str, seed: u64) -> TrialKey {

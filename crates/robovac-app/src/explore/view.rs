@@ -13,6 +13,7 @@ use serde::Serialize;
 /// Snapshot of a session. SI units; shares from 0 to 1.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[expect(clippy::struct_excessive_bools)]
 pub struct SessionView {
     /// State of the session.
     pub state: SessionState,
