@@ -196,7 +196,7 @@ fn rounded_corners_take_less_time_and_are_kept_by_links_and_scenarios() {
     let file = SourceFile { name: "room.json".to_owned(), bytes: session.scenario_json().into_bytes() };
     let mut third = opened();
     third.load(&[file]).unwrap();
-    for mut other in [second, third] {
+    for other in [&mut second, &mut third] {
         other.plan_now(|| 0.0);
         assert!(other.view().smooth);
         assert_eq!(other.planned().unwrap().drive, smooth.drive);

@@ -111,9 +111,9 @@ fn make(jobs: &[Vec<Job>], threads: usize) -> Vec<Results> {
         .flat_map(|(who, jobs)| jobs.iter().enumerate().map(move |(which, job)| ((who, which), job)))
         .collect();
     let labs = parallel(&all, threads, |(_, job)| {
-        let mut lab = job.request.lab()?;
+        let lab = job.request.lab()?;
         let plan_only = RunsRequest { seeds: Vec::new(), ..job.request.clone() };
-        plan_only.run(&mut lab, None)?;
+        plan_only.run(&lab, None)?;
         Ok::<Lab, String>(lab)
     });
     let labs: BTreeMap<(usize, usize), Result<Lab, String>> = all.iter().map(|(at, _)| *at).zip(labs).collect();

@@ -11,7 +11,7 @@ use coverage_planners::{CoveragePath, PLANNERS, PlannerInfo, metrics::PlanNumber
 use robovac_core::{
     floor_plan::{ROOMS, Scenario},
     program::{Program, ProgramKind},
-    trajectory::{Knot, Trajectory},
+    trajectory::Trajectory,
 };
 use robovac_sim::{
     experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, PlanOutcome, SettingsError, TrialRequest},

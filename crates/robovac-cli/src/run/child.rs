@@ -17,7 +17,7 @@ use std::{
 const STEP_LIMIT: Duration = Duration::from_secs(1);
 const START_LIMIT: Duration = Duration::from_secs(15);
 /// Time for a plan.
-const PLAN_LIMIT: Duration = Duration::from_secs(60);
+const PLAN_LIMIT: Duration = Duration::from_mins(1);
 /// How often the times are looked at.
 const LOOK: Duration = Duration::from_millis(20);
 /// Longest line of a program, bytes.
