@@ -385,12 +385,11 @@ impl BatchArguments {
         if self.weights.iter().any(|weight| !weight.is_finite()) {
             return Err(Failure::usage("all weights of the reward must be finite".to_owned()));
         }
-        let rooms = match &self.rooms {
-            Some(rooms) => Rooms::given(rooms, robot)?,
-            None => {
-                let spec = FlatSpec { area_m2: self.area_m2.into(), furniture: self.furniture, ..FlatSpec::default() };
-                Rooms::flats(self.flats, self.first_flat, spec)?
-            }
+        let rooms = if let Some(rooms) = &self.rooms {
+            Rooms::given(rooms, robot)?
+        } else {
+            let spec = FlatSpec { area_m2: self.area_m2.into(), furniture: self.furniture, ..FlatSpec::default() };
+            Rooms::flats(self.flats, self.first_flat, spec)?
         };
         let charge = (charge(self.charge_percent.0)?, charge(self.charge_percent.1)?);
         let slip = self.slip.iter().map(|name| slip_level(name)).collect::<Result<Vec<_>, _>>()?;

@@ -20,7 +20,7 @@ pub fn planners() -> String {
             "in_metres": info.claims.in_metres, "params": params(info.params),
         })
     };
-    Value::from_iter(PLANNERS.iter().map(entry)).to_string()
+    PLANNERS.iter().map(entry).collect::<Value>().to_string()
 }
 
 /// Behaviours as JSON.
@@ -34,13 +34,16 @@ pub fn behaviours() -> String {
         })
     };
     let autonomous = BEHAVIOURS.iter().filter(|info| !info.claims.manual);
-    Value::from_iter(autonomous.map(entry)).to_string()
+    autonomous.map(entry).collect::<Value>().to_string()
 }
 
 /// Shipped rooms as JSON.
 #[pyfunction]
 pub fn rooms() -> String {
-    Value::from_iter(ROOMS.iter().map(|info| json!({ "id": info.id, "title": info.title, "note": info.note })))
+    ROOMS
+        .iter()
+        .map(|info| json!({ "id": info.id, "title": info.title, "note": info.note }))
+        .collect::<Value>()
         .to_string()
 }
 
@@ -55,14 +58,14 @@ pub fn robots() -> String {
             "has_laser": robot.sensors.laser.is_some(),
         })
     };
-    Value::from_iter(MODELS.iter().map(entry)).to_string()
+    MODELS.iter().map(entry).collect::<Value>().to_string()
 }
 
 /// Metrics of plans as JSON.
 #[pyfunction]
 pub fn metrics() -> String {
     let entry = |metric: &coverage_planners::metrics::MetricInfo| json!({ "id": metric.id, "label": metric.label, "unit": metric.unit, "definition": metric.definition });
-    Value::from_iter(METRICS.iter().map(entry)).to_string()
+    METRICS.iter().map(entry).collect::<Value>().to_string()
 }
 
 /// Names of the values of the observation "oi".
