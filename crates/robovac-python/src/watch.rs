@@ -25,7 +25,9 @@ impl Watch {
     pub fn look(&mut self) -> ControlFlow<()> {
         if self.error.is_none() && self.last.elapsed() >= EVERY {
             self.last = Instant::now();
-            self.error = Python::attach(Python::check_signals).err();
+            #[expect(clippy::redundant_closure_for_method_calls, reason = "the method alone holds for one lifetime")]
+            let raised = Python::attach(|py| py.check_signals()).err();
+            self.error = raised;
         }
         if self.error.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
