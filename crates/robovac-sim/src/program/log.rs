@@ -148,8 +148,10 @@ impl CommandLog {
     pub fn extend_beyond(&mut self, shown: u32, mut part: LogPart) -> Result<(), LogError> {
         if part.from < shown {
             let index = |changes: &[CommandChange], step| changes.partition_point(|change| change.step < step);
-            let [from, to] = [part.from, shown].map(|step| index(&self.changes, step));
-            let repeated = index(&part.log.changes, shown);
+            // A part can end before what was shown.
+            let both = shown.min(part.log.until);
+            let [from, to] = [part.from, both].map(|step| index(&self.changes, step));
+            let repeated = index(&part.log.changes, both);
             let is_same = self.changes[from..to] == part.log.changes[..repeated];
             // A run goes on for a moment after its program has ended.
             let same_end = (part.log.until, part.log.end) == (self.until, self.end);
