@@ -20,7 +20,8 @@ async function write(page, source) {
 }
 const time = (page) => page.evaluate(() => document.getElementById("n-time").textContent);
 const seconds = (clock) => clock.split(":").reduce((sum, part) => 60 * sum + Number(part), 0);
-const driven = (page) => page.waitForFunction(() => Number(document.getElementById("n-distance").textContent) > 0.5);
+/** The program drives: the opening scene has run for longer. */
+const driven = (page) => page.waitForFunction(() => /^0:/.test(document.getElementById("n-time").textContent) && Number(document.getElementById("n-distance").textContent) > 0.5);
 
 test("it opens on a program that already cleans, and a changed number holds at once", async (t) => {
   const { page, screenshot } = await openProgram(t);
@@ -121,9 +122,9 @@ test("a planner in Python plans, and a wrong one is told what is wrong", async (
 
 test("Explore names the program, and it takes part in the race and in many runs", async (t) => {
   const { page } = await openProgram(t);
-  await driven(page);
+  await page.getByText("Change a number").waitFor();
   await page.locator("#tab-explore").click();
-  assert.match(await page.locator("#algorithm option:checked").textContent(), /Your program: Turn when you bump/);
+  await page.locator("#algorithm option:checked", { hasText: "Your program: Turn when you bump" }).waitFor({ state: "attached" });
   await page.locator("#tab-compare").click();
   await page.getByText("Behaviours, in the race only").click();
   await page.locator("#racing-behaviours li", { hasText: "Your program" }).locator("input[type=checkbox]").first().check();
@@ -131,8 +132,9 @@ test("Explore names the program, and it takes part in the race and in many runs"
   await page.locator("#race-play").click();
   await page.waitForFunction(() => [...document.querySelectorAll("#lanes figure")].some((lane) => lane.textContent.includes("Your program") && Number.parseFloat(lane.querySelector("output").textContent) > 0.5));
   await page.locator("#view-runs").click();
-  for (const box of await page.locator("#panel-compare .runs-choices input:checked, #runs-behaviours input:checked, #runs-planners input:checked").all()) await box.uncheck();
   await page.locator("#runs-behaviours li", { hasText: "Your program" }).locator("input").check();
+  const others = page.locator("#runs-behaviours li", { hasNotText: "Your program" }).locator("input:checked");
+  while ((await others.count()) > 0) await others.first().uncheck();
   await page.locator("#runs-seeds").selectOption({ index: 0 });
   await page.locator("#runs-minutes").selectOption({ index: 0 });
   await page.locator("#runs-go").click();
