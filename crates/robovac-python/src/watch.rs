@@ -25,7 +25,7 @@ impl Watch {
     pub fn look(&mut self) -> ControlFlow<()> {
         if self.error.is_none() && self.last.elapsed() >= EVERY {
             self.last = Instant::now();
-            self.error = Python::attach(Python::check_signals).err();
+            self.error = Python::attach(|py| py.check_signals().err());
         }
         if self.error.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
