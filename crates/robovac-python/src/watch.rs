@@ -25,9 +25,7 @@ impl Watch {
     pub fn look(&mut self) -> ControlFlow<()> {
         if self.error.is_none() && self.last.elapsed() >= EVERY {
             self.last = Instant::now();
-            #[expect(clippy::redundant_closure_for_method_calls, reason = "the method alone holds for one lifetime")]
-            let raised = Python::attach(|py| py.check_signals()).err();
-            self.error = raised;
+            self.error = Python::attach(|py| py.check_signals().err());
         }
         if self.error.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

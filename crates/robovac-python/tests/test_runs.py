@@ -135,11 +135,12 @@ def test_long_work_ends_by_a_signal_and_lets_other_threads_go_on():
             ticks = []
             ticker = threading.Thread(target=lambda: [ticks.append(time.sleep(0.01)) for _ in range(10)])
             ticker.start()
-            signal.setitimer(signal.ITIMER_REAL, 0.3)
+            # Soon: a run is over when its battery is empty, which takes 0.3 s.
+            signal.setitimer(signal.ITIMER_REAL, 0.1)
             begin = time.monotonic()
             with pytest.raises(Stopped):
                 work()
-            assert time.monotonic() - begin < 5 and len(ticks) > 5
+            assert time.monotonic() - begin < 5 and len(ticks) > 3
             ticker.join()
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
