@@ -334,7 +334,7 @@ export type EntryKind = "line" | "mode" | "hazard" | "frames" | "battery" | "com
 
 export type ExampleEntry = { room: string, why: string, };
 
-/** An explanation. The page loads all of them from a file, `www/explainers.json`, after its first picture. */
+/** An explanation. The page loads them from `www/explainers.json`, and the opening scene's from a file of its own. */
 export type ExplainerEntry = { idea: string, complexity: string, use_when: string, shines: ExampleEntry, fails: ExampleEntry, source: string, link: string, };
 
 /** Progress of a film. */
@@ -920,35 +920,6 @@ how: string, };
 /** Buttons of the robot on the page. */
 export type PressedButton = "clean" | "spot" | "max" | "dock" | "power";
 
-/** A question. */
-export type Question = {
-/** The question. */
-text: string,
-/** A room: `#` wall, `.` floor, `S` start; rows from top to bottom. Empty if there is none. */
-room: Array<string>,
-/** The options to choose from; empty for a number or bytes. */
-options: Array<string>,
-/** What a written answer looks like. */
-example: string, };
-
-/** A quiz of a lesson: questions of one kind. */
-export type Quiz = {
-/** Its name in answers. */
-id: string,
-/** The kind of its questions. */
-about: QuizKind,
-/** How many must be answered well. */
-rounds: number, };
-
-/** The answers to the questions of a quiz. */
-export type QuizAnswer = {
-/** Seed and text of each answer. */
-answers: Array<[number, string]>, };
-
-/** A kind of question. */
-export type QuizKind = "reachable" | "lanes" | "parity" | "median" | "odometry" | "logodds" | "bytes";
-
-export type RaceView = { state: SessionState, time_s: number, end_s: number, planned_s: number, speed: number, lanes: Array<LaneView>, };
 /** A program that a user wrote. */
 export type Program = {
 /** Name in lists and of its file, without an ending. */
@@ -984,6 +955,34 @@ end: "done" | "failed" | null,
 waits: boolean,
 /** Steps before a person's last input; `None` without one. */
 input: number | null, };
+
+/** A question. */
+export type Question = {
+/** The question. */
+text: string,
+/** A room: `#` wall, `.` floor, `S` start; rows from top to bottom. Empty if there is none. */
+room: Array<string>,
+/** The options to choose from; empty for a number or bytes. */
+options: Array<string>,
+/** What a written answer looks like. */
+example: string, };
+
+/** A quiz of a lesson: questions of one kind. */
+export type Quiz = {
+/** Its name in answers. */
+id: string,
+/** The kind of its questions. */
+about: QuizKind,
+/** How many must be answered well. */
+rounds: number, };
+
+/** The answers to the questions of a quiz. */
+export type QuizAnswer = {
+/** Seed and text of each answer. */
+answers: Array<[number, string]>, };
+
+/** A kind of question. */
+export type QuizKind = "reachable" | "lanes" | "parity" | "median" | "odometry" | "logodds" | "bytes";
 
 export type RaceView = { state: SessionState, time_s: number, end_s: number, planned_s: number, speed: number,
 /** Whether it stands still because the user's program hasn't got farther. */

@@ -54,6 +54,7 @@ test("an endless loop is ended, its line named, and the text is untouched", asyn
   const { page } = await openProgram(t);
   const source = "let n = 0;\nfunction step(robot) {\n  robot.go(0.2);\n  if (robot.time > 1)\n    while (true) n += 1;\n}\n";
   await page.locator("#program-list").selectOption("turn_when_you_bump.javascript");
+  await page.locator(".cm-content", { hasText: "function step" }).waitFor();
   await driven(page);
   await write(page, source);
   await page.keyboard.press("Control+Enter");
@@ -114,6 +115,7 @@ test("a link opens the program elsewhere, where it waits to be read", async (t) 
 test("a planner in Python plans, and a wrong one is told what is wrong", async (t) => {
   const { page } = await openProgram(t);
   await page.locator("#program-list").selectOption("plan_in_rows.python");
+  await page.locator(".cm-content", { hasText: "def plan" }).waitFor();
   await driven(page);
   await write(page, "def plan(room):\n    return [room.start, (0, 0)]\n");
   await page.keyboard.press("Control+Enter");

@@ -72,6 +72,12 @@ export const CHECKS = {
     assert.equal(line, "dotted", "that a word has a definition can be seen");
   },
 
+  "Program: a program in Python drives from its sandbox": async ({ page, url }) => {
+    await page.open(`${url}#room=empty&tab=program`);
+    await page.until(() => document.getElementById("program-status")?.textContent.startsWith("Change a number"));
+    await grows(page, "n-distance", 0.3);
+  },
+
   "Explore: plans by menus, plays by keys; a wall is drawn and undone, and a reload keeps it": async ({ page, url }) => {
     await page.open(`${url}#room=thesis8&robot=cell&speed=1`);
     await state(page, "playing", "finished");
