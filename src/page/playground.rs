@@ -4,7 +4,7 @@ mod hand;
 
 use self::hand::Carried;
 use coverage_planners::{ProgressReport, TraceStep};
-use js_sys::{Array, Float64Array};
+use js_sys::{Array, Float64Array, JSON};
 use robovac_app::{
     RobotView, Scene, Viewport,
     explore::{Brush, Catalogue, FloorTool, ObjectTool, PageView, RobotEntry, Session},
@@ -28,6 +28,7 @@ use robovac_sim::{
     controller,
     experiment::{SettingsError, planning::PlanAnswer},
 };
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -335,8 +336,8 @@ impl Playground {
     }
 
     /// The room and the settings as a scenario file.
-    pub fn scenario_json(&self) -> String {
-        self.session.scenario_json()
+    pub fn scenario_json(&self) -> Result<String, JsValue> {
+        json(&self.session.scenario())
     }
 
     /// Restores the result of `link`. Throws a message and changes nothing if that isn't possible.
@@ -403,8 +404,8 @@ impl Playground {
     }
 
     /// What the program needs to drive a simulation of its own, for `ProgramRunner`.
-    pub fn program_job(&self) -> Vec<u8> {
-        self.session.program_job().to_bytes()
+    pub fn program_job(&self) -> Result<Vec<u8>, JsValue> {
+        Ok(json(&self.session.program_job())?.into_bytes())
     }
 
     /// Takes a part of the log of the program with that `version` of the view; of an older one, it is left out and the
@@ -711,4 +712,10 @@ impl Playground {
         };
         self.canvas.draw(&scene, &self.viewport)
     }
+}
+
+/// A value as JSON. JavaScript writes it: Rust's writer would be some per cent of what opening the page loads.
+fn json(value: &impl Serialize) -> Result<String, JsValue> {
+    let text = JSON::stringify_with_replacer_and_space(&to_js(value)?, &JsValue::NULL, &1.into())?;
+    Ok(String::from(text) + "\n")
 }

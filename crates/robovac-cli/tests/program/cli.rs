@@ -289,7 +289,8 @@ fn montecarlo_says_what_it_does_not_know() {
 #[test]
 fn bench_names_its_cases_and_their_times() {
     let table = text(&["bench", "--once"]);
-    let simulates = |name: &str| ["simulate ", "map ", "hear ", "repeat ", "drive "].iter().any(|word| name.starts_with(word));
+    let simulates =
+        |name: &str| ["simulate ", "map ", "hear ", "repeat ", "drive "].iter().any(|word| name.starts_with(word));
     for row in table.lines().skip(1) {
         // Names are padded, and followed by milliseconds and perhaps times real time.
         let (name, numbers) = row.split_at(44);

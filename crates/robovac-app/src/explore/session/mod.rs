@@ -441,6 +441,11 @@ impl Session {
 
     /// Room and settings as a scenario file that [`Session::load`] reads.
     pub fn scenario_json(&self) -> String {
+        self.scenario().to_json()
+    }
+
+    /// Room and settings as a scenario.
+    pub fn scenario(&self) -> Scenario {
         let settings = &self.settings;
         let defaults = Params::defaults(settings.algorithm.params());
         let changed = settings.params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
@@ -467,7 +472,7 @@ impl Session {
         scenario.start_charge_percent = choices.start_charge_percent;
         scenario.odometry = choices.odometry;
         scenario.smooth = choices.smooth;
-        scenario.to_json()
+        scenario
     }
 
     /// The room and the robot's start in it.
