@@ -29,6 +29,15 @@ const index = path.join(page, "index.html");
 let document = fs.readFileSync(index, "utf8").replace(/\s*<link data-trunk[^>]*>/g, "");
 // Whoever shows a preview of a link needs the whole address of its picture.
 const { PAGE_URL, SOURCE_URL } = process.env;
+// Style sheets that follow one another become one, which packs smaller; small.css stays, as others are put before it.
+document = document.replace(/(?:<link rel="stylesheet" href="(?!www\/small\.css)[^"]+" \/>\s*){2,}/g, (links) => {
+  const [first, ...others] = [...links.matchAll(/href="([^"]+)"/g)].map(([, name]) => path.join(page, name));
+  for (const other of others) {
+    fs.appendFileSync(first, fs.readFileSync(other));
+    fs.rmSync(other);
+  }
+  return `<link rel="stylesheet" href="${path.relative(page, first)}" />\n`;
+});
 if (PAGE_URL) document = document.replace('content="screenshot.png"', `content="${new URL("screenshot.png", PAGE_URL)}"`);
 fs.writeFileSync(index, document);
 
@@ -47,7 +56,7 @@ const isWritten = (name) => name.startsWith(path.join(page, "programs"));
 
 for (const file of filesBelow(page).filter((name) => /\.(html|js|css)$/.test(name) && !isWritten(name))) {
   const text = rewriteReferences(file, (_target, reference) => `${reference}?v=${version}`);
-  const lean = file.endsWith(".js") ? (await minify(text, { module: true })).code : text.replace(file.endsWith(".css") ? CSS_SPARE : HTML_SPARE, "");
+  const lean = file.endsWith(".js") ? (await minify(text, { module: true, ecma: 2022, compress: { passes: 3 } })).code : text.replace(file.endsWith(".css") ? CSS_SPARE : HTML_SPARE, "");
   fs.writeFileSync(file, lean);
 }
 
