@@ -134,7 +134,7 @@ fn files_come_in_and_bad_ones_leave_the_room() {
     assert_eq!((number(&view, "room.width_m"), number(&view, "room.height_m")), (2.0, 1.0));
     serve(&mut playground);
     playground.set_cell_size(0.35).unwrap();
-    let saved = playground.scenario_json();
+    let saved = playground.scenario_json().unwrap();
     let wrong = saved.replace("boustrophedon", "magic");
     let error = load(&mut playground, "wrong.json", wrong.as_bytes()).unwrap_err().as_string().unwrap();
     assert!(error.starts_with("the scenario can't be run: planner: there is no planner \"magic\""), "{error}");
