@@ -82,3 +82,13 @@ export function chromiumPath() {
 export function launchBrowser({ flags = [], ...options } = {}) {
   return chromium.launch({ executablePath: process.env.PAGE_BROWSER || chromiumPath(), args: [...CHROMIUM_FLAGS, ...flags], ...options });
 }
+
+/** Registers no service worker. Playwright's own way throws in the frame of users' programs. */
+export const withoutServiceWorkers = (context) =>
+  context.addInitScript(() => {
+    try {
+      navigator.serviceWorker.register = async () => undefined;
+    } catch {
+      // A frame without an origin has none.
+    }
+  });

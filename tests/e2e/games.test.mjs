@@ -13,7 +13,7 @@ test("every idea of the list leads where it says", async (t) => {
   await idea(page, "A cat in the way").click();
   await app.linked("room", (room) => room === "living");
   await app.linked("behaviour", (id) => id === "random_walk");
-  await idea(page, "Lift the robot").click();
+  await idea(page, "Kidnap the robot").click();
   await page.locator("#carry-note").waitFor();
   await page.keyboard.press("Escape");
   await idea(page, "Your own room").click();

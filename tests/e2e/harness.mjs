@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
-import { DIST, ROOT, launchBrowser, serveFolder } from "./browser.mjs";
+import { DIST, ROOT, launchBrowser, serveFolder, withoutServiceWorkers } from "./browser.mjs";
 import { ends } from "./ends.mjs";
 
 export { DIST, ROOT };
@@ -27,11 +27,12 @@ const idle = new Map();
 /** A window of its own for each set of options, with a server: an origin that no other window has. */
 async function openWindow({ mount, isNew, init, ...asked }) {
   // Only tests of it have a service worker: others ask what the server is asked for.
-  const options = { serviceWorkers: "block", ...asked };
+  const { serviceWorkers, ...options } = asked;
   const server = await serveFolder(DIST, { mount, headers: isNew ? {} : { "cache-control": "max-age=3600" } });
   servers.push(server);
   const browser = await (sharedBrowser ??= launchBrowser());
   const context = await browser.newContext(options);
+  if (serviceWorkers !== "allow") await withoutServiceWorkers(context);
   if (init) await context.addInitScript(init);
   const window = { server, context, options, allow: [], problems: [] };
   const note = (message) => window.allow.some((pattern) => pattern.test(message)) || window.problems.push(message);

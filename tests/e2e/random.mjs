@@ -4,7 +4,7 @@
 // The same seed chooses the same actions as long as the page shows the same when they are chosen.
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { DIST, launchBrowser, serveFolder } from "./browser.mjs";
+import { DIST, launchBrowser, serveFolder, withoutServiceWorkers } from "./browser.mjs";
 
 /** A laptop, a tablet, a phone. */
 export const SIZES = [
@@ -149,7 +149,8 @@ async function main() {
   const browser = await launchBrowser();
   console.log(`${count} actions with seed ${seed}`);
   for (const [index, size] of SIZES.entries()) {
-    const context = await browser.newContext({ ...size, serviceWorkers: "block", acceptDownloads: false });
+    const context = await browser.newContext({ ...size, acceptDownloads: false });
+    await withoutServiceWorkers(context);
     await context.addInitScript(QUIET);
     const problems = [];
     watch(context, problems);
