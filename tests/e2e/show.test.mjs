@@ -98,7 +98,7 @@ test("prints the floor, the numbers and the link, in light colours", async (t) =
 test("Help tells version, licence and whose algorithms these are; links to the page have a picture", async (t) => {
   const { page, server, screenshot } = await openApp(t, { viewport: { width: 1440, height: 900 } });
   await page.keyboard.press("?");
-  await page.locator("#about-title").scrollIntoViewIfNeeded();
+  await page.locator("#help-about-title").scrollIntoViewIfNeeded();
   assert.match(await page.locator(".about p").innerText(), /Playground \d+\.\d+\.\d+, build [0-9a-f]{12}\. Source code under the MIT licence/);
   await page.locator(".about summary").click();
   await screenshot("about");
