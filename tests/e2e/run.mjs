@@ -10,7 +10,7 @@ import { fileURLToPath } from "node:url";
 const here = path.dirname(fileURLToPath(import.meta.url));
 const words = process.argv.slice(2);
 /** Those that take long begin first, so that no process is left with one at the end. */
-const LONG = ["webkit", "firefox", "choices", "settings", "compare", "map", "connection-virtual", "floor-plan", "bench", "near-optimal", "connection-stop", "connection-bridge", "connection-fake", "connection-usb"];
+const LONG = ["webkit", "firefox", "choices", "settings", "compare", "map", "connection-virtual", "floor-plan", "bench", "near-optimal", "connection-stop", "connection-window", "connection-bridge", "connection-fake", "connection-usb"];
 const rank = (name) => (LONG.indexOf(name.replace(".test.mjs", "")) + LONG.length + 1) % (LONG.length + 1);
 const files = fs
   .readdirSync(here)
@@ -26,9 +26,9 @@ if (!fs.existsSync(path.join(here, "../../dist/index.html"))) fail("dist/ is mis
 if (files.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/e2e/*.test.mjs"}`);
 
 /** Where a robot's stop is due soon, the machine has nothing heavy to do besides. */
-const isUrgent = (file) => /^connection(-bridge|-fake|-serial|-stop|-usb)?\.test/.test(path.basename(file));
+const isUrgent = (file) => /^connection(-bridge|-fake|-serial|-stop|-usb|-window)?\.test/.test(path.basename(file));
 /** That a robot stops in time has to hold at the first try. */
-const hasOneTry = (file) => /^connection-(bridge|stop)\.test/.test(path.basename(file));
+const hasOneTry = (file) => /^connection-(bridge|stop|window)\.test/.test(path.basename(file));
 const timeout = 900_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10);
 /** How long every test took that has run, in ms, and what it is called. */
 const took = [];
