@@ -13,7 +13,7 @@ const skip = noSerial() || false;
 const ROUNDS = Number(process.env.LINK_ROUNDS ?? 2);
 underLoad(Number(process.env.LOAD ?? 0));
 
-/** What ends a browser with windows; says when. Who has clicked on the page is asked, and says yes. */
+/** What ends a browser with windows. Who has clicked on the page is asked, and says yes. */
 const ENDS = {
   "its window is closed by the X": (desk) => desk.user("close"),
   "the browser is quit by its menu": (desk) => desk.user("keys", "Alt_L+f", "x"),
@@ -33,7 +33,7 @@ for (const [way, go] of Object.entries(ENDS)) {
       await desk.connect();
       await desk.arm();
       await desk.drive(TURN);
-      taken.push(await stoppedAfter(robot, await go(desk)));
+      taken.push(await stoppedAfter(robot, await desk.left(() => go(desk))));
       await desk.end();
     }
     report(t, taken, ROUNDS);
@@ -74,7 +74,7 @@ test("a page on a processor twenty times as slow stops the robot when it is clos
     await desk.arm();
     await devtools.send("Emulation.setCPUThrottlingRate", { rate: 20 });
     await desk.drive(TURN);
-    taken.push(await stoppedAfter(robot, desk.user("close")));
+    taken.push(await stoppedAfter(robot, await desk.left(() => desk.user("close"))));
     await desk.end();
   }
   report(t, taken, ROUNDS);

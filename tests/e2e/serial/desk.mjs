@@ -118,9 +118,22 @@ export async function openWindow(t, { robot }) {
   const desk = new FloorPlanTab(await (await browser.newContext({ serviceWorkers: "block" })).newPage(), server);
   await desk.load();
   return Object.assign(desk, {
-    /** Does to the window what its user does, as window.py says; returns when. */
-    user: (...what) =>
-      Number(execFileSync(path.join(ROOT, "target/drivers/bin/python"), [path.join(HERE, "window.py"), ...what], { env: { ...process.env, DISPLAY: screen.display } })),
+    /** Does to the window what its user does, as window.py says. */
+    user: (...what) => execFileSync(path.join(ROOT, "target/drivers/bin/python"), [path.join(HERE, "window.py"), ...what], { env: { ...process.env, DISPLAY: screen.display } }),
+    /** Does what ends the page, and returns when the browser first told the page, which tells the server: nobody else is left. */
+    left: async (what) => {
+      await desk.tab.evaluate(() => {
+        const note = ({ timeStamp }) => navigator.sendBeacon(`left?at=${(performance.timeOrigin + timeStamp) / 1000}`);
+        for (const sign of ["beforeunload", "pagehide"]) addEventListener(sign, note, { capture: true, once: true });
+      });
+      server.requests.length = 0;
+      what();
+      for (;;) {
+        const told = server.requests.find((address) => address.includes("left?at="));
+        if (told) return Number(told.split("=")[1]);
+        await new Promise((later) => setTimeout(later, 10));
+      }
+    },
     /** Sends a signal to all processes of the browser; returns when. */
     signal: (what) => {
       const at = now();

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """Does to the browser's window on $DISPLAY what its user does: window.py close, or window.py keys Alt_L+f x
 
-`close` is what the X of a title bar sends: WM_DELETE_WINDOW, by the Inter-Client Communication Conventions Manual, 4.2.8.1.
-Prints when the last of it began, in s."""
+`close` is what the X of a title bar sends: WM_DELETE_WINDOW, by the Inter-Client Communication Conventions Manual, 4.2.8.1."""
 
 import sys
 import time
@@ -24,7 +23,6 @@ if not windows:
     sys.exit("no window of a browser")
 window = windows[-1]
 what, *keys = sys.argv[1:]
-began_s = time.time()
 if what == "close":
     data = (32, [screen.intern_atom("WM_DELETE_WINDOW"), X.CurrentTime, 0, 0, 0])
     window.send_event(event.ClientMessage(window=window, client_type=screen.intern_atom("WM_PROTOCOLS"), data=data))
@@ -32,7 +30,6 @@ else:
     # Nobody manages windows here, so none has the keyboard by itself.
     window.set_input_focus(X.RevertToParent, X.CurrentTime)
     for together in keys:
-        began_s = time.time()
         codes = [screen.keysym_to_keycode(XK.string_to_keysym(key)) for key in together.split("+")]
         for code in codes:
             xtest.fake_input(screen, X.KeyPress, code)
@@ -43,4 +40,3 @@ else:
         if together != keys[-1]:
             time.sleep(0.5)
 screen.sync()
-print(began_s)
