@@ -48,7 +48,7 @@ fs.writeFileSync(index, document);
 // What the page tells about itself.
 const release = /^version = "(.*)"$/m.exec(fs.readFileSync("Cargo.toml", "utf8"))?.[1] ?? "";
 const about = path.join(page, "www/help.html");
-const source = SOURCE_URL ? `<a href="${new URL(SOURCE_URL)}" target="_blank" rel="noopener">Source code</a>` : "Source code";
+const source = SOURCE_URL ? `<a href="${new URL(SOURCE_URL)}" target="_blank" rel="noopener">Source code</a> under` : "Free software under";
 fs.writeFileSync(about, fs.readFileSync(about, "utf8").replace("@RELEASE@", release).replace("@BUILD@", version).replace("@SOURCE@", source));
 
 /** Comments and indentation are for whoever reads the sources. */

@@ -38,7 +38,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{BestOf, FloorLeft, MAX_CELLS_FOR_ALL, WalkRule},
+    stage::{BestOf, FloorLeft, MAX_CELLS_FOR_ALL, Straight, WalkRule},
 };
 use robovac_core::{
     grid::Direction,
@@ -55,7 +55,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
         deterministic: true,
         fast: true,
         in_metres: false,
-        traces: false,
         search: Search::None,
     },
     params: &[ParamSpec {
@@ -117,7 +116,7 @@ impl Planner for BacktrackingSpiral {
                 best_of.greedy_walk(ctx, &mut rule)?;
             }
         }
-        Ok(best_of.finish())
+        Ok(best_of.finish(ctx, &mut Straight { on: "Along walls and clean floor", turn: "Round walls and clean floor" }))
     }
 }
 

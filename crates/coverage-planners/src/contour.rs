@@ -32,7 +32,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{Costs, Flood, Transit, TransitEnd, shortcut},
+    stage::{Costs, Flood, Straight, Transit, TransitEnd, shortcut, tell_walk},
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -50,7 +50,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
         deterministic: true,
         fast: true,
         in_metres: false,
-        traces: false,
         search: Search::None,
     },
     params: &[ParamSpec {
@@ -129,6 +128,7 @@ impl Planner for Contour {
         }
         let before = if ctx.is_observed() { walk.clone() } else { Vec::new() };
         shortcut(job, costs, &mut transit, &mut walk, |done| ctx.checkpoint(DRIVEN + (1.0 - DRIVEN) * done, &before))?;
+        tell_walk(ctx, job, &walk, &mut Straight { on: "The ring goes on", turn: "The ring turns" });
         Ok(CoveragePath::walk(walk))
     }
 }

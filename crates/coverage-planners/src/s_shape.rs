@@ -32,7 +32,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{CoverageProgress, lanes_lie_down},
+    stage::{CoverageProgress, Straight, lanes_lie_down},
 };
 use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
 
@@ -46,7 +46,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
         deterministic: true,
         fast: true,
         in_metres: false,
-        traces: false,
         search: Search::None,
     },
     params: &[ParamSpec {
@@ -135,6 +134,7 @@ impl Planner for SShape {
                 }
             }
         }
+        progress.tell(ctx, &mut Straight { on: "The lane goes on", turn: "The lane ends" });
         Ok(progress.into_path())
     }
 }

@@ -73,7 +73,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
         deterministic: true,
         fast: true,
         in_metres: false,
-        traces: true,
         search: Search::None,
     },
     params: &[

@@ -33,7 +33,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{CoverageProgress, Flood},
+    stage::{CoverageProgress, Flood, Straight},
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -51,7 +51,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
         deterministic: true,
         fast: true,
         in_metres: false,
-        traces: false,
         search: Search::None,
     },
     params: &[
@@ -139,6 +138,7 @@ impl Planner for SpiralPlanner {
             }
             place = self.next_place(&progress, &mut flood, &mut room);
         }
+        progress.tell(ctx, &mut Straight { on: "The circle goes on", turn: "The circle turns" });
         Ok(progress.into_path())
     }
 }

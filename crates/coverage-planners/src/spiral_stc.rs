@@ -32,7 +32,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{Added, BestOf, MAX_CELLS_FOR_ALL, MegaCells},
+    stage::{Added, BestOf, MAX_CELLS_FOR_ALL, MegaCells, Straight},
 };
 use robovac_core::{
     grid::Direction,
@@ -49,7 +49,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
         deterministic: true,
         fast: true,
         in_metres: false,
-        traces: false,
         search: Search::None,
     },
     params: &[ParamSpec {
@@ -144,7 +143,7 @@ impl Planner for SpiralStc {
                 best_of.offer(ctx, tour)?;
             }
         }
-        Ok(best_of.finish())
+        Ok(best_of.finish(ctx, &mut Straight { on: "Along the tree", turn: "Round the tree" }))
     }
 }
 
