@@ -98,9 +98,10 @@ impl Session {
         matches!(self.state(), SessionState::Playing | SessionState::Seeking)
     }
 
-    /// What the planner shows of its search; `None` without a planner.
+    /// What the planner shows of its search; `None` without one of ours.
     fn shown_search(&self) -> Option<ShownSearch> {
-        let planner = self.settings.algorithm.planner().filter(|_| self.settings.path.is_none());
+        let algorithm = self.settings.algorithm;
+        let planner = algorithm.planner().filter(|_| self.settings.path.is_none() && !algorithm.is_program());
         planner.map(PlannerInfo::shown_search)
     }
 
