@@ -31,36 +31,39 @@ impl Reasons for Straight {
     }
 }
 
-/// Traces every step of `walk`, made by `reasons`: the uncleaned cells beside the robot with their values, and the
-/// decision. Does nothing for a context without tracer.
+/// Traces every step of `walk`, made by `reasons`: the decision, and the cells beside the robot with the values that are
+/// compared, or else how often they were visited. Does nothing for a context without tracer.
 pub(crate) fn tell_walk(ctx: &mut PlanContext<'_>, job: &CoverageJob, walk: &[Cell], reasons: &mut dyn Reasons) {
     if !ctx.is_traced() {
         return;
     }
     let mut is_left = job.free.clone();
     let firsts: Vec<bool> = walk.iter().map(|&cell| std::mem::take(&mut is_left[cell])).collect();
-    is_left = job.free.clone();
+    let mut visits = job.free.map(|_| 0_u32);
     let mut heading = job.heading;
     for (step, pair) in walk.windows(2).enumerate() {
         let (at, to) = (pair[0], pair[1]);
         let Some(towards) = at.direction_to(to) else { continue };
-        if std::mem::take(&mut is_left[at]) {
+        visits[at] += 1;
+        if visits[at] == 1 {
             reasons.visit(at);
         }
-        let looks = [heading, heading.left(), heading.right(), heading.opposite()];
-        let open: Vec<Direction> = looks.into_iter().filter(|&look| is_left.is_set(at.step(look))).collect();
+        let mut free = vec![heading, heading.left(), heading.right(), heading.opposite()];
+        free.retain(|&look| job.free.is_set(at.step(look)));
+        let open: Vec<Direction> = free.iter().copied().filter(|&look| visits[at.step(look)] == 0).collect();
         let values = reasons.values(at, heading, &open);
         let (rule, note) = if firsts[step + 1] {
             let rule = reasons.rule(at, heading, towards);
             let compared: Vec<String> =
                 open.iter().zip(&values).map(|(&look, value)| format!("{value} {}", place(look))).collect();
             let compared = if compared.len() > 1 { format!("{}; ", compared.join(", ")) } else { String::new() };
-            (rule, format!("{rule}: {compared}{}", if towards == heading { "straight on" } else { going(towards) }))
+            let go = if towards == heading { "straight on" } else { going(towards) };
+            (rule, format!("{rule}: {compared}{go}"))
         } else {
             ("Over clean floor", way(&firsts[step + 1..], open.is_empty()))
         };
         let marks = if values.is_empty() {
-            open.iter().zip(1..).map(|(&look, number)| (at.step(look), number)).collect()
+            free.iter().map(|&look| (at.step(look), visits[at.step(look)])).collect()
         } else {
             open.iter().map(|&look| at.step(look)).zip(values).collect()
         };
