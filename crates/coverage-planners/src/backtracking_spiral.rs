@@ -50,13 +50,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "backtracking_spiral",
     title: "Backtracking spiral (BSA)",
     summary: "Spirals inwards along walls and clean floor, then goes to the nearest uncleaned cell and spirals again.",
-    claims: PlannerClaims {
-        complete: true,
-        deterministic: true,
-        fast: true,
-        in_metres: false,
-        search: Search::None,
-    },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
     params: &[ParamSpec {
         id: "side",
         label: "Reference side",
@@ -116,7 +110,8 @@ impl Planner for BacktrackingSpiral {
                 best_of.greedy_walk(ctx, &mut rule)?;
             }
         }
-        Ok(best_of.finish(ctx, &mut Straight { on: "Along walls and clean floor", turn: "Round walls and clean floor" }))
+        Ok(best_of
+            .finish(ctx, &mut Straight { on: "Along walls and clean floor", turn: "Round walls and clean floor" }))
     }
 }
 

@@ -4,7 +4,10 @@ use super::{
     memory::{BLOCKED, SEEN, SnakeMemory},
     walk::{SnakeMove, SnakeRule, SnakeStep, SnakeWalk},
 };
-use crate::{CoverageJob, CoveragePath, PlanContext, PlanError, Planner, TraceStep, stage::{NearestGoalBfs, going, place}};
+use crate::{
+    CoverageJob, CoveragePath, PlanContext, PlanError, Planner, TraceStep,
+    stage::{NearestGoalBfs, going, place},
+};
 use robovac_core::grid::{Cell, Direction};
 
 /// The planner with the rules of the text.

@@ -91,7 +91,6 @@ fn passage(walk: &[Cell], index: usize) -> u64 {
     number(walk[index]) << 8 | before.min(after) << 4 | before.max(after)
 }
 
-
 fn edges(walk: &[Cell]) -> Bag {
     Bag::of(walk.windows(2).map(|pair| edge(pair[0], pair[1])))
 }

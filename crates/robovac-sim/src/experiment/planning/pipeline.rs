@@ -7,8 +7,8 @@ use crate::{
     },
 };
 use coverage_planners::{
-    Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError, ShownSearch,
-    PlannerInfo, Proof, TraceStep,
+    Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
+    PlannerInfo, Proof, ShownSearch, TraceStep,
     metrics::{DriveMetrics, MetricExcess, PlanNumbers, SweepBound, WalkMetrics},
     smooth::{SmoothError, SmoothPath, SmoothSetup, limits_of, smooth},
 };
