@@ -41,8 +41,10 @@ impl Area {
     /// Where people and pets are.
     pub fn of_figures(scene: &Scene<'_>, viewport: &Viewport) -> Self {
         let mut area = Self::NONE;
-        for (at, _) in scene.life.map_or(&[][..], |life| life.movers()) {
-            area.add(viewport.to_screen(*at), FIGURE * viewport.scale + MARGIN);
+        if let Some(life) = scene.life {
+            for &(at, _) in life.movers() {
+                area.add(viewport.to_screen(at), FIGURE * viewport.scale + MARGIN);
+            }
         }
         area
     }
