@@ -1199,8 +1199,10 @@ offered: boolean,
 on: boolean,
 /** The current decision, or the film's caption; empty for none. */
 text: string,
-/** Why it can't be shown in this room; empty if it can. */
+/** Why it can't be shown; empty if it can. */
 refusal: string,
+/** Whether it could in a smaller room. */
+fits_small: boolean,
 /** The film, if there is one and it is shown. */
 film: FilmView | null, };
 

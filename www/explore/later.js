@@ -52,7 +52,7 @@ export async function startLater(app) {
       () => import("./own-rooms.js").then(({ startMenu }) => startMenu(app)),
     ),
     later(
-      ({ search }) => search.refusal !== "",
+      ({ search }) => search.fits_small,
       () => import("./small-room.js").then(({ startSmallRoom }) => startSmallRoom(app)),
     ),
     later(

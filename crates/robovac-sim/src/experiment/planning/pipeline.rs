@@ -8,7 +8,7 @@ use crate::{
 };
 use coverage_planners::{
     Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
-    PlannerInfo, Proof, TraceStep,
+    PlannerInfo, Proof, ShownSearch, TraceStep,
     metrics::{DriveMetrics, MetricExcess, PlanNumbers, SweepBound, WalkMetrics},
     smooth::{SmoothError, SmoothPath, SmoothSetup, limits_of, smooth},
 };
@@ -244,10 +244,9 @@ impl Driven {
 }
 
 impl PlanRequest {
-    /// A film of the search, which takes the planner's reports; `None` for planners that don't improve a walk, and for
-    /// rooms of more than [`MOST_FILMED_CELLS`].
+    /// A film of the search, which takes the planner's reports; `None` for planners that aren't filmed, and for rooms of more than [`MOST_FILMED_CELLS`].
     pub fn film(&self) -> Option<Film> {
-        let is_filmed = self.planner.is_anytime() && self.job.cells() <= MOST_FILMED_CELLS;
+        let is_filmed = self.planner.shown_search() == ShownSearch::Film && self.job.cells() <= MOST_FILMED_CELLS;
         is_filmed.then(|| Film::of(self.planner, &self.params, &self.job))
     }
 
@@ -260,7 +259,7 @@ impl PlanRequest {
         };
         let mut trace = Vec::new();
         let mut tell = |step| trace.push(step);
-        if self.planner.claims.traces && self.job.cells() <= MOST_SEARCH_CELLS {
+        if self.planner.shown_search() == ShownSearch::Decisions && self.job.cells() <= MOST_SEARCH_CELLS {
             ctx = ctx.traced(&mut tell);
         }
         let began = clock();
