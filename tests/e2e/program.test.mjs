@@ -37,6 +37,11 @@ test("it opens on a program that already cleans, and a changed number holds at o
   await driven(page);
   assert.equal(await page.locator("#program-error").isVisible(), false);
   assert.match(await page.locator("#program-list option:checked").textContent(), /Turn when you bump\.py/);
+  // What else there is, is in the page.
+  await page.locator("#program-names summary").first().click();
+  await page.locator("#program-names-search").fill("wall sensor");
+  await page.locator("#program-names-list").getByText("robot.wall_signal", { exact: true }).waitFor();
+  assert.equal(await page.locator("#program-names-list").getByText("robot.go(", { exact: false }).first().isVisible(), false);
   await page.reload();
   await page.waitForFunction(() => document.querySelector(".cm-content")?.textContent.includes("robot.go(0.05)"));
 });
@@ -66,6 +71,29 @@ test("an endless loop is ended, its line named, and the text is untouched", asyn
   await page.keyboard.press("Control+Enter");
   await driven(page);
   assert.equal(await page.locator("#program-error").isVisible(), false);
+});
+
+// slow: a step takes longer than a second, and is then followed line by line.
+test("a step that takes long on a slow machine, but ends, is no endless loop", async (t) => {
+  const { page } = await openProgram(t);
+  // Half as long again as is allowed at first, on this machine.
+  const count = await page.evaluate(() => {
+    const work = (n) => Array.from({ length: n }, (_, i) => String((i * 7919) % n)).sort();
+    const began = performance.now();
+    work(200_000);
+    return Math.round((200_000 * 1600) / (performance.now() - began));
+  });
+  await page.locator("#program-list").selectOption("turn_when_you_bump.javascript");
+  await page.locator(".cm-content", { hasText: "function step" }).waitFor();
+  await write(page, `function step(robot) {\n  robot.go(0.2);\n  if (robot.step === 9) Array.from({ length: ${count} }, (_, i) => String((i * 7919) % ${count})).sort();\n}\n`);
+  await page.evaluate(() => {
+    const error = document.getElementById("program-error");
+    new MutationObserver(() => (window.wasDoubted ||= error.textContent.includes("Looking for"))).observe(error, { childList: true, characterData: true, subtree: true });
+  });
+  await page.keyboard.press("Control+Enter");
+  await page.waitForFunction(() => window.wasDoubted);
+  await page.waitForFunction(() => document.getElementById("program-error").hidden && document.getElementById("program-status").textContent.startsWith("Change a number"));
+  await page.waitForFunction(() => Number(document.getElementById("n-distance").textContent) > 0.5);
 });
 
 test("scrubbing back shows variables, prints and the line of that time", async (t) => {
@@ -158,4 +186,18 @@ test("the virtual Roomba is driven by the program, and stops for good when answe
   await page.getByText("was too slow").or(page.getByText("took too long")).first().waitFor();
   await robot.rests();
   assert.ok((await robot.distance()) < 0.6, "it drove on");
+});
+
+test("the virtual Roomba drives what a program has planned", async (t) => {
+  const { page, app } = await openProgram(t, { address: "#room=empty&robot=roomba600&tab=program&script=plan_in_rows.python", viewport: { width: 1000, height: 640 } });
+  const robot = new Robot(page, app);
+  await page.getByText("Change a number").waitFor();
+  await page.locator("#tab-connection").click();
+  await robot.connect();
+  await robot.arm();
+  assert.equal(await page.locator("#connection-algorithm").inputValue(), "program_planner");
+  await page.locator("#connection-go").click();
+  await robot.drives(0.3);
+  await page.locator("#connection-end").click();
+  await robot.rests();
 });
