@@ -77,8 +77,8 @@ console.log(`    Stop answers after ${shown(stops)}, in an endless loop`);
 
 for (const [language, ending] of [["Python", "python"], ["JavaScript", "javascript"]]) {
   await open(`follow_the_wall.${ending}`, "&speed=0");
-  await page.waitForFunction(() => /^(3[1-9]|[4-9]\d):/.test(document.getElementById("n-time").textContent));
-  await page.locator("#play").click();
+  await page.waitForFunction(() => document.getElementById("n-time").textContent.split(":").reduce((sum, part) => 60 * sum + Number(part), 0) > 1860);
+  if ((await page.evaluate(() => document.body.dataset.state)) === "playing") await page.locator("#play").click();
   await page.evaluate(() => (document.getElementById("program-watch").open = true));
   await page.waitForFunction(() => document.getElementById("program-moment").textContent !== "");
   const took = [];
