@@ -63,8 +63,8 @@ function* drive(robot, { direction, cells }) {
     // Back to the middle of the lane: by how far it is to the left, and by its heading.
     const off = (here[1] * CELL - robot.y) * x - (here[0] * CELL - robot.x) * y;
     const wrong = ((HEADING[direction] - robot.heading + 540) % 360) - 180;
-    const near = Math.max(...robot.light.slice(1, 5)) > 20; // carefully: at a bump the wheels slip
-    robot.go(near ? 0.12 : 0.3, Math.max(-60, Math.min(60, 300 * off + 2 * wrong)));
+    const near = Math.max(...robot.light.slice(1, 5)) > 300; // carefully: at a bump the wheels slip
+    robot.go(near ? 0.15 : 0.3, Math.max(-60, Math.min(60, 300 * off + 2 * wrong)));
     yield;
   }
 }

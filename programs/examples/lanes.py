@@ -50,8 +50,8 @@ def drive(robot, direction, cells):
         # Back to the middle of the lane: by how far it is to the left, and by its heading.
         off = (here[1] * CELL - robot.y) * x - (here[0] * CELL - robot.x) * y
         wrong = (HEADING[direction] - robot.heading + 540) % 360 - 180
-        near = max(robot.light[1:5]) > 20  # carefully: at a bump the wheels slip
-        robot.go(0.12 if near else 0.3, max(-60, min(60, 300 * off + 2 * wrong)))
+        near = max(robot.light[1:5]) > 300  # carefully: at a bump the wheels slip
+        robot.go(0.15 if near else 0.3, max(-60, min(60, 300 * off + 2 * wrong)))
         yield
 
 def run(robot):

@@ -2,7 +2,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openApp } from "./app.mjs";
-import { Robot } from "./connection.mjs";
 
 /** Opens the tab; the first program runs by itself. */
 async function openProgram(t, options = {}) {
@@ -155,8 +154,7 @@ test("Explore names the program, and it takes part in the race and in many runs"
   await page.locator("#tab-explore").click();
   await page.locator("#algorithm option:checked", { hasText: "Your program: Turn when you bump" }).waitFor({ state: "attached" });
   await page.locator("#tab-compare").click();
-  await page.getByText("Behaviours, in the race only").click();
-  await page.locator("#racing-behaviours li", { hasText: "Your program" }).locator("input[type=checkbox]").first().check();
+  await page.locator("#entrants li", { hasText: "Your program" }).locator("input[type=checkbox]").first().check();
   await page.locator("#lanes figure", { hasText: "Your program" }).waitFor();
   await page.locator("#race-play").click();
   await page.waitForFunction(() => [...document.querySelectorAll("#lanes figure")].some((lane) => lane.textContent.includes("Your program") && Number.parseFloat(lane.querySelector("output").textContent) > 0.5));
@@ -168,35 +166,4 @@ test("Explore names the program, and it takes part in the race and in many runs"
   await page.locator("#runs-minutes").selectOption({ index: 0 });
   await page.locator("#runs-go").click();
   await page.locator("#runs-behaviours li", { hasText: "Your program" }).getByText("✓").waitFor();
-});
-
-test("the virtual Roomba is driven by the program, and stops for good when answers fail to come", async (t) => {
-  const { page, app } = await openProgram(t, { address: "#room=empty&robot=roomba600&tab=program", viewport: { width: 1000, height: 640 } });
-  const robot = new Robot(page, app);
-  await write(page, "def step(robot):\n    if robot.distance > 0.3:\n        while True: pass\n    robot.go(0.2)\n");
-  await page.keyboard.press("Control+Enter");
-  await page.locator("#program-error").filter({ hasText: "never ends" }).waitFor();
-  await page.locator("#tab-connection").click();
-  await robot.connect();
-  await robot.arm();
-  await page.locator("#connection-algorithm").selectOption("program");
-  await page.locator("#connection-go").click();
-  await robot.drives(0.25);
-  await page.getByText("was too slow").or(page.getByText("took too long")).first().waitFor();
-  await robot.rests();
-  assert.ok((await robot.distance()) < 0.6, "it drove on");
-});
-
-test("the virtual Roomba drives what a program has planned", async (t) => {
-  const { page, app } = await openProgram(t, { address: "#room=empty&robot=roomba600&tab=program&script=plan_in_rows.python", viewport: { width: 1000, height: 640 } });
-  const robot = new Robot(page, app);
-  await page.getByText("Change a number").waitFor();
-  await page.locator("#tab-connection").click();
-  await robot.connect();
-  await robot.arm();
-  assert.equal(await page.locator("#connection-algorithm").inputValue(), "program_planner");
-  await page.locator("#connection-go").click();
-  await robot.drives(0.3);
-  await page.locator("#connection-end").click();
-  await robot.rests();
 });
