@@ -83,6 +83,7 @@ export function loadJavaScript(options) {
     static now = clock.now;
   };
   const console = { log: print, info: print, warn: print, error: print, debug: print };
+  options.begins?.();
   /** @type {Record<string, any>} */
   let parts;
   try {
