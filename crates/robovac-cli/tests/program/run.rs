@@ -108,7 +108,7 @@ fn faults_of_a_program_are_told() {
     assert!(message.contains("\"no-such-interpreter\" isn't installed"), "{message}");
 }
 
-// slow: a second is the limit of a step
+// slow: a program that sleeps has four seconds for a step
 #[test]
 fn an_endless_step_is_ended_with_all_that_it_started() {
     let pid = file("pid", "");
