@@ -60,6 +60,8 @@ function way(name, isBlockable, begin) {
     hold: (robot) => {
       // Until it brakes, in wheels that turn half as fast again as they should.
       const { speed } = going;
+      // One that begins blocked ends with the next step.
+      if (isBlockable && robot.blocked()) return 0;
       const left = going.left(robot);
       const steps = left > speed * speed ? Math.trunc((left - speed * speed) / (speed * 0.0225)) : 0;
       return limit > 2 ? Math.min(steps, limit - 2) : 0;

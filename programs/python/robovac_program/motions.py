@@ -97,7 +97,8 @@ class Forward(Motion):
         robot.drive(speed, speed)
 
     def hold(self, robot):
-        return _ahead(abs(self.end - robot.distance), self.speed, self.limit)
+        # One that begins blocked ends with the next step.
+        return 0 if robot.blocked() else _ahead(abs(self.end - robot.distance), self.speed, self.limit)
 
 
 class Turn(Motion):
@@ -166,7 +167,7 @@ class Arc(Motion):
 
     def hold(self, robot):
         outer = self.radius + 0.5 * robot.wheel_base
-        return _ahead(abs(self.end - robot.turned) * RADIANS * outer, self.speed, self.limit)
+        return 0 if robot.blocked() else _ahead(abs(self.end - robot.turned) * RADIANS * outer, self.speed, self.limit)
 
 
 class Wait(Motion):

@@ -16,10 +16,9 @@ use std::sync::{
     atomic::{AtomicBool, Ordering},
 };
 
-/// Memory of a program, MB, and its processor time in a run, s: in the page it has as much memory, and ten times the time that
-/// the examples take.
+/// Memory of a program, MB, and its processor time in a run, s.
 const MEMORY_MB: u64 = 1024;
-const PROCESSOR_S: u64 = 120;
+const PROCESSOR_S: u64 = 60;
 
 /// A program, ready to be run with any seed.
 pub struct Pupil {

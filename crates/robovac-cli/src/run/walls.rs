@@ -59,7 +59,11 @@ impl Walls {
         let mut command = Command::new("sh");
         // The limits are set before anything else runs, so nothing comes in between. Files can't grow, which holds for
         // the memory behind /dev/shm, too.
-        let limits = format!("ulimit -c 0; ulimit -f 0; ulimit -d {}; ulimit -t {seconds}", memory_mb << 10);
+        let limits = format!(
+            "ulimit -c 0; ulimit -f 0; ulimit -d {}; ulimit -t {}; ulimit -S -t {seconds}",
+            memory_mb << 10,
+            seconds + 2
+        );
         if !self.is_whole {
             command.args(["-c", &format!("{limits}; exec \"$@\""), "sh"]).args(language.words());
             command.envs(language.variables());
