@@ -14,7 +14,7 @@ export function goal(context, goal) {
   const box = make("section", { className: "part goal", "aria-label": "Goal" }, make("h4", {}, "Goal"));
   if (goal.title) box.append(make("p", {}, goal.title));
   const list = make("ul", { className: "needs" }, ...goal.needs.map((need) => make("li", {}, words(need, goal))));
-  const allowed = make("p", { className: "note" }, `You may change: ${goal.changes.join(", ")}. ${count(goal.runs)} of ${goal.minutes} min, seeds ${goal.first_seed} to ${goal.first_seed + goal.runs - 1}.`);
+  const allowed = make("p", { className: "note" }, `You may change: ${goal.changes.map((name) => WORDS[name] ?? name).join(", ")}. ${count(goal.runs)} of ${goal.minutes} min, seeds ${goal.first_seed} to ${goal.first_seed + goal.runs - 1}.`);
   const live = make("p", { className: "note live" });
   const outcome = make("div", { className: "outcome", role: "status" });
   const bar = make("progress", { max: 1, value: 0, hidden: true, "aria-label": "Runs" });
@@ -90,6 +90,9 @@ export function goal(context, goal) {
   box.append(list, allowed, make("p", { className: "act" }, begin, check), bar, live, outcome);
   return box;
 }
+
+/** What may be changed, by its name on the page. @type {Record<string, string>} */
+const WORDS = { algorithm: "Algorithm with its parameters", program: "the program", params: "the algorithm's parameters", cell: "Planning cell", robot: "Robot", start: "the start point", odometry: "Odometry", "plan seed": "Seed", charge: "Start charge" };
 
 /** @param {number} runs */
 const count = (runs) => (runs === 1 ? "One run" : `${runs} runs`);
