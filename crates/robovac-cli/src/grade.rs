@@ -133,9 +133,8 @@ fn make(jobs: &[Vec<Job>], programs: Option<&Programs>, threads: usize) -> Vec<R
     });
     let labs: BTreeMap<(usize, usize), Result<Ready, String>> = all.iter().map(|(at, _)| *at).zip(labs).collect();
     let able = all.iter().filter(|(at, _)| labs.get(at).is_some_and(Result::is_ok));
-    let pieces: Vec<Piece<'_>> = able
-        .flat_map(|(at, job)| job.request.seeds.iter().map(|&seed| Piece { at: *at, job, seed }))
-        .collect();
+    let pieces: Vec<Piece<'_>> =
+        able.flat_map(|(at, job)| job.request.seeds.iter().map(|&seed| Piece { at: *at, job, seed })).collect();
     let outcomes = parallel(&pieces, threads, |piece| match labs.get(&piece.at) {
         Some(Ok((lab, None))) => piece.job.request.run_one(lab, piece.seed),
         Some(Ok((lab, Some(pupil)))) => match programs {

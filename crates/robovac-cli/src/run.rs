@@ -26,8 +26,6 @@ use robovac_sim::{
     program::{Lockstep, ProgramRoom, check_walk},
 };
 use serde::Serialize;
-pub use talk::{drive, greet, hello, plan};
-pub use walls::Walls;
 use std::{
     fmt::Write,
     path::{Path, PathBuf},
@@ -37,6 +35,8 @@ use std::{
     },
     thread,
 };
+pub use talk::{drive, greet, hello, plan};
+pub use walls::Walls;
 
 /// Run your own program on the simulated robot: Python, JavaScript, or any program that speaks the protocol
 #[derive(clap::Args)]

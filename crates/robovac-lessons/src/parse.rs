@@ -83,7 +83,8 @@ fn kind_of(info: &str) -> Option<(&'static str, &str)> {
 
 /// A title as a name in links.
 fn plain(title: &str) -> String {
-    let kept: String = title.to_ascii_lowercase().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    let kept: String =
+        title.to_ascii_lowercase().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
     let parts: Vec<&str> = kept.split('-').filter(|part| !part.is_empty()).collect();
     if parts.is_empty() { "lesson".to_owned() } else { parts.join("-") }
 }

@@ -1,8 +1,8 @@
 //! Every lesson of the page: it is in order, its scenes are ones that the page takes, and every goal is reached by its
 //! answer and missed by its start.
 
-use robovac_lessons::{Answer, GradedAnswer, Lesson, Quiz, QuizAnswer, check};
 use coverage_planners::metrics::METRICS;
+use robovac_lessons::{Answer, GradedAnswer, Lesson, Quiz, QuizAnswer, check};
 use robovac_sim::experiment::Algorithm;
 use std::{fs, path::PathBuf};
 
@@ -35,7 +35,8 @@ fn every_lesson_is_in_order_and_in_the_index() {
         let listed = (entry["id"].as_str(), entry["title"].as_str(), entry["minutes"].as_f64());
         assert_eq!(listed, (Some(lesson.id.as_str()), Some(lesson.title.as_str()), Some(lesson.minutes)), "{file}");
         assert!((20.0..=45.0).contains(&lesson.minutes), "{file}");
-        let explained: Vec<&str> = entry["explains"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
+        let explained: Vec<&str> =
+            entry["explains"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
         assert_eq!(explained, lesson.explains, "{file}");
         assert!(!lesson.outcomes.is_empty() && !lesson.sources.is_empty(), "{file}");
         assert!(lesson.goals().count() + lesson.quizzes().count() > 0, "{file}");
@@ -65,7 +66,9 @@ fn what_lessons_explain_is_a_label_of_the_page() {
         let found: Vec<&str> = text.split(before).skip(1).filter_map(|rest| rest.split(after).next()).collect();
         assert!(!found.is_empty(), "{file} has no {before}");
         // Behind a comma is the unit.
-        let name = |label: &&str| label.rsplit('>').next().unwrap_or_default().split(',').next().unwrap_or_default().to_owned();
+        let name = |label: &&str| {
+            label.rsplit('>').next().unwrap_or_default().split(',').next().unwrap_or_default().to_owned()
+        };
         labels.extend(found.iter().map(name));
     }
     let mut seen = Vec::new();

@@ -30,13 +30,18 @@ impl Walls {
     /// All of it, if bubblewrap works here; else why not, and what helps.
     pub fn probe() -> Result<Self, String> {
         if !cfg!(target_os = "linux") {
-            return Err("only Linux can keep programs of strangers from files and network; run this in a virtual machine \
+            return Err(
+                "only Linux can keep programs of strangers from files and network; run this in a virtual machine \
                         with Linux"
-                .to_owned());
+                    .to_owned(),
+            );
         }
         let mut command = Command::new("bwrap");
         command.args(["--unshare-all", "--die-with-parent", "--ro-bind", "/", "/", "--", "/bin/sh", "-c", "exit 0"]);
-        let output = command.stdin(Stdio::null()).output().map_err(|error| format!("bwrap can't be started ({error}); {MEND}"))?;
+        let output = command
+            .stdin(Stdio::null())
+            .output()
+            .map_err(|error| format!("bwrap can't be started ({error}); {MEND}"))?;
         if !output.status.success() {
             let why = String::from_utf8_lossy(&output.stderr);
             return Err(format!("bwrap fails ({}); {MEND}", why.lines().last().unwrap_or("without a word").trim()));
@@ -76,7 +81,9 @@ impl Walls {
         }
         let script = format!("{limits}; rules=$1; shift; exec \"$@\" 9<\"$rules\"");
         command.args(["-c", &script, "sh"]).arg(&rules);
-        command.args("bwrap --unshare-all --die-with-parent --new-session --clearenv --seccomp 9 --ro-bind /usr /usr".split(' '));
+        command.args(
+            "bwrap --unshare-all --die-with-parent --new-session --clearenv --seccomp 9 --ro-bind /usr /usr".split(' '),
+        );
         for place in ["/bin", "/sbin", "/lib", "/lib64"] {
             match std::fs::read_link(place) {
                 Ok(target) => command.arg("--symlink").arg(target).arg(place),
@@ -84,17 +91,22 @@ impl Walls {
             };
         }
         command.args("--ro-bind-try /etc/ld.so.cache /etc/ld.so.cache --dev /dev".split(' '));
-        let (binary, home) = interpreter(&language.words()[0])?;
+        let Some((name, arguments)) = language.words().split_first() else {
+            return Err("there is no command".to_owned());
+        };
+        let (binary, home) = interpreter(name)?;
         if !home.starts_with("/usr") {
             command.arg("--ro-bind").args([&home, &home]);
         }
         command.arg("--ro-bind").args([folder, Path::new(INSIDE)]);
-        let inside = |path: &Path| path.strip_prefix(folder).map_or_else(|_| path.to_owned(), |rest| Path::new(INSIDE).join(rest));
+        let inside = |path: &Path| {
+            path.strip_prefix(folder).map_or_else(|_| path.to_owned(), |rest| Path::new(INSIDE).join(rest))
+        };
         for (key, value) in language.variables() {
             command.arg("--setenv").arg(key).arg(inside(value));
         }
         command.args(["--remount-ro", "/", "--chdir", "/", "--"]).arg(binary);
-        command.args(language.words()[1..].iter().map(|word| inside(Path::new(word))));
+        command.args(arguments.iter().map(|word| inside(Path::new(word))));
         Ok(command)
     }
 }
@@ -162,7 +174,10 @@ fn calls() -> Option<Calls> {
 /// The filter as the kernel reads it: `struct sock_filter` for each instruction.
 fn filter() -> Result<Vec<u8>, String> {
     let Some(Calls { audit, clone, clone3, refused }) = calls() else {
-        return Err(format!("there is no filter of system calls for {}; use a computer with x86-64 or ARM", std::env::consts::ARCH));
+        return Err(format!(
+            "there is no filter of system calls for {}; use a computer with x86-64 or ARM",
+            std::env::consts::ARCH
+        ));
     };
     let mut rules: Vec<(u16, u8, u8, u32)> = vec![
         (LOAD, 0, 0, 4),

@@ -100,7 +100,10 @@ fn by_program(lesson: &str, goal: &str, link: &str, name: &str, source: &str) ->
 /// Whether programs of strangers can be kept in here; else what `robovac grade` says must name it, and the mend.
 fn has_walls(errors: &str, code: i32) -> bool {
     let refused = errors.contains("can't be kept from your files and the network");
-    assert!(!refused || code == 1 && errors.contains("apt install bubblewrap") && errors.contains("--unconfined"), "{errors}");
+    assert!(
+        !refused || code == 1 && errors.contains("apt install bubblewrap") && errors.contains("--unconfined"),
+        "{errors}"
+    );
     !refused
 }
 
@@ -118,22 +121,37 @@ fn hostile_programs_fail_with_their_cause_and_the_others_are_graded_all_the_same
         ("memory", "def step(robot):\n    kept = bytearray(4 << 30)\n".to_owned(), "line 2: MemoryError"),
         ("file", format!("def step(robot):\n    open({secret:?}).read()\n"), "line 2: FileNotFoundError"),
         ("write", "def step(robot):\n    open('/tmp/x', 'w')\n".to_owned(), "line 2: FileNotFoundError"),
-        ("socket", format!("import socket\ndef step(robot):\n    socket.create_connection(('127.0.0.1', {port}))\n"), "line 3: PermissionError"),
+        (
+            "socket",
+            format!("import socket\ndef step(robot):\n    socket.create_connection(('127.0.0.1', {port}))\n"),
+            "line 3: PermissionError",
+        ),
         ("fork", "import os\ndef step(robot):\n    while True: os.fork()\n".to_owned(), "line 3: PermissionError"),
-        ("shell", "import subprocess\ndef step(robot):\n    subprocess.run(['/bin/ls'])\n".to_owned(), "line 3: PermissionError"),
-        ("secrets", "import os\ndef step(robot):\n    raise KeyError(str(len(os.environ.get('HOME', ''))))\n".to_owned(), "KeyError: '0'"),
+        (
+            "shell",
+            "import subprocess\ndef step(robot):\n    subprocess.run(['/bin/ls'])\n".to_owned(),
+            "line 3: PermissionError",
+        ),
+        (
+            "secrets",
+            "import os\ndef step(robot):\n    raise KeyError(str(len(os.environ.get('HOME', ''))))\n".to_owned(),
+            "KeyError: '0'",
+        ),
         ("good", good.to_owned(), ""),
     ];
     let lesson = file("hostile.md", HOSTILE);
     let link = "room=thesis8&robot=roomba600&behaviour=program";
     let mut files: Vec<String> = answers
         .iter()
-        .map(|(name, source, _)| file(&format!("hostile-{name}.json"), &by_program("hostile", "drive", link, name, source).to_string()))
+        .map(|(name, source, _)| {
+            file(&format!("hostile-{name}.json"), &by_program("hostile", "drive", link, name, source).to_string())
+        })
         .collect();
     let mut other = by_program("hostile", "drive", link, "node", js);
     other["goals"]["drive"]["program"]["language"] = json!("javascript");
     files.push(file("hostile-node.json", &other.to_string()));
-    let none = json!({ "robovac_answer": 1, "lesson": "hostile", "name": "none", "goals": { "drive": { "link": link } } });
+    let none =
+        json!({ "robovac_answer": 1, "lesson": "hostile", "name": "none", "goals": { "drive": { "link": link } } });
     files.push(file("hostile-none.json", &none.to_string()));
     let all: Vec<&str> = std::iter::once(&lesson).chain(&files).map(String::as_str).collect();
     let (code, text, errors) = grade(&[&all[..], &["--json"]].concat());
@@ -145,7 +163,10 @@ fn hostile_programs_fail_with_their_cause_and_the_others_are_graded_all_the_same
     for ((name, _, cause), mark) in answers.iter().zip(&marks) {
         let fault = mark["goals"][0]["fault"].as_str().unwrap();
         assert_eq!((mark["passed"].as_bool(), mark["name"].as_str()), (Some(cause.is_empty()), Some(*name)), "{mark}");
-        assert!(fault.contains(cause) && (cause.is_empty() || fault.starts_with("seed 1: at 0.00 s: ")), "{name}: {fault}");
+        assert!(
+            fault.contains(cause) && (cause.is_empty() || fault.starts_with("seed 1: at 0.00 s: ")),
+            "{name}: {fault}"
+        );
     }
     assert_eq!(marks[9]["passed"], json!(true), "in JavaScript: {}", marks[9]);
     assert!(marks[10]["goals"][0]["fault"].as_str().unwrap().contains("has none"), "{}", marks[10]);

@@ -1,8 +1,7 @@
 //! Executes the runs.
 
 use crate::{
-    Conditions, STEP_S,
-    Run,
+    Conditions, Run, STEP_S,
     experiment::{
         Algorithm, Entrant, TrialError,
         planning::{Driven, PlanAnswer, PlanRequest, Planned, RoomSetup},
