@@ -3,7 +3,12 @@
 mod programs;
 mod report;
 
-use super::{failure::Failure, output, signals::end_requested};
+use super::{
+    failure::Failure,
+    output,
+    parallel::{self, in_parallel},
+    signals::end_requested,
+};
 use programs::{Programs, Pupil};
 use report::{csv, html, table};
 use robovac_lessons::{Answer, GradedAnswer, Job, Lesson, check};
@@ -12,11 +17,6 @@ use std::{
     collections::BTreeMap,
     fs,
     path::{Path, PathBuf},
-    sync::{
-        Mutex,
-        atomic::{AtomicUsize, Ordering},
-    },
-    thread,
 };
 
 /// Largest answer file, bytes.
@@ -86,7 +86,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
             answer.as_ref().map_or_else(|_| Vec::new(), |answer| GradedAnswer::jobs(&lesson, answer, seeds.as_deref()))
         })
         .collect();
-    let threads = arguments.jobs.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
+    let threads = parallel::jobs(arguments.jobs);
     let has_programs = jobs.iter().flatten().any(Job::by_program);
     let programs = has_programs.then(|| Programs::new(arguments.unconfined, end_requested()?)).transpose()?;
     if let Some(programs) = &programs {
@@ -122,7 +122,7 @@ fn make(jobs: &[Vec<Job>], programs: Option<&Programs>, threads: usize) -> Vec<R
         .enumerate()
         .flat_map(|(who, jobs)| jobs.iter().enumerate().map(move |(which, job)| ((who, which), job)))
         .collect();
-    let labs = parallel(&all, threads, |(_, job)| {
+    let labs = in_parallel(&all, threads, |(_, job)| {
         let lab = job.request.lab()?;
         if job.by_program() {
             return Ok((lab, Some(Programs::pupil(job)?)));
@@ -135,7 +135,7 @@ fn make(jobs: &[Vec<Job>], programs: Option<&Programs>, threads: usize) -> Vec<R
     let able = all.iter().filter(|(at, _)| labs.get(at).is_some_and(Result::is_ok));
     let pieces: Vec<Piece<'_>> =
         able.flat_map(|(at, job)| job.request.seeds.iter().map(|&seed| Piece { at: *at, job, seed })).collect();
-    let outcomes = parallel(&pieces, threads, |piece| match labs.get(&piece.at) {
+    let outcomes = in_parallel(&pieces, threads, |piece| match labs.get(&piece.at) {
         Some(Ok((lab, None))) => piece.job.request.run_one(lab, piece.seed),
         Some(Ok((lab, Some(pupil)))) => match programs {
             Some(programs) => programs.run(piece.job, pupil, lab, piece.seed),
@@ -160,29 +160,6 @@ fn make(jobs: &[Vec<Job>], programs: Option<&Programs>, threads: usize) -> Vec<R
         }
     }
     results
-}
-
-/// Does work on several threads; results are in the order of the items.
-fn parallel<T: Sync, R: Send>(items: &[T], threads: usize, work: impl Fn(&T) -> R + Sync) -> Vec<R> {
-    let next = AtomicUsize::new(0);
-    let done = Mutex::new(Vec::with_capacity(items.len()));
-    thread::scope(|scope| {
-        for _ in 0..threads.clamp(1, items.len().max(1)) {
-            scope.spawn(|| {
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(item) = items.get(index) else { break };
-                    let result = work(item);
-                    if let Ok(mut done) = done.lock() {
-                        done.push((index, result));
-                    }
-                }
-            });
-        }
-    });
-    let mut done = done.into_inner().unwrap_or_default();
-    done.sort_by_key(|(index, _)| *index);
-    done.into_iter().map(|(_, result)| result).collect()
 }
 
 fn read(path: &Path) -> Result<String, Failure> {
