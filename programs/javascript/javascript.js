@@ -170,6 +170,8 @@ export function loadJavaScript(options) {
       }
       return !robot._isDone;
     },
+    hold: () => motion?.hold?.(robot) ?? 0,
+    skip: (/** @type {number} */ steps) => motion?.skip?.(steps),
     variables,
     save: () => undefined,
     restore: () => { throw new Error("JavaScript programs are replayed, not restored"); },
