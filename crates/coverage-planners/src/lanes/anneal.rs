@@ -4,7 +4,7 @@ use super::{
     LanesObserver, LanesProgress, LanesSetup,
     cost::MotionTimes,
     free_space::FreeSpace,
-    moves::{Edit, FewPoints, SweptPath},
+    moves::{Edit, FewPoints, MOST_NEW, SweptPath},
     nearby::Nearby,
     raster::SweptRaster,
     scan::swept_share,
@@ -34,6 +34,15 @@ const MENDING: (u32, u64) = (8, 100);
 const WORTH_KEEPING: f64 = 3e-5;
 /// Largest shift, m, halved up to so many times.
 const SHIFT: (f64, usize) = (0.4, 8);
+
+/// TUNING ONLY.
+pub(super) fn tune(name: &'static str, default: f64) -> f64 {
+    use std::{cell::RefCell, collections::HashMap};
+    thread_local!(static KNOWN: RefCell<HashMap<&'static str, f64>> = RefCell::default());
+    KNOWN.with_borrow_mut(|known| {
+        *known.entry(name).or_insert_with(|| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default))
+    })
+}
 
 /// What a search needs.
 pub(super) struct Search<'a> {
@@ -96,7 +105,8 @@ pub(super) fn anneal(
     let all = walker.path.raster.floor_area();
     let mut allowed = (1.0 - setup.coverage) * all;
     let mut candidate: Option<(f64, Vec<Point>)> = None;
-    let (mut share, mut temperature, mut next_measure) = (0.0_f64, TEMPERATURES.0, MEASURE);
+    let temperatures = (tune("T0", TEMPERATURES.0), tune("T1", TEMPERATURES.1));
+    let (mut share, mut temperature, mut next_measure) = (0.0_f64, temperatures.0, MEASURE);
     // Once the effort is spent: the moves of a round of mending, and when the next one ends.
     let mut mending: Option<(u64, u64)> = None;
     let mut rounds = 0;
@@ -115,7 +125,7 @@ pub(super) fn anneal(
                 ControlFlow::Continue(spent) => share = share.max(spent).max(step as f64 / total as f64).min(1.0),
                 ControlFlow::Break(()) => return best.points,
             }
-            temperature = TEMPERATURES.0 * math::exp(share * math::ln(TEMPERATURES.1 / TEMPERATURES.0));
+            temperature = temperatures.0 * math::exp(share * math::ln(temperatures.1 / temperatures.0));
         }
         let ends_round = match mending {
             None if share >= 1.0 => {
@@ -181,26 +191,23 @@ impl Walker<'_> {
         let limit = -temperature * math::ln(1.0 - self.rng.random::<f64>());
         let seconds = self.path.seconds_by(&edit);
         let exchange = self.path.exchange(&edit);
-        if seconds > limit {
-            // It must sweep enough anew, of what is left and of what its new pieces can reach.
-            let reach = 2.0 * self.radius * exchange.new_length() + 0.03;
-            if seconds - limit > self.price * self.path.raster.unswept_area().min(reach) {
-                return 0.0;
-            }
+        // So much may be missed, if as much more is swept anew as there is to sweep.
+        let may_miss = (limit - seconds) / self.price;
+        if may_miss + self.path.raster.unswept_area() < 0.0 {
+            return 0.0;
+        }
+        let most = may_miss + self.path.could_win(&exchange);
+        if most < 0.0 {
+            return 0.0;
         }
         if !exchange.is_free(self.path.space) {
             return 0.0;
         }
-        let before = self.path.raster.unswept_area();
-        self.path.sweep(&exchange);
-        let missed = self.path.raster.unswept_area() - before;
-        if seconds + self.price * missed <= limit {
-            self.path.apply(&edit);
-            seconds
-        } else {
-            self.path.sweep(&exchange.back());
-            0.0
+        if self.path.missed_by(&exchange, most) > may_miss {
+            return 0.0;
         }
+        self.path.apply(&edit, &exchange);
+        seconds
     }
 
     /// Makes unswept floor dearer or cheaper, so that as much stays as is allowed, m²; `all` is the floor.
@@ -221,6 +228,9 @@ impl Walker<'_> {
     }
 
     fn propose(&mut self) -> Option<Edit> {
+        if self.rng.random::<f64>() < tune("BLOCK", 0.06) {
+            return self.shift_block();
+        }
         match self.below(100) {
             0..22 => self.shift_corner(),
             22..30 => self.slide_corner(),
@@ -290,6 +300,44 @@ impl Walker<'_> {
         };
         let (before, after) = (self.path.points[i - 1], self.path.points.get(i + 2).copied());
         Self::splice(i - 1, i + 2, &[a + slide(a, Some(before)), b + slide(b, after)])
+    }
+
+    /// Several corners in a row, across a piece of theirs or along it.
+    fn shift_block(&mut self) -> Option<Edit> {
+        let i = self.corner()?;
+        let count = 3 + self.below(MOST_NEW - 2);
+        let n = self.path.points.len();
+        if i + count > n {
+            return None;
+        }
+        let kind = self.below(5);
+        let by = self.shift();
+        let p = &self.path.points[i..i + count];
+        let along = p[1] - p[0];
+        let length = along.norm();
+        if length < 1e-6 {
+            return None;
+        }
+        let along = along / length;
+        let aside = Vector::new(-along.y, along.x);
+        let whole = aside.dot(&(p[count - 1] - p[0]));
+        if kind < 4 && kind > 1 && whole.abs() < 0.1 {
+            return None;
+        }
+        let mut new = FewPoints::new(p);
+        for point in new.slice_mut() {
+            let way = *point - p[0];
+            let share = (aside.dot(&way) / whole).clamp(0.0, 1.0);
+            *point += match kind {
+                // All of them; more and more of them from one end on; those beside the first.
+                0 | 1 => aside * by,
+                2 => aside * (by * share),
+                3 => aside * (by * (1.0 - share)),
+                _ if along.dot(&way).abs() < 0.2 => along * by,
+                _ => Vector::zeros(),
+            };
+        }
+        Some(Edit::Splice { from: i - 1, to: i + count, new })
     }
 
     fn leave_out(&mut self) -> Option<Edit> {
