@@ -64,9 +64,12 @@ impl PlacementArguments {
 impl PlacementArguments {
     /// What a scenario file alone says: its room and all settings.
     pub fn scenario(&self) -> Result<(FloorPlan, Settings), Failure> {
-        let found = self.source.scenario()?.filter(|(_, choices)| choices.algorithm().is_some() || choices.path.is_some());
+        let found =
+            self.source.scenario()?.filter(|(_, choices)| choices.algorithm().is_some() || choices.path.is_some());
         let (plan, choices) = found.ok_or_else(|| {
-            Failure::usage("give --planner or --behaviour, or as --map a scenario with an algorithm or a path".to_owned())
+            Failure::usage(
+                "give --planner or --behaviour, or as --map a scenario with an algorithm or a path".to_owned(),
+            )
         })?;
         if self.start.is_some() || self.heading.is_some() || self.robot.is_some() || self.cell.is_some() {
             let what = "--start, --heading, --robot and --cell";

@@ -143,8 +143,7 @@ fn it_comes_to_the_cells_of_many_rooms_that_nobody_has_seen() {
 fn it_cleans_generated_flats_that_nobody_has_seen() {
     let spec = FlatSpec { area_m2: [25.0, 40.0], ..FlatSpec::default() };
     for robot in ["cbot", "roomba600_lidar"] {
-        let flats: Vec<Cleaned> =
-            (1..=20).map(|seed| clean(&generate_flat(seed, &spec), robot, seed, 180.0)).collect();
+        let flats: Vec<Cleaned> = (1..=20).map(|seed| clean(&generate_flat(seed, &spec), robot, seed, 180.0)).collect();
         tell(robot, "flats", &flats);
     }
 }

@@ -4,7 +4,7 @@ use super::{
     LanesObserver, LanesProgress, LanesSetup,
     cost::MotionTimes,
     free_space::FreeSpace,
-    moves::{Edit, FewPoints, MOST_NEW, SweptPath},
+    moves::{Edit, FewPoints, SweptPath},
     nearby::Nearby,
     raster::SweptRaster,
     scan::swept_share,
@@ -20,6 +20,11 @@ use std::ops::ControlFlow;
 
 /// Temperatures at the begin and at the end, s.
 const TEMPERATURES: (f64, f64) = (1.0, 0.02);
+/// Moves for every metre that are worth another descent from the start, most descents, and the share of the search after
+/// which their number is fixed.
+const DESCENT: f64 = 30_000.0;
+const MOST_DESCENTS: f64 = 6.0;
+const FIXED: f64 = 0.01;
 /// Price of floor that isn't swept, s/m²: at first, and its limits.
 const PRICE: (f64, f64, f64) = (80.0, 20.0, 3000.0);
 /// Moves between two adjustments of the price, and at least between two updates of what is near what.
@@ -34,15 +39,6 @@ const MENDING: (u32, u64) = (8, 100);
 const WORTH_KEEPING: f64 = 3e-5;
 /// Largest shift, m, halved up to so many times.
 const SHIFT: (f64, usize) = (0.4, 8);
-
-/// TUNING ONLY.
-pub(super) fn tune(name: &'static str, default: f64) -> f64 {
-    use std::{cell::RefCell, collections::HashMap};
-    thread_local!(static KNOWN: RefCell<HashMap<&'static str, f64>> = RefCell::default());
-    KNOWN.with_borrow_mut(|known| {
-        *known.entry(name).or_insert_with(|| std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default))
-    })
-}
 
 /// What a search needs.
 pub(super) struct Search<'a> {
@@ -71,15 +67,17 @@ impl Search<'_> {
     }
 }
 
-/// Improves `points` until the effort is spent or the observer stops it; returns the best path that was measured.
+/// Improves the first of `starts` until the effort is spent or the observer stops it, and where there is time for more than one
+/// descent the others as well; returns the best path that was measured.
 pub(super) fn anneal(
     search: &Search<'_>,
     raster: SweptRaster,
-    points: Vec<Point>,
+    starts: &[Vec<Point>],
     observer: LanesObserver<'_>,
 ) -> Vec<Point> {
     let Search { floor, setup, .. } = *search;
-    let mut best = search.measure(&points);
+    let Some(points) = starts.first() else { return Vec::new() };
+    let mut best = search.measure(points);
     let mut tell = |done: f64, best: &Measured| {
         observer(LanesProgress { done, path: &best.points, duration_s: best.seconds, coverage: best.coverage })
     };
@@ -92,9 +90,13 @@ pub(super) fn anneal(
     if points.is_empty() || total == 0 {
         return best.points;
     }
-    let points = if let [only] = points[..] { vec![only; 2] } else { points };
+    let begin = |start: usize| {
+        let points = &starts[start % starts.len()];
+        let points = if let [only] = points[..] { vec![only; 2] } else { points.clone() };
+        SweptPath::new(points, raster.clone(), search.space, search.times, search.heading)
+    };
     let mut walker = Walker {
-        path: SweptPath::new(points, raster, search.space, search.times, search.heading),
+        path: begin(0),
         nearby: Nearby::default(),
         rng: seeded(setup.seed, 0),
         radius: floor.tool_radius,
@@ -105,11 +107,11 @@ pub(super) fn anneal(
     let all = walker.path.raster.floor_area();
     let mut allowed = (1.0 - setup.coverage) * all;
     let mut candidate: Option<(f64, Vec<Point>)> = None;
-    let temperatures = (tune("T0", TEMPERATURES.0), tune("T1", TEMPERATURES.1));
-    let (mut share, mut temperature, mut next_measure) = (0.0_f64, temperatures.0, MEASURE);
+    let (mut share, mut temperature, mut next_measure) = (0.0_f64, TEMPERATURES.0, MEASURE);
     // Once the effort is spent: the moves of a round of mending, and when the next one ends.
     let mut mending: Option<(u64, u64)> = None;
     let mut rounds = 0;
+    let (mut descents, mut descent) = (None, 0.0);
     let mut next_rebuild = 0;
     for step in 0.. {
         if step % ADJUST == 0 {
@@ -125,7 +127,23 @@ pub(super) fn anneal(
                 ControlFlow::Continue(spent) => share = share.max(spent).max(step as f64 / total as f64).min(1.0),
                 ControlFlow::Break(()) => return best.points,
             }
-            temperature = temperatures.0 * math::exp(share * math::ln(temperatures.1 / temperatures.0));
+            if descents.is_none() && share >= FIXED {
+                let moves = step as f64 / share;
+                descents = Some((moves / (DESCENT * metres)).floor().clamp(1.0, MOST_DESCENTS));
+            }
+            let at = share * descents.unwrap_or(1.0);
+            if at.floor() > descent && share < 1.0 {
+                descent = at.floor();
+                if let Some((_, points)) = candidate.take() {
+                    let found = search.measure(&points);
+                    best = if found.value < best.value { found } else { best };
+                }
+                (walker.path, walker.price) = (begin(descent as usize), PRICE.0);
+                (seconds, allowed) = (walker.path.seconds(), (1.0 - setup.coverage) * all);
+                next_rebuild = step;
+                walker.nearby.rebuild(&walker.path.points);
+            }
+            temperature = TEMPERATURES.0 * math::exp((at - descent) * math::ln(TEMPERATURES.1 / TEMPERATURES.0));
         }
         let ends_round = match mending {
             None if share >= 1.0 => {
@@ -228,9 +246,6 @@ impl Walker<'_> {
     }
 
     fn propose(&mut self) -> Option<Edit> {
-        if self.rng.random::<f64>() < tune("BLOCK", 0.06) {
-            return self.shift_block();
-        }
         match self.below(100) {
             0..22 => self.shift_corner(),
             22..30 => self.slide_corner(),
@@ -300,44 +315,6 @@ impl Walker<'_> {
         };
         let (before, after) = (self.path.points[i - 1], self.path.points.get(i + 2).copied());
         Self::splice(i - 1, i + 2, &[a + slide(a, Some(before)), b + slide(b, after)])
-    }
-
-    /// Several corners in a row, across a piece of theirs or along it.
-    fn shift_block(&mut self) -> Option<Edit> {
-        let i = self.corner()?;
-        let count = 3 + self.below(MOST_NEW - 2);
-        let n = self.path.points.len();
-        if i + count > n {
-            return None;
-        }
-        let kind = self.below(5);
-        let by = self.shift();
-        let p = &self.path.points[i..i + count];
-        let along = p[1] - p[0];
-        let length = along.norm();
-        if length < 1e-6 {
-            return None;
-        }
-        let along = along / length;
-        let aside = Vector::new(-along.y, along.x);
-        let whole = aside.dot(&(p[count - 1] - p[0]));
-        if kind < 4 && kind > 1 && whole.abs() < 0.1 {
-            return None;
-        }
-        let mut new = FewPoints::new(p);
-        for point in new.slice_mut() {
-            let way = *point - p[0];
-            let share = (aside.dot(&way) / whole).clamp(0.0, 1.0);
-            *point += match kind {
-                // All of them; more and more of them from one end on; those beside the first.
-                0 | 1 => aside * by,
-                2 => aside * (by * share),
-                3 => aside * (by * (1.0 - share)),
-                _ if along.dot(&way).abs() < 0.2 => along * by,
-                _ => Vector::zeros(),
-            };
-        }
-        Some(Edit::Splice { from: i - 1, to: i + count, new })
     }
 
     fn leave_out(&mut self) -> Option<Edit> {

@@ -4,7 +4,7 @@ use super::{cost::MotionTimes, free_space::FreeSpace, raster::SweptRaster};
 use robovac_core::geometry::{Point, Vector};
 
 /// Most new points of a splice.
-pub(super) const MOST_NEW: usize = 16;
+pub(super) const MOST_NEW: usize = 8;
 
 /// A few points.
 #[derive(Debug, Clone, Copy)]
@@ -42,10 +42,6 @@ impl FewPoints {
 
     fn slice(&self) -> &[Point] {
         &self.points[..self.count]
-    }
-
-    pub fn slice_mut(&mut self) -> &mut [Point] {
-        &mut self.points[..self.count]
     }
 }
 

@@ -57,7 +57,7 @@ impl SweptRaster {
         let high = corners.iter().fold(corners[0], |high, c| high.sup(c));
         let extent = high - low;
         let least = (extent.x * extent.y / MOST_SAMPLES).sqrt();
-        let spacing = (2.0 * floor.tool_radius / super::anneal::tune("ACROSS", ACROSS)).max(least);
+        let spacing = (2.0 * floor.tool_radius / ACROSS).max(least);
         let count = |metres: f64| (metres / spacing) as i32 + 1;
         let (width, height) = (count(extent.x), count(extent.y));
         let mut raster = Self {
@@ -174,7 +174,11 @@ impl SweptRaster {
         for &(a, b) in new.iter().filter(|piece| !old.contains(piece)) {
             let Stroke { low, high, rows, slope, radius, .. } = self.stroke(a, b);
             let (left, right) = (low.x.min(high.x), low.x.max(high.x));
-            for block_row in rows.0 >> BLOCK..=(rows.1 - 1).max(rows.0) >> BLOCK {
+            // A piece that nobody has checked can lie off the map.
+            if rows.0 >= rows.1 {
+                continue;
+            }
+            for block_row in rows.0 >> BLOCK..=(rows.1 - 1) >> BLOCK {
                 // The part of the segment that is no farther from these rows than the tool reaches.
                 let bottom = f64::from(block_row << BLOCK) - radius;
                 let top = f64::from((block_row + 1) << BLOCK) + radius;
@@ -218,9 +222,9 @@ impl SweptRaster {
             let different = these.iter().filter(|piece| !others.contains(piece));
             strokes.extend(different.map(|&(a, b)| (self.stroke(a, b), by)));
         }
-        let rows = strokes.iter().fold((i32::MAX, i32::MIN), |rows, (stroke, _)| {
-            (rows.0.min(stroke.rows.0), rows.1.max(stroke.rows.1))
-        });
+        let rows = strokes
+            .iter()
+            .fold((i32::MAX, i32::MIN), |rows, (stroke, _)| (rows.0.min(stroke.rows.0), rows.1.max(stroke.rows.1)));
         self.strokes = strokes;
         rows
     }

@@ -2,9 +2,7 @@
 
 use crate::{
     Conditions, Run, RunSetup, World,
-    controller::{
-        self, BehaviourInfo, Behaviours, FollowPath, FollowSmoothly, Follower, Recharge, Setup, safe_speed,
-    },
+    controller::{self, BehaviourInfo, Behaviours, FollowPath, FollowSmoothly, Follower, Recharge, Setup, safe_speed},
 };
 use coverage_planners::{
     Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
