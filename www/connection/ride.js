@@ -173,7 +173,8 @@ export function startRide(it) {
       const { can, is_moving: goes } = view;
       setHidden(button("connection-to-start"), goes || !it.live.isKnown() || placeOf(view) === "at");
       const where = it.live.isKnown() ? "It is assumed to start on the dashed circle, facing along its arrow." : "It starts from where it stands.";
-      const question = view.calibration.step === "asking" ? "Calibration waits for your answer: answer or skip it in Tools, Calibrate." : where;
+      const charging = room.algorithm?.kind === "planner" ? " On a planned path it does not go home to charge." : "";
+      const question = view.calibration.step === "asking" ? "Calibration waits for your answer: answer or skip it in Tools, Calibrate." : where + charging;
       setText(byId("connection-ride-note"), room.refusal() || (can.drive ? question : "Take control first."));
       setEnabled(button("connection-go"), can.ride);
       setEnabled(button("connection-end"), goes || waiting !== undefined);
