@@ -97,6 +97,8 @@ need_browsers() {
         missing+=(chromium chromium-driver chromium-headless-shell fonts-liberation)
     find_firefox >/dev/null || missing+=(firefox-esr)
     { have WebKitWebDriver && have Xvfb; } || missing+=(webkit2gtk-driver xvfb)
+    # For a page over https.
+    have openssl || missing+=(openssl)
     ((${#missing[@]})) || return 0
     step "Installing browsers: ${missing[*]}" apt_install "${missing[@]}"
     { find_chromium && find_chromedriver; } >/dev/null ||

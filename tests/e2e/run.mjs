@@ -10,7 +10,7 @@ import { fileURLToPath } from "node:url";
 const here = path.dirname(fileURLToPath(import.meta.url));
 const words = process.argv.slice(2);
 /** Those that take long begin first, so that no process is left with one at the end. */
-const LONG = ["webkit", "firefox", "choices", "settings", "compare", "map", "connection-virtual", "floor-plan", "bench", "near-optimal", "connection-stop", "connection-bridge", "connection-fake", "connection-usb"];
+const LONG = ["webkit", "firefox", "choices", "settings", "compare", "map", "connection-virtual", "floor-plan", "bench", "near-optimal", "connection-stop", "connection-window", "connection-bridge", "connection-fake", "connection-usb"];
 const rank = (name) => (LONG.indexOf(name.replace(".test.mjs", "")) + LONG.length + 1) % (LONG.length + 1);
 const files = fs
   .readdirSync(here)
@@ -26,7 +26,9 @@ if (!fs.existsSync(path.join(here, "../../dist/index.html"))) fail("dist/ is mis
 if (files.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/e2e/*.test.mjs"}`);
 
 /** Where a robot's stop is due soon, the machine has nothing heavy to do besides. */
-const isUrgent = (file) => /^connection(-bridge|-fake|-serial|-stop|-usb)?\.test/.test(path.basename(file));
+const isUrgent = (file) => /^connection(-bridge|-fake|-serial|-stop|-usb|-window)?\.test/.test(path.basename(file));
+/** Nothing runs beside these. */
+const isAlone = (file) => /^connection-(bridge|stop|window)\.test/.test(path.basename(file));
 /** That a robot stops in time has to hold at the first try. */
 const hasOneTry = (file) => /^connection-(bridge|stop)\.test/.test(path.basename(file));
 const timeout = 900_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10);
@@ -72,9 +74,8 @@ async function runAll(files, lanes) {
 const urgent = files.filter(isUrgent);
 const failed = [...(await runAll(files.filter((file) => !isUrgent(file)), 3))];
 // They wait for most of their time.
-failed.push(...(await runAll(urgent.filter((file) => !hasOneTry(file)), 2)));
-// Nothing beside these: they measure.
-failed.push(...(await runAll(urgent.filter(hasOneTry), 1)));
+failed.push(...(await runAll(urgent.filter((file) => !isAlone(file)), 2)));
+failed.push(...(await runAll(urgent.filter(isAlone), 1)));
 // A busy machine may have made it fail; what fails alone, too, is broken.
 const again = failed.filter((file) => !hasOneTry(file));
 if (again.length > 0) console.log(`\nOnce more, one at a time: ${again.map((file) => path.basename(file)).join(" ")}`);

@@ -34,9 +34,9 @@ export async function unreachable(url) {
   const isMixed = self.location.protocol === "https:" && url.protocol === "ws:" && !isHere(url.hostname);
   // What is in the same network as the page needs no permission.
   const state = isNear(self.location.hostname) ? "granted" : await permission();
-  if (state === "denied" && !isMixed) return failure("denied", "This browser doesn't let this page reach devices in your network.", "Allow \"Local network access\" in the site's settings (the icon beside the address), then connect again.");
-  if (state === "denied" || (isMixed && state === "unknown"))
-    return failure("mixed", `${from} Browsers let a page over https:// reach a bridge at ws:// only if you allow it, and many never do.`, "Allow \"Local network access\" in the site's settings (the icon beside the address) in Chrome or Edge from version 147, use a bridge with wss://, or open a copy of this page over http:// in your own network.");
+  if (state === "denied") return failure("denied", "This browser doesn't let this page reach devices in your network.", "Allow \"Local network access\" in the site's settings (the icon beside the address), then connect again.");
+  if (isMixed && state === "unknown")
+    return failure("mixed", `${from} This browser lets a page over https:// reach only bridges at wss://.`, "Use Chrome or Edge from version 147, a bridge with wss://, or a copy of this page over http:// in your own network.");
   if (state === "prompt") return failure("denied", `${from} The browser asks first whether this page may reach devices in your network.`, `Connect again and choose Allow. If there is no question: ${lower(check)}`);
   return failure("unreachable", from, check);
 }

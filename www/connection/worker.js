@@ -11,6 +11,9 @@ import { VirtualLine } from "./virtual.js";
 const TICK_MS = 10;
 const VIEW_TICKS = 5;
 
+/** From when on a worker that didn't run is taken for asleep, ms. */
+const SLEEP_MS = 1000;
+
 /** @type {Connection} */
 let connection;
 /** @type {SessionMirror} */
@@ -105,18 +108,26 @@ async function rescue(lost) {
   tell({ type: "failed", failure: failure("broken", `The worker that holds the line stopped responding. ${what}`, isSent ? "Check that the robot has stopped, then connect again." : "Lift the robot, or press its CLEAN button.") });
 }
 
-/** By how much the time of day is ahead of the worker's own, which stands still while the computer sleeps, ms. */
-let ahead = Date.now() - performance.now();
+/** When this worker was last seen to run, by the time of day: its own clock may stand still while the computer sleeps, ms. */
+let ranAt = Date.now();
 
-/** A computer that slept didn't mind the robot, and none of its times has run out. */
+/** A computer that slept, or a browser that stood still, didn't mind the robot. */
 function mindSleep() {
-  const slept = Date.now() - performance.now() - ahead;
-  ahead += slept;
-  if (slept > 1000) connection.leave(now(), "The computer slept.");
+  const slept = Date.now() - ranAt > SLEEP_MS;
+  ranAt = Date.now();
+  if (slept) connection.leave(now(), "The computer slept, or stood still.");
+}
+
+/** Does what takes time, in which the wheels aren't supervised. @template T @param {() => T} what @returns {T} */
+function unsupervised(what) {
+  safely(() => connection.pause(now()));
+  const done = what();
+  ranAt = Date.now();
+  return done;
 }
 
 setInterval(() => {
-  if (!line) return;
+  if (!line) return (ranAt = Date.now());
   safely(() => {
     mindSleep();
     if (line instanceof VirtualLine) line.tick(now());
@@ -186,9 +197,7 @@ async function close() {
 /** @param {Extract<import("./types").ToConnection, { id: number }>} message @returns {Promise<boolean | string>} */
 async function answer(message) {
   if (message.type === "recording") {
-    // Reading a long recording takes time, in which the wheels aren't supervised.
-    safely(() => connection.pause(now()));
-    return connection.recording();
+    return unsupervised(() => connection.recording());
   }
   if (isBroken) return false;
   if (message.type === "facts") return connection.program_facts(mirror);
@@ -199,9 +208,8 @@ async function answer(message) {
   } else if (message.type === "follow") {
     const { snapshot, algorithm } = message;
     if (mirror.is_behind(snapshot, algorithm)) {
-      // Laying out a room takes time, in which the wheels aren't supervised. It isn't the page's silence either.
-      safely(() => connection.pause(now()));
-      attempt(() => mirror.follow(snapshot, algorithm));
+      // Laying out a room isn't the page's silence.
+      unsupervised(() => attempt(() => mirror.follow(snapshot, algorithm)));
       safely(() => connection.beat(now()));
     }
   } else {

@@ -177,19 +177,7 @@ impl Builder {
         if self.strokes.is_empty() {
             return Err(bad(file, "", DrawingFlaw::Nothing { left_out }));
         }
-        let mut kept = 0;
-        let moved: Vec<u32> = self
-            .layers
-            .iter()
-            .map(|layer| {
-                kept += u32::from(layer.strokes > 0);
-                kept.saturating_sub(1)
-            })
-            .collect();
-        self.layers.retain(|layer| layer.strokes > 0);
-        for stroke in &mut self.strokes {
-            stroke.layer = moved[stroke.layer as usize];
-        }
+        drop_empty_layers(&mut self.layers, &mut self.strokes);
         let Self { layers, strokes, points, .. } = self;
         Ok(super::trace::without_page(Drawing {
             name: stem(base_name(file)),
@@ -199,6 +187,22 @@ impl Builder {
             points,
             left_out,
         }))
+    }
+}
+
+/// Layers without strokes aren't shown.
+pub(super) fn drop_empty_layers(layers: &mut Vec<DrawingLayer>, strokes: &mut [Stroke]) {
+    let mut kept = 0;
+    let moved: Vec<u32> = layers
+        .iter()
+        .map(|layer| {
+            kept += u32::from(layer.strokes > 0);
+            kept.saturating_sub(1)
+        })
+        .collect();
+    layers.retain(|layer| layer.strokes > 0);
+    for stroke in strokes {
+        stroke.layer = moved[stroke.layer as usize];
     }
 }
 

@@ -1,6 +1,11 @@
 //! `compare`: planners against each other in the same rooms, by one definition of every number.
 
-use super::{failure::Failure, output, source};
+use super::{
+    failure::Failure,
+    output,
+    parallel::{in_parallel, jobs},
+    source,
+};
 use coverage_planners::{
     PLANNERS,
     metrics::{METRICS, PlanNumbers},
@@ -14,15 +19,7 @@ use robovac_sim::experiment::{
     Algorithm, Arena, Entrant,
     planning::{CELL_ROBOT, choose_robot},
 };
-use std::{
-    path::Path,
-    sync::{
-        Mutex,
-        atomic::{AtomicUsize, Ordering},
-    },
-    thread,
-    time::Instant,
-};
+use std::{path::Path, time::Instant};
 
 /// Compare planners in the same rooms
 #[derive(clap::Args)]
@@ -93,8 +90,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
             trials.extend((0..seeds).map(|i| CompareTrial { place, entrant: index, seed: arguments.seed + i }));
         }
     }
-    let jobs = arguments.jobs.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
-    let results = try_all(&trials, jobs, |trial| attempt(&places[trial.place], &entrants[trial.entrant], trial.seed));
+    let attempt = |trial: &CompareTrial| attempt(&places[trial.place], &entrants[trial.entrant], trial.seed);
+    let results = in_parallel(&trials, jobs(arguments.jobs), attempt);
     let record = |(trial, result): (&CompareTrial, _)| {
         let place: &TrialRoom = &places[trial.place];
         Record {
@@ -112,32 +109,6 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         (_, true) => to_csv(&records()),
         _ => tables(&places, &entrants, &trials, &results),
     })
-}
-
-/// Makes the trials, `jobs` at a time; results in the order of trials.
-fn try_all(
-    trials: &[CompareTrial],
-    jobs: usize,
-    attempt: impl Fn(&CompareTrial) -> Result<PlanNumbers, String> + Sync,
-) -> Vec<Result<PlanNumbers, String>> {
-    let next = AtomicUsize::new(0);
-    let results = Mutex::new(vec![Err("not tried".to_owned()); trials.len()]);
-    let work = || {
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            let Some(trial) = trials.get(index) else { break };
-            let result = attempt(trial);
-            if let Ok(mut results) = results.lock() {
-                results[index] = result;
-            }
-        }
-    };
-    thread::scope(|scope| {
-        for _ in 0..jobs.min(trials.len()) {
-            scope.spawn(work);
-        }
-    });
-    results.into_inner().unwrap_or_default()
 }
 
 fn attempt(place: &TrialRoom, entrant: &Entrant, seed: u64) -> Result<PlanNumbers, String> {

@@ -4,6 +4,7 @@ use super::{
     conditions::ConditionsArguments,
     failure::Failure,
     output,
+    parallel::{in_parallel, jobs},
     simulate::DEFAULT_ROBOT,
     task::{ParamArguments, PlacementArguments},
 };
@@ -13,15 +14,7 @@ use robovac_sim::{
     montecarlo::quantile,
 };
 use serde::Serialize;
-use std::{
-    fmt::Write,
-    sync::{
-        Mutex,
-        atomic::{AtomicU64, Ordering},
-    },
-    thread,
-    time::Instant,
-};
+use std::{fmt::Write, time::Instant};
 
 /// Relocalise a kidnapped robot on a known map
 #[derive(clap::Args)]
@@ -74,7 +67,10 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         duration_s: 60.0 * arguments.minutes.clamp(0.1, 600.0),
     };
     let began = Instant::now();
-    let trials = all(&kidnapping, arguments.params.seed, arguments.trials);
+    let first = arguments.params.seed;
+    let seeds: Vec<u64> = (first..first.saturating_add(arguments.trials)).collect();
+    let trials = in_parallel(&seeds, jobs(None), |&seed| kidnapping.run(seed));
+    let trials: Vec<Kidnapped> = trials.into_iter().flatten().collect();
     let took_s = began.elapsed().as_secs_f64();
     if arguments.json {
         let trials: Vec<LocateTrial> = trials.iter().map(LocateTrial::of).collect();
@@ -111,29 +107,6 @@ fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
     values
-}
-
-/// All trials, on all cores.
-fn all(kidnapping: &Kidnapping<'_>, first: u64, count: u64) -> Vec<Kidnapped> {
-    let (next, done) = (AtomicU64::new(0), Mutex::new(Vec::new()));
-    let cores = thread::available_parallelism().map_or(1, usize::from);
-    thread::scope(|scope| {
-        for _ in 0..cores {
-            scope.spawn(|| {
-                loop {
-                    let number = next.fetch_add(1, Ordering::Relaxed);
-                    if number >= count {
-                        break;
-                    }
-                    let trial = kidnapping.run(first + number);
-                    done.lock().unwrap_or_else(std::sync::PoisonError::into_inner).extend(trial);
-                }
-            });
-        }
-    });
-    let mut trials = done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    trials.sort_by_key(|trial| trial.seed);
-    trials
 }
 
 impl LocateTrial {

@@ -21,6 +21,7 @@ mod map;
 mod monitor;
 mod montecarlo;
 mod output;
+mod parallel;
 mod plan;
 mod recording;
 #[cfg(feature = "ros2")]

@@ -1,19 +1,18 @@
 //! `montecarlo`: many runs of the same algorithms, on all cores.
 
-use super::{conditions::ConditionsArguments, failure::Failure, simulate::DEFAULT_ROBOT, task::PlacementArguments};
+use super::{
+    conditions::ConditionsArguments,
+    failure::Failure,
+    parallel::{in_parallel, jobs},
+    simulate::DEFAULT_ROBOT,
+    task::PlacementArguments,
+};
 use robovac_sim::{
     Conditions,
     experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, planning::Placement},
-    montecarlo::{Band, EntrantRuns, Lab, RunOutcome, StudyHeader, Summary, Terms, TimeTo, to_csv, to_json},
+    montecarlo::{Band, EntrantRuns, Lab, StudyHeader, Summary, Terms, TimeTo, to_csv, to_json},
 };
-use std::{
-    fmt::Write,
-    sync::{
-        Mutex,
-        atomic::{AtomicUsize, Ordering},
-    },
-    thread,
-};
+use std::fmt::Write;
 
 /// Run behaviours and planned paths many times and report statistics
 #[derive(clap::Args)]
@@ -78,8 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let seeds = arguments.seed..arguments.seed.saturating_add(arguments.seeds);
     let able = (0..entrants.len()).filter(|&who| failures[who].is_none());
     let runs: Vec<(usize, u64)> = able.flat_map(|who| seeds.clone().map(move |seed| (who, seed))).collect();
-    let jobs = arguments.jobs.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
-    let outcomes = make_all(&runs, jobs, |&(who, seed)| lab.run(&entrants[who], seed));
+    let outcomes = in_parallel(&runs, jobs(arguments.jobs), |&(who, seed)| lab.run(&entrants[who], seed));
     let of =
         |who: usize| runs.iter().zip(&outcomes).filter(move |((w, _), _)| *w == who).filter_map(|(_, o)| o.as_ref());
     let result = |who: usize| failures[who].as_deref().map_or_else(|| Ok(of(who).collect()), Err);
@@ -115,32 +113,6 @@ impl EntrantArguments {
         }
         Ok(entrants)
     }
-}
-
-/// Makes the runs, `jobs` at a time; returns the outcomes in the order of the runs.
-fn make_all(
-    runs: &[(usize, u64)],
-    jobs: usize,
-    make: impl Fn(&(usize, u64)) -> Option<RunOutcome> + Sync,
-) -> Vec<Option<RunOutcome>> {
-    let next = AtomicUsize::new(0);
-    let outcomes = Mutex::new(vec![None; runs.len()]);
-    let work = || {
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            let Some(run) = runs.get(index) else { break };
-            let outcome = make(run);
-            if let Ok(mut outcomes) = outcomes.lock() {
-                outcomes[index] = outcome;
-            }
-        }
-    };
-    thread::scope(|scope| {
-        for _ in 0..jobs.min(runs.len()) {
-            scope.spawn(work);
-        }
-    });
-    outcomes.into_inner().unwrap_or_default()
 }
 
 /// A Markdown table: medians, with 10 to 90 % of the runs in brackets.

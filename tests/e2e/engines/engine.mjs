@@ -30,6 +30,8 @@ export class Engine {
   async open(url) {
     await this.send("SetTimeouts", { script: 2 * PATIENCE_MS });
     await this.send("Navigate", { url });
+    // A busy WebKit may still show the page before, which must not be asked anything.
+    await this.until((origin) => location.origin === origin, new URL(url).origin);
   }
 
   reload() {

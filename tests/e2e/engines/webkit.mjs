@@ -6,18 +6,8 @@ import net from "node:net";
 import os from "node:os";
 import path from "node:path";
 import { Engine, findProgram } from "./engine.mjs";
+import { startScreen } from "./screen.mjs";
 import { connect } from "./webdriver.mjs";
-
-/** A screen; its number and what ends it. */
-async function startScreen() {
-  const child = spawn(findProgram("Xvfb"), ["-displayfd", "3", "-screen", "0", "1440x900x24", "-nolisten", "tcp"], { stdio: ["ignore", "ignore", "ignore", "pipe"] });
-  process.once("exit", () => child.kill());
-  const [number] = await Promise.race([
-    once(child.stdio[3], "data"),
-    once(child, "exit").then(([code]) => Promise.reject(new Error(`Xvfb ended with ${code}`))),
-  ]);
-  return { display: `:${String(number).trim()}`, end: () => child.kill() };
-}
 
 async function freePort() {
   const server = net.createServer().listen(0, "127.0.0.1");

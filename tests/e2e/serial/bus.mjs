@@ -21,7 +21,13 @@ export async function startBus(t, robots, { through = (bytes) => bytes, port } =
     const number = Number(url.pathname.slice(1));
     const baud = Number(url.searchParams.get("baud") ?? 115_200);
     events.push({ time: performance.now(), number, baud, buffer: Number(url.searchParams.get("buffer")) });
-    const terminal = openTerminal(robots[number].pty, baud);
+    let terminal;
+    try {
+      terminal = openTerminal(robots[number].pty, baud);
+    } catch {
+      // A page may look for its robot when that is gone already, at the end of a test.
+      return socket.close();
+    }
     sockets.set(number, socket);
     terminal.on("data", (bytes) => {
       const rest = through(bytes);

@@ -1,14 +1,16 @@
 // A page with nothing but a connection on it, in a Chromium that has a serial port: what tests of the robot's line share.
 import assert from "node:assert/strict";
-import { execFile, spawnSync } from "node:child_process";
+import { execFile, execFileSync, spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { promisify } from "node:util";
 import { chromium } from "playwright-core";
-import { CHROMIUM_FLAGS, DIST, chromiumPath, serveFolder } from "../browser.mjs";
+import { CHROMIUM_FLAGS, DIST, ROOT, chromiumPath, serveFolder } from "../browser.mjs";
 import { ends } from "../ends.mjs";
+import { startScreen } from "../engines/screen.mjs";
 import { launch } from "./devtools.mjs";
+import { now } from "./robot.mjs";
 
 const HERE = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
 const page = (name) => fs.readFileSync(path.join(HERE, name), "utf8");
@@ -45,6 +47,8 @@ async function wired() {
   return { cable, executable: path.join(HERE, "browser"), env: { ...process.env, SERIAL_PTY: cable, SERIAL_ORIGIN: new URL(server.url).origin, SERIAL_BROWSER: chromiumPath() } };
 }
 
+let wire;
+let display;
 let withPort;
 let withoutPort;
 async function start({ cable, executable, env } = { executable: chromiumPath() }) {
@@ -98,6 +102,46 @@ export async function openHidable(t, { robot }) {
   const browser = await launch(executable, { flags: CHROMIUM_FLAGS, env });
   t.after(() => browser.close());
   return { openTab: (address) => browser.openTab(server.url + address) };
+}
+
+/** Opens the desk in the only window of a browser of its own, on a screen that nobody sees: for what users do to windows. */
+export async function openWindow(t, { robot }) {
+  const { server, also } = await (served ??= serve());
+  Object.assign(also, { "/desk.html": page("page.html") });
+  const [{ cable, executable, env }, screen] = await Promise.all([(wire ??= wired()), (display ??= startScreen())]);
+  if (!running.includes(screen.end)) running.push(screen.end);
+  plugIn(cable, robot);
+  const host = await chromium.launchServer({ executablePath: executable, args: CHROMIUM_FLAGS, headless: false, env: { ...env, DISPLAY: screen.display } });
+  const group = host.process().pid;
+  t.after(() => host.kill().catch(() => {}));
+  const browser = await chromium.connect(host.wsEndpoint());
+  const desk = new FloorPlanTab(await (await browser.newContext({ serviceWorkers: "block" })).newPage(), server);
+  await desk.load();
+  return Object.assign(desk, {
+    /** Does to the window what its user does, as window.py says. */
+    user: (...what) => execFileSync(path.join(ROOT, "target/drivers/bin/python"), [path.join(HERE, "window.py"), ...what], { env: { ...process.env, DISPLAY: screen.display } }),
+    /** Does what ends the page, and returns when the browser first told the page, which tells the server: nobody else is left. */
+    left: async (what) => {
+      await desk.tab.evaluate(() => {
+        const note = ({ timeStamp }) => navigator.sendBeacon(`left?at=${(performance.timeOrigin + timeStamp) / 1000}`);
+        for (const sign of ["beforeunload", "pagehide"]) addEventListener(sign, note, { capture: true, once: true });
+      });
+      server.requests.length = 0;
+      what();
+      for (;;) {
+        const told = server.requests.find((address) => address.includes("left?at="));
+        if (told) return Number(told.split("=")[1]);
+        await new Promise((later) => setTimeout(later, 10));
+      }
+    },
+    /** Sends a signal to all processes of the browser; returns when. */
+    signal: (what) => {
+      const at = now();
+      process.kill(-group, what);
+      return at;
+    },
+    end: () => host.kill(),
+  });
 }
 
 /**

@@ -17,6 +17,16 @@ export async function stoppedAfter(robot, since) {
   return (lastStop(heard).time - since) * 1000;
 }
 
+/** The longest that a robot may drive on, in ms. */
+export const LIMIT_MS = 250;
+
+/** Says how long, in ms, the robot took to be stopped in each of `rounds`, and demands that it never was too long. */
+export function report(t, taken, rounds) {
+  const sorted = taken.toSorted((a, b) => a - b).map(Math.round);
+  t.diagnostic(`${taken.length} of ${rounds} stopped: median ${sorted[sorted.length >> 1]} ms, longest ${sorted.at(-1)} ms`);
+  assert.ok(sorted.at(-1) <= LIMIT_MS, `stopped after ${sorted.at(-1)} ms`);
+}
+
 // Counted from when the browser first tells the page: tests reach the browser by a detour, and a page that is left for another
 // one goes on until that one answers.
 const noteLeaving = (tab) =>

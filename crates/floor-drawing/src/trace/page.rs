@@ -5,7 +5,11 @@ use super::{
     openings,
     raster::RasterCanvas,
 };
-use crate::{Drawing, Role, model::DrawingLayer, roles::says_wall};
+use crate::{
+    Drawing, Role,
+    model::{DrawingLayer, drop_empty_layers},
+    roles::says_wall,
+};
 use robovac_core::{geometry::Point, grid::Cell, math::ceil};
 
 /// Longer by shorter side of a frame: sheets have the square root of 2 (ISO 216), with margins a little more or less.
@@ -44,20 +48,7 @@ pub(crate) fn without_page(mut drawing: Drawing) -> Drawing {
             *old = layer;
         }
     }
-    // Layers without strokes aren't shown.
-    let mut kept = 0;
-    let moved: Vec<u32> = drawing
-        .layers
-        .iter()
-        .map(|layer| {
-            kept += u32::from(layer.strokes > 0);
-            kept.saturating_sub(1)
-        })
-        .collect();
-    drawing.layers.retain(|layer| layer.strokes > 0);
-    for stroke in &mut drawing.strokes {
-        stroke.layer = moved[stroke.layer as usize];
-    }
+    drop_empty_layers(&mut drawing.layers, &mut drawing.strokes);
     drawing
 }
 

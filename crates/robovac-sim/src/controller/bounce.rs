@@ -39,14 +39,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "bounce",
     title: "Bounce",
     summary: "Drives straight until it hits something, then turns away by a random angle.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: true,
-        walls_only: false,
-        manual: false,
-        explores: false,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { cleans: true, ..BehaviourClaims::NONE },
     params: &[
         ParamSpec {
             id: "least",

@@ -50,14 +50,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "cleaning_cycle",
     title: "Cleaning cycle",
     summary: "Alternates between random walk, spiral, S-shaped path and wall following, each for a limited time.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: true,
-        walls_only: false,
-        manual: false,
-        explores: false,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { cleans: true, ..BehaviourClaims::NONE },
     params: &[
         ParamSpec {
             id: "durations",

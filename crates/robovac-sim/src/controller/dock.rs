@@ -61,14 +61,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "dock",
     title: "Return to dock",
     summary: "Searches for the dock's infrared beams and drives in between them to charge.",
-    claims: BehaviourClaims {
-        ends: true,
-        cleans: false,
-        walls_only: false,
-        manual: false,
-        explores: false,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { ends: true, ..BehaviourClaims::NONE },
     params: &[],
 };
 

@@ -38,6 +38,12 @@ pub struct BehaviourClaims {
     pub needs_laser: bool,
 }
 
+impl BehaviourClaims {
+    /// Claims nothing: what an entry of the registry begins with.
+    pub const NONE: Self =
+        Self { ends: false, cleans: false, walls_only: false, manual: false, explores: false, needs_laser: false };
+}
+
 /// Parameters for making a behaviour.
 #[derive(Debug, Clone, Copy)]
 pub struct Setup<'a> {

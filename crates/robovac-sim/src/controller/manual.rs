@@ -39,14 +39,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "manual",
     title: "Manual",
     summary: "You drive; commands that would make the robot bump or fall are blocked.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: false,
-        walls_only: false,
-        manual: true,
-        explores: false,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { manual: true, ..BehaviourClaims::NONE },
     params: &[ParamSpec {
         id: "careful",
         label: "Reverse only over known ground",

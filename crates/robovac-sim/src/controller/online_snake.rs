@@ -63,14 +63,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "online_snake",
     title: "Snake in an unknown room",
     summary: "Walks the improved snake from cell to cell in a room that it discovers with its laser scanner.",
-    claims: BehaviourClaims {
-        ends: true,
-        cleans: true,
-        walls_only: false,
-        manual: false,
-        explores: false,
-        needs_laser: true,
-    },
+    claims: BehaviourClaims { ends: true, cleans: true, needs_laser: true, ..BehaviourClaims::NONE },
     params: &[ParamSpec {
         id: "cell",
         label: "Cell size",

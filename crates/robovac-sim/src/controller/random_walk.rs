@@ -43,14 +43,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "random_walk",
     title: "Random walk",
     summary: "Drives straight until it hits something, then turns far enough to escape any corner, plus a random part.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: true,
-        walls_only: false,
-        manual: false,
-        explores: false,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { cleans: true, ..BehaviourClaims::NONE },
     params: &[
         ParamSpec {
             id: "least",

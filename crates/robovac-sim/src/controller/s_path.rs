@@ -48,14 +48,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "s_path",
     title: "S-shaped path",
     summary: "Drives parallel lanes: at every collision it backs up, turns, shifts by one lane, and turns again.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: true,
-        walls_only: false,
-        manual: false,
-        explores: false,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { cleans: true, ..BehaviourClaims::NONE },
     params: &[
         ParamSpec {
             id: "lane",

@@ -46,14 +46,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "spiral_out",
     title: "Spiral",
     summary: "Drives growing circles to the left until it hits something, then moves on and starts again.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: true,
-        walls_only: false,
-        manual: false,
-        explores: false,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { cleans: true, ..BehaviourClaims::NONE },
     params: &[
         ParamSpec {
             id: "pitch",

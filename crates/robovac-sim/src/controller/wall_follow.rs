@@ -73,14 +73,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "wall_follow",
     title: "Wall follow",
     summary: "Follows the wall on its right, by repeated contact or by its light bumper.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: true,
-        walls_only: true,
-        manual: false,
-        explores: false,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { cleans: true, walls_only: true, ..BehaviourClaims::NONE },
     params: &[
         ParamSpec {
             id: "on",

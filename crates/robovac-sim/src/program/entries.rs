@@ -8,14 +8,7 @@ pub const BEHAVIOUR_PROGRAM: BehaviourInfo = BehaviourInfo {
     id: "program",
     title: "Your program",
     summary: "Drives as your program says.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: true,
-        walls_only: false,
-        manual: false,
-        explores: false,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { cleans: true, ..BehaviourClaims::NONE },
     params: &[],
 };
 

@@ -57,14 +57,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_edge",
     title: "Edge following",
     summary: "Finds an obstacle, turns alongside it and follows it round its ends, by the thesis' printed rules.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: false,
-        walls_only: false,
-        manual: false,
-        explores: true,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { explores: true, ..BehaviourClaims::NONE },
     params: &[
         ParamSpec {
             id: "text",

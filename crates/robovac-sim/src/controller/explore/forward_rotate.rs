@@ -34,14 +34,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_forward_rotate",
     title: "Forward or rotate",
     summary: "Drives a fixed distance forward or rotates by a fixed angle, at random, without sensing.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: false,
-        walls_only: false,
-        manual: false,
-        explores: true,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { explores: true, ..BehaviourClaims::NONE },
     params: &[DISTANCE, ANGLE, PUSHES],
 };
 

@@ -75,14 +75,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     title: "Frontiers",
     summary: "Drives to the nearest frontier of its map, following walls and crossing open floor in lanes, until no \
         frontier is left.",
-    claims: BehaviourClaims {
-        ends: true,
-        cleans: false,
-        walls_only: false,
-        manual: false,
-        explores: true,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { ends: true, explores: true, ..BehaviourClaims::NONE },
     params: &[
         ParamSpec {
             id: "tracking",

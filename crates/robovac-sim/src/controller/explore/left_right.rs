@@ -31,14 +31,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_left_right",
     title: "Forward, left or right",
     summary: "Drives a fixed distance forward or rotates left or right by a fixed angle, at random, without sensing.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: false,
-        walls_only: false,
-        manual: false,
-        explores: true,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { explores: true, ..BehaviourClaims::NONE },
     params: &[DISTANCE, ANGLE, PUSHES],
 };
 

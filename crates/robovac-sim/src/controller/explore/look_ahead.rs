@@ -35,14 +35,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_look_ahead",
     title: "Look before moving",
     summary: "Moves forward, left or right at random, but not forward when something is directly ahead.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: false,
-        walls_only: false,
-        manual: false,
-        explores: true,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { explores: true, ..BehaviourClaims::NONE },
     params: &[DISTANCE, ANGLE],
 };
 

@@ -32,14 +32,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_look_around",
     title: "Look around",
     summary: "Moves forward, left or right at random, but never towards an obstacle.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: false,
-        walls_only: false,
-        manual: false,
-        explores: true,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { explores: true, ..BehaviourClaims::NONE },
     params: &[DISTANCE, ANGLE],
 };
 

@@ -42,14 +42,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_until_obstacle",
     title: "Until an obstacle",
     summary: "Drives forward until something is in its path, then rotates in one direction until the path is clear.",
-    claims: BehaviourClaims {
-        ends: false,
-        cleans: false,
-        walls_only: false,
-        manual: false,
-        explores: true,
-        needs_laser: false,
-    },
+    claims: BehaviourClaims { explores: true, ..BehaviourClaims::NONE },
     params: &[
         ParamSpec {
             id: "direction",
