@@ -194,10 +194,10 @@ fn markdown(groups: &[Group], command: &str) -> String {
     let (mut names, mut columns) = (Vec::new(), Vec::new());
     for Group { algorithm, rooms, conditions, .. } in groups {
         if !names.contains(&algorithm.as_str()) {
-            names.push(algorithm);
+            names.push(algorithm.as_str());
         }
         if !columns.contains(&(*rooms, conditions.as_str())) {
-            columns.push((*rooms, conditions));
+            columns.push((*rooms, conditions.as_str()));
         }
     }
     let heads: String = columns.iter().map(|(rooms, conditions)| format!(" {rooms}, {conditions} |")).collect();
