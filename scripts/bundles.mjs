@@ -1,6 +1,6 @@
-// Called by scripts/modules: bundles what the tab Program is made of besides our own modules into $TRUNK_STAGING_DIR.
+// Called by scripts/modules: bundles what the page carries besides our own modules into $TRUNK_STAGING_DIR.
 //
-// codemirror.js: the editor, an ES module. sandbox.js: all that runs inside the sandbox, one classic script, because nothing
+// codemirror.js: the editor of the tab Program, hyparquet.js: the reader of a study's results in Compare, ES modules. sandbox.js: all that runs inside the sandbox, one classic script, because nothing
 // can be fetched there. micropython.wasm goes beside them.
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
@@ -13,9 +13,11 @@ if (!out) throw new Error("TRUNK_STAGING_DIR is set by trunk");
 const root = path.resolve(import.meta.dirname, "..");
 const options = { bundle: true, minify: true, target: "es2022", logLevel: "warning", absWorkingDir: root, legalComments: "none" };
 
-await build({ ...options, entryPoints: ["scripts/bundles/codemirror.js"], format: "esm", outfile: path.join(out, "codemirror.js") });
-// For the type check: see tsconfig.json.
-fs.writeFileSync(path.join(out, "codemirror.d.ts"), 'export * from "../../scripts/bundles/codemirror.js";\n');
+for (const name of ["codemirror", "hyparquet"]) {
+  await build({ ...options, entryPoints: [`scripts/bundles/${name}.js`], format: "esm", outfile: path.join(out, `${name}.js`) });
+  // For the type check: see tsconfig.json.
+  fs.writeFileSync(path.join(out, `${name}.d.ts`), `export * from "../../scripts/bundles/${name}.js";\n`);
+}
 
 /** Texts by their paths below programs/python. */
 function pythonFiles() {

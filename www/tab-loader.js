@@ -63,9 +63,10 @@ export class TabLoader {
     if (this.#wanted === next) go(next);
   }
 
-  /** Shows files: programs, or else a floor plan. @param {File[]} files */
+  /** Shows files: programs, results of a study, or else a floor plan. @param {File[]} files */
   async bring(files) {
-    const next = files.some(({ name }) => /\.(py|m?js)$/i.test(name)) ? "program" : "floor-plan";
+    const isAny = (/** @type {RegExp} */ ending) => files.some(({ name }) => ending.test(name));
+    const next = isAny(/\.(py|m?js)$/i) ? "program" : isAny(/\.parquet$/i) ? "compare" : "floor-plan";
     await this.enter(next);
     this.#loaded[next]?.take?.(files);
   }

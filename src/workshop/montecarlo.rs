@@ -123,10 +123,7 @@ impl MonteCarlo {
     /// the ends of equal parts of the time; empty without runs.
     pub fn curve(&self, entrant: usize) -> Float64Array {
         let known = entrant < self.state.entrants().len();
-        let bands = if known { Band::curve(&self.state.runs(entrant)) } else { Vec::new() };
-        let ends: [fn(&Band) -> f64; 3] = [|band| band.low, |band| band.median, |band| band.high];
-        let flat: Vec<f64> = ends.iter().flat_map(|end| bands.iter().map(end)).collect();
-        Float64Array::from(flat.as_slice())
+        flat(&if known { Band::curve(&self.state.runs(entrant)) } else { Vec::new() })
     }
 
     /// All runs as CSV.
@@ -138,4 +135,25 @@ impl MonteCarlo {
     pub fn json(&self) -> String {
         self.state.export().map(|(head, entries)| to_json(&head, &entries)).unwrap_or_default()
     }
+}
+
+/// Summary of runs that were read from a file, each as [`RunOutcome::to_numbers`] has it; null without any.
+#[wasm_bindgen(unchecked_return_type = "rust.Summary | null")]
+pub fn summary_of_runs(numbers: &[f64]) -> Result<JsValue, JsValue> {
+    let runs = RunOutcome::from_numbers(numbers);
+    to_js(&Summary::of(&runs.iter().collect::<Vec<_>>()))
+}
+
+/// Their coverage over time, as [`MonteCarlo::curve`] has it.
+#[wasm_bindgen]
+pub fn bands_of_runs(numbers: &[f64]) -> Float64Array {
+    let runs = RunOutcome::from_numbers(numbers);
+    flat(&Band::curve(&runs.iter().collect::<Vec<_>>()))
+}
+
+/// All lower ends, all medians, then all upper ends.
+fn flat(bands: &[Band]) -> Float64Array {
+    let ends: [fn(&Band) -> f64; 3] = [|band| band.low, |band| band.median, |band| band.high];
+    let flat: Vec<f64> = ends.iter().flat_map(|end| bands.iter().map(end)).collect();
+    Float64Array::from(flat.as_slice())
 }

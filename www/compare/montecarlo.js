@@ -99,7 +99,7 @@ export function startRuns(app, module, guard, mirror) {
     setText(byId("runs-title"), place ? titleOf(app, place, view, rows) : "");
     setText(byId("runs-note"), "Lines and large numbers are medians; bands and small numbers span the 10 % to 90 % quantiles.");
     chart.show(known.map((row) => ({ ...row, ...bandsOf(study.curve(row.index)) })), view.minutes);
-    showTable(rows, view.minutes, (which) => chart.stress(which === undefined ? undefined : known.findIndex((row) => row === rows[which])));
+    showTable(byId("runs-table"), rows, view.minutes, (which) => chart.stress(which === undefined ? undefined : known.findIndex((row) => row === rows[which])));
   };
 
   return {
@@ -133,7 +133,7 @@ const runsOf = (study, program) => ({
 });
 
 /** @param {Float64Array} flat */
-function bandsOf(flat) {
+export function bandsOf(flat) {
   const third = flat.length / 3;
   return { low: flat.subarray(0, third), median: flat.subarray(third, 2 * third), high: flat.subarray(2 * third) };
 }

@@ -137,3 +137,16 @@ function drawCurves({ view, comparison }, race) {
   }));
   byId("race-curves").innerHTML = `<path class="grid-line" d="M0 .5H1000M0 50H1000M0 99.5H1000"/>${lines.join("")}`;
 }
+
+/** The user's program drives its race in the sandbox. @param {import("../main.js").App} app @param {import("../../workshop.js").Comparison} comparison */
+export function raceProgram(app, comparison) {
+  const job = comparison.take_race_job();
+  const program = job && app.playground.program();
+  if (!job || !program) return;
+  const { version } = JSON.parse(new TextDecoder().decode(job));
+  let isWanted = true;
+  const seconds = 1.5 * (comparison.view().race?.planned_s ?? 0) + 60;
+  void import("../program/work.js")
+    .then(({ work }) => work({ program, job, seconds, onPart: (part) => void (isWanted = comparison.extend_race(version, part)) }, { isWanted: () => isWanted }))
+    .catch((error) => isWanted && complain(textOf(error)));
+}

@@ -1,6 +1,6 @@
 // @ts-check
 // The table of many runs: times to 90 and 99 %, final coverage, and other results.
-import { byId, make } from "../dom.js";
+import { make } from "../dom.js";
 import { clock, count, metres, percent } from "../format.js";
 
 /**
@@ -31,9 +31,8 @@ const EXPLORING = /** @type {const} */ ([
   ["Found", "% at the end", "Share of the reachable walls and furniture found at the end; for cleaning algorithms, share of the floor swept. Higher is better."],
 ]);
 
-/** @param {Row[]} rows @param {number} minutes @param {(which: number | undefined) => void} stress */
-export function showTable(rows, minutes, stress) {
-  const table = byId("runs-table");
+/** @param {HTMLElement} table @param {Row[]} rows @param {number} minutes @param {(which: number | undefined) => void} stress */
+export function showTable(table, rows, minutes, stress) {
   const known = rows.flatMap(({ summary }) => summary ?? []);
   const exploring = rows.some(({ explores }) => explores);
   const comparable = known.length > 1 && rows.every(({ explores }) => explores === exploring);

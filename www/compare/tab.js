@@ -2,7 +2,7 @@
 // The tab Compare: the entrants, the progress of trials, and the current view of them.
 import { Comparison, SessionMirror } from "../../workshop.js";
 import { startAbout } from "./about.js";
-import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
+import { button, byId, changed, fill, input, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { showChoice } from "./entrants.js";
 import { showItems } from "./items.js";
 import { startExports } from "./exports.js";
@@ -10,7 +10,7 @@ import { startMirror } from "../session-mirror.js";
 import { startNumbers } from "./numbers.js";
 import { complain, textOf } from "../messages.js";
 import { Pool } from "./pool.js";
-import { startRace } from "./race.js";
+import { raceProgram, startRace } from "./race.js";
 import { startRuns } from "./montecarlo.js";
 
 /**
@@ -24,8 +24,8 @@ import { startRuns } from "./montecarlo.js";
  * @property {(entrant: number) => void} about Shows an algorithm's description and path.
  */
 
-/** @typedef {"race" | "numbers" | "runs"} ViewName The views of this tab. @type {ViewName[]} */
-const VIEWS = ["race", "numbers", "runs"];
+/** @typedef {"race" | "numbers" | "runs" | "study"} ViewName The views of this tab. @type {ViewName[]} */
+const VIEWS = ["race", "numbers", "runs", "study"];
 /** Most workers that try planners: each holds a room and a planner's memory. */
 const MOST_WORKERS = 6;
 /** Numbers of seeds that are offered. */
@@ -54,12 +54,31 @@ export function startCompare(app, module, guard) {
   const updateNumbers = startNumbers(it);
   const runs = startRuns(app, module, guard, mirror);
   const plans = { name: "comparison", csv: () => comparison.csv(), json: () => comparison.json(), charts: byId("charts") };
-  startExports(app, () => (shownView() === "runs" ? runs.exported : plans));
+  /** @type {typeof import("./study.js") | undefined} */
+  let study;
+  /** Shows the results of a study. @param {Iterable<File>} files */
+  const take = async (files) => {
+    const file = [...files].find(({ name }) => /\.parquet$/i.test(name));
+    if (!file) return;
+    try {
+      study ??= await import("./study.js");
+      await study.openStudy(file);
+      showView("study");
+      study.show();
+    } catch (error) {
+      complain(textOf(error));
+    }
+  };
+  const picker = input("study-file");
+  button("study-open").addEventListener("click", () => picker.click());
+  picker.addEventListener("change", () => void take(picker.files ?? []).then(() => (picker.value = "")));
+  startExports(app, () => (shownView() === "runs" ? runs.exported : shownView() === "study" && study ? study.exported() : plans));
 
   return {
     /** Once a frame while the tab is shown. @param {number} now */
     frame(now) {
       updatePlace(app);
+      if (shownView() === "study") return;
       if (shownView() === "runs") {
         runs.frame();
         return;
@@ -84,27 +103,16 @@ export function startCompare(app, module, guard) {
         }
       }
       const wanted = new URLSearchParams(link).get("view");
-      showView(VIEWS.find((name) => name === wanted) ?? "race");
+      // A link has no file.
+      showView(VIEWS.find((name) => name === wanted && name !== "study") ?? "race");
     },
     link: () => `tab=compare&view=${shownView()}&${comparison.link()}${shownView() === "runs" ? `&${runs.link()}` : ""}`,
+    take,
     /** A single key, space for one. @param {string} key */
     key: (key) => shownView() === "race" && race.key(key),
     /** @param {boolean} dark */
     setDark: (dark) => comparison.set_dark(dark),
   };
-}
-
-/** The user's program drives its race in the sandbox. @param {App} app @param {Comparison} comparison */
-function raceProgram(app, comparison) {
-  const job = comparison.take_race_job();
-  const program = job && app.playground.program();
-  if (!job || !program) return;
-  const { version } = JSON.parse(new TextDecoder().decode(job));
-  let isWanted = true;
-  const seconds = 1.5 * (comparison.view().race?.planned_s ?? 0) + 60;
-  void import("../program/work.js")
-    .then(({ work }) => work({ program, job, seconds, onPart: (part) => void (isWanted = comparison.extend_race(version, part)) }, { isWanted: () => isWanted }))
-    .catch((error) => isWanted && complain(textOf(error)));
 }
 
 /** @returns {ViewName} */

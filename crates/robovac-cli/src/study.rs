@@ -1,5 +1,6 @@
 //! `study`: all runs of a study on all cores, stored so that nothing is lost when it is stopped.
 
+pub mod benchmark;
 mod shards;
 mod table;
 mod work;
@@ -111,7 +112,12 @@ fn merge(opened: &Opened, shards: &Shards, out: &Path) -> Result<String, Failure
 
 fn open(path: &Path) -> Result<Opened, Failure> {
     let bytes = fs::read(path).map_err(|error| Failure::io(path.display(), &error))?;
-    let study = Study::read(&path.display().to_string(), &bytes)?;
+    read(path, &bytes)
+}
+
+/// A study of those bytes, as if they were in the file `path`.
+fn read(path: &Path, bytes: &[u8]) -> Result<Opened, Failure> {
+    let study = Study::read(&path.display().to_string(), bytes)?;
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();
     // The same study gives the same results only with the same program and the same maps.
     let mut parts = vec![env!("CARGO_PKG_VERSION").as_bytes().to_vec()];

@@ -1,6 +1,6 @@
 //! Summary of many runs of one algorithm.
 
-use super::{GOALS, RunOutcome, SAMPLES, quantile};
+use super::{GOALS, RunOutcome, quantile};
 use serde::Serialize;
 use std::{array, collections::BTreeMap};
 
@@ -110,10 +110,11 @@ impl Band {
         Self { low: factor * self.low, median: factor * self.median, high: factor * self.high }
     }
 
-    /// The bands of coverage over time: one at the start and one at the end of each of [`SAMPLES`] equal parts of it.
+    /// The bands of coverage over time: one for each sample of the runs' curves, which have equally many.
     pub fn curve(runs: &[&RunOutcome]) -> Vec<Self> {
+        let samples = runs.first().map_or(0, |run| run.curve.len());
         let at = |sample: usize| Self::of(runs, |run| run.curve.get(sample).copied().unwrap_or(0.0));
-        (0..=SAMPLES).filter_map(at).collect()
+        (0..samples).filter_map(at).collect()
     }
 }
 
