@@ -40,6 +40,13 @@ pub struct Arguments {
     /// Run learners' programs even where they can't be kept from your files and the network
     #[arg(long)]
     unconfined: bool,
+    #[command(flatten)]
+    form: FormArguments,
+}
+
+/// What the table is written as, instead of text.
+#[derive(clap::Args)]
+struct FormArguments {
     /// Write one JSON object with all numbers
     #[arg(long, conflicts_with_all = ["csv", "html"])]
     json: bool,
@@ -103,7 +110,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
             }
         })
         .collect();
-    Ok(match (arguments.json, arguments.csv, arguments.html) {
+    Ok(match (arguments.form.json, arguments.form.csv, arguments.form.html) {
         (true, ..) => output::json(&graded),
         (_, true, _) => csv(&graded),
         (.., true) => html(&lesson, &graded),

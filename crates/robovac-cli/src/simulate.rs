@@ -214,19 +214,16 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let (prepared, planned) = task.prepare(&arguments.coverage)?;
     let Task { placement, algorithm, params, seed, conditions, odometry, path: own_path, .. } = task;
     let mut smooth = None;
-    let (mut run, path) = match planned {
-        Some(mut planned) => {
-            if task.smooth {
-                let (rounded, plan) = round(planned, &prepared)?;
-                (planned, smooth) = (rounded, Some(plan));
-            }
-            (planned.run(&prepared, conditions, odometry, seed), planned.line.to_vec())
+    let (mut run, path) = if let Some(mut planned) = planned {
+        if task.smooth {
+            let (rounded, plan) = round(planned, &prepared)?;
+            (planned, smooth) = (rounded, Some(plan));
         }
-        None => {
-            let info = algorithm.behaviour().ok_or_else(|| Failure::unknown("planner", algorithm.id(), "planners"))?;
-            let run = prepared.run_behaviour(info, &params, conditions, seed);
-            (run.ok_or_else(|| Failure::unknown("behaviour", info.id, "behaviours"))?, Vec::new())
-        }
+        (planned.run(&prepared, conditions, odometry, seed), planned.line.to_vec())
+    } else {
+        let info = algorithm.behaviour().ok_or_else(|| Failure::unknown("planner", algorithm.id(), "planners"))?;
+        let run = prepared.run_behaviour(info, &params, conditions, seed);
+        (run.ok_or_else(|| Failure::unknown("behaviour", info.id, "behaviours"))?, Vec::new())
     };
     let never_ends = algorithm.behaviour().is_some_and(|info| !info.claims.ends);
     let max_time = arguments.max_time.or(never_ends.then_some(MOST_TIME_S));

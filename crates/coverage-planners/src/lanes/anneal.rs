@@ -67,11 +67,23 @@ impl Search<'_> {
     }
 }
 
+/// Whether a round of mending ends at `step`, the first when the effort is spent. `mending` keeps the moves of a round, and when
+/// the next one ends.
+fn ends_round(mending: &mut Option<(u64, u64)>, is_spent: bool, step: u64) -> bool {
+    let moves = match *mending {
+        None if is_spent => step / MENDING.1 + REPORT,
+        Some((moves, end)) if step >= end => moves,
+        _ => return false,
+    };
+    *mending = Some((moves, step + moves));
+    true
+}
+
 /// Improves the first of `starts` until the effort is spent or the observer stops it, and where there is time for more than one
 /// descent the others as well; returns the best path that was measured.
 pub(super) fn anneal(
     search: &Search<'_>,
-    raster: SweptRaster,
+    raster: &SweptRaster,
     starts: &[Vec<Point>],
     observer: LanesObserver<'_>,
 ) -> Vec<Point> {
@@ -108,7 +120,6 @@ pub(super) fn anneal(
     let mut allowed = (1.0 - setup.coverage) * all;
     let mut candidate: Option<(f64, Vec<Point>)> = None;
     let (mut share, mut temperature, mut next_measure) = (0.0_f64, TEMPERATURES.0, MEASURE);
-    // Once the effort is spent: the moves of a round of mending, and when the next one ends.
     let mut mending: Option<(u64, u64)> = None;
     let mut rounds = 0;
     let (mut descents, mut descent) = (None, 0.0);
@@ -145,18 +156,7 @@ pub(super) fn anneal(
             }
             temperature = TEMPERATURES.0 * math::exp((at - descent) * math::ln(TEMPERATURES.1 / TEMPERATURES.0));
         }
-        let ends_round = match mending {
-            None if share >= 1.0 => {
-                let moves = step / MENDING.1 + REPORT;
-                mending = Some((moves, step + moves));
-                true
-            }
-            Some((moves, end)) if step >= end => {
-                mending = Some((moves, step + moves));
-                true
-            }
-            _ => false,
-        };
+        let ends_round = ends_round(&mut mending, share >= 1.0, step);
         if ends_round || mending.is_none() && share >= next_measure {
             next_measure = share + MEASURE;
             let found = match candidate.take() {

@@ -133,7 +133,7 @@ pub fn plan_lanes(
     starts.sort_by(|(one, _), (other, _)| one.total_cmp(other));
     let starts: Vec<Vec<Point>> = starts.into_iter().map(|(_, path)| path).collect();
     let search = anneal::Search { floor, space: &space, times, heading, setup };
-    let path = anneal(&search, raster, &starts, observer);
+    let path = anneal(&search, &raster, &starts, observer);
     let coverage = swept_share(floor, &path);
     let (length_m, duration_s) = (cost::length(&path), times.path(&path, heading));
     Ok(LanesPlan {

@@ -211,7 +211,7 @@ impl Watch {
             let is_due = due > 0 && now.as_millis() as u64 > due;
             // What it has used itself counts, and the clock for one that sleeps.
             let own = used.and_then(|used| processor_time(pid).filter(|_| is_due).map(|now| now.saturating_sub(used)));
-            let is_late = is_due && own.is_none_or(|own| own >= limit || now - asked > PATIENCE * limit);
+            let is_late = is_due && own.is_none_or(|own| own >= limit || now.saturating_sub(asked) > PATIENCE * limit);
             if is_late || end.load(Ordering::Relaxed) {
                 self.was_late.store(is_late, Ordering::Relaxed);
                 kill(child);

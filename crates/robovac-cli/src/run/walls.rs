@@ -150,7 +150,7 @@ struct Calls {
     refused: &'static [u32],
 }
 
-/// From the kernel's tables, arch/x86/entry/syscalls/syscall_64.tbl and include/uapi/asm-generic/unistd.h.
+/// From the kernel's tables, `arch/x86/entry/syscalls/syscall_64.tbl` and `include/uapi/asm-generic/unistd.h`.
 fn calls() -> Option<Calls> {
     match std::env::consts::ARCH {
         "x86_64" => Some(Calls {

@@ -191,7 +191,8 @@ fn programs_pass_and_starters_miss(runs: u64) {
         seen += 1;
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         let lesson = lessons.join(format!("{name}.md"));
-        let seeds = file(&format!("{name}-seeds.txt"), &(1..=runs).map(|seed| format!("{seed}\n")).collect::<String>());
+        let seeds =
+            file(&format!("{name}-seeds.txt"), &(1..=runs).map(|seed| seed.to_string()).collect::<Vec<_>>().join("\n"));
         let start = starter(&fs::read_to_string(&lesson).unwrap());
         let good = file(&format!("{name}-good.json"), &answer.to_string());
         for goal in answer["goals"].as_object_mut().unwrap().values_mut() {

@@ -154,13 +154,11 @@ impl RoomSetup {
     /// separate number.
     pub fn run_driven(&self, driven: &Driven, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
         let follower = driven.follower(&self.robot, self.follower_in_room(&driven.line, odometry));
-        match Recharge::new(&follower, &self.floor, &self.world.docks, seed) {
-            Some(recharge) => Run::new(&self.setup(conditions, seed), Box::new(recharge)),
-            None => {
-                let conditions = Conditions { spare_batteries: true, ..conditions };
-                Run::new(&self.setup(conditions, seed), Box::new(follower))
-            }
+        if let Some(recharge) = Recharge::new(&follower, &self.floor, &self.world.docks, seed) {
+            return Run::new(&self.setup(conditions, seed), Box::new(recharge));
         }
+        let conditions = Conditions { spare_batteries: true, ..conditions };
+        Run::new(&self.setup(conditions, seed), Box::new(follower))
     }
 
     /// The follower of `line`, with what it has to know of the room.
