@@ -134,8 +134,7 @@ export class Job {
     if (isQuiet && more) return this.#send({ type: "busy", id, more: true });
     const log = isQuiet ? runner.log() : runner.take_log();
     const said = this.#output.flush();
-    const digest = more ? "" : runner.digest();
-    this.#send({ type: "ran", id, log, digest, steps: runner.steps(), output: isQuiet ? [] : said, isOver: this.#drive?.isOver === true, more }, [log.buffer]);
+    this.#send({ type: "ran", id, log, digest: more ? "" : runner.digest(), steps: runner.steps(), output: isQuiet ? [] : said, isOver: this.#drive?.isOver === true, more }, [log.buffer]);
   }
 
   /** Goes to a step, forward or back, to look into it. @param {Drive} drive @param {number} step */
