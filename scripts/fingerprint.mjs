@@ -5,6 +5,7 @@ import { createHash } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
 import { minify } from "terser";
+import { bundleFirstLoad } from "./first-load.mjs";
 import { writeWorker } from "./offline.mjs";
 import { filesBelow, rewriteReferences } from "./references.mjs";
 
@@ -17,6 +18,9 @@ for (const file of filesBelow(page).filter((name) => name.endsWith(".d.ts"))) {
   if (path.dirname(file) === page) fs.copyFileSync(file, path.join(types, path.basename(file)));
   fs.rmSync(file);
 }
+
+// While working on it, one wants to see the modules.
+if (process.env.TRUNK_PROFILE === "release") await bundleFirstLoad(page);
 
 const digest = createHash("sha256");
 for (const file of filesBelow(page)) {
@@ -44,7 +48,7 @@ fs.writeFileSync(index, document);
 // What the page tells about itself.
 const release = /^version = "(.*)"$/m.exec(fs.readFileSync("Cargo.toml", "utf8"))?.[1] ?? "";
 const about = path.join(page, "www/help.html");
-const source = SOURCE_URL ? `<a href="${new URL(SOURCE_URL)}" target="_blank" rel="noopener">Source code</a>` : "Source code";
+const source = SOURCE_URL ? `<a href="${new URL(SOURCE_URL)}" target="_blank" rel="noopener">Source code</a> under` : "Free software under";
 fs.writeFileSync(about, fs.readFileSync(about, "utf8").replace("@RELEASE@", release).replace("@BUILD@", version).replace("@SOURCE@", source));
 
 /** Comments and indentation are for whoever reads the sources. */

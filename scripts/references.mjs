@@ -34,6 +34,16 @@ export function rewriteReferences(file, replace) {
   return text;
 }
 
+/** The files to which `file` refers in the way `kind`. */
+export function referencesOf(file, kind) {
+  const found = [];
+  rewriteReferences(file, (target, reference, way) => {
+    if (way === kind) found.push(target);
+    return reference;
+  });
+  return found;
+}
+
 /** All files that opening `entry` loads, `entry` included; a lazy import() does not count. */
 export function firstLoad(entry) {
   const seen = new Set();

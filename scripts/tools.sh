@@ -65,6 +65,9 @@ need_node() {
     cp package-lock.json node_modules/.installed-lock.json
 }
 
+# Walls around programs of strangers; tests hold them where the system allows them.
+need_walls() { [[ $(uname) != Linux ]] || have bwrap || step "Installing bubblewrap" apt_install bubblewrap; }
+
 # A Python with the drivers of tests/drivers/requirements.txt, in target/.
 need_drivers() { need_packages tests/drivers/requirements.txt "$DRIVERS"; }
 

@@ -1,5 +1,5 @@
 // @ts-check
-// Many runs on all cores, as in Compare: a hundred times half an hour of the cleaning cycle in the furnished flat.
+// Many runs on all cores, as in Compare: a hundred times half an hour in the furnished flat, of the cleaning cycle or a program.
 
 /** @typedef {import("./worker-types").FromRuns} FromRuns */
 
@@ -19,8 +19,11 @@ const REQUEST = {
   place: "bench",
 };
 
-/** @param {WebAssembly.Module} module @returns {Promise<import("./types").BenchResult>} */
-export async function measureRuns(module) {
+/**
+ * @param {WebAssembly.Module} module @param {string} what @param {(request: any) => Promise<object>} prepare What comes before: a program drives in its sandbox.
+ * @returns {Promise<import("./types").BenchResult>}
+ */
+export async function measureRuns(module, what = "", prepare = async (request) => request) {
   const cores = navigator.hardwareConcurrency || 2;
   const began = performance.now();
   let next = 1;
@@ -28,25 +31,25 @@ export async function measureRuns(module) {
   const work = () =>
     new Promise((resolve, reject) => {
       const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-      const ask = () => {
+      const ask = async () => {
         if (next > SEEDS) {
           worker.terminate();
           resolve();
           return;
         }
-        worker.postMessage({ type: "runs", request: { ...REQUEST, id: next, seeds: [next] } });
-        next += 1;
+        const id = next++;
+        worker.postMessage({ type: "runs", request: await prepare({ ...REQUEST, id, seeds: [id] }) });
       };
       worker.addEventListener("message", (/** @type {MessageEvent<FromRuns>} */ { data }) => {
-        if (data.type === "ran") ask();
+        if (data.type === "ran") ask().catch(reject);
         else reject(new Error(data.message));
       });
       worker.addEventListener("error", (event) => reject(new Error(event.message || "the worker could not be loaded")));
       worker.postMessage({ type: "init", module });
-      ask();
+      ask().catch(reject);
     });
   await Promise.all(Array.from({ length: cores }, work));
   const ms = performance.now() - began;
-  const name = `Monte Carlo: ${SEEDS} runs of ${MINUTES} min, ${cores} workers`;
+  const name = `Monte Carlo${what}: ${SEEDS} runs of ${MINUTES} min, ${cores} workers`;
   return { name, ms, times_real_time: (SEEDS * MINUTES * 60) / (ms / 1000), memory_mb: null };
 }

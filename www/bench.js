@@ -1,5 +1,6 @@
 // @ts-check
 // The cases of `robovac bench`, measured in this browser; scripts/bench.mjs compares the two.
+import { logged, measurePrograms } from "./bench-programs.js";
 import { measureRuns } from "./bench-runs.js";
 import { byId, make } from "./dom.js";
 import { pace } from "./format.js";
@@ -75,6 +76,9 @@ async function measure(show) {
   await inWorker(new URL("./bench-worker.js", import.meta.url), workshop, take);
   // By itself: it takes all cores.
   take(await measureRuns(workshop));
+  await measurePrograms(ONCE ? 1 : 5, take);
+  take(await measureRuns(workshop, " of a program in Python", await logged("python")));
+  take(await measureRuns(workshop, " of a program in JavaScript", await logged("javascript")));
   return results;
 }
 

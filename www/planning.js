@@ -73,15 +73,18 @@ export class Planning {
   /** Ends the search, whose best walk so far is to be kept: another worker proves how good that is. @returns {number} Seconds since it began. */
   keep() {
     const [seconds, request, cells] = [this.cancel(), this.#request, this.#best];
-    if (request) {
-      this.#proving = request.id;
-      void this.#worker?.then((worker) => {
-        if (this.#proving !== request.id) return;
-        this.#sent = true;
-        worker.postMessage({ type: "prove", request, cells });
-      });
-    }
+    if (request) this.prove(request, cells);
     return seconds;
+  }
+
+  /** Rounds the corners of a plan, and proves how good it is. @param {import("./worker-types").PlanRequest} request @param {import("./worker-types").WirePath} cells */
+  prove(request, cells) {
+    this.#proving = request.id;
+    void (this.#worker ??= this.#hire()).then((worker) => {
+      if (this.#proving !== request.id) return;
+      this.#sent = true;
+      worker.postMessage({ type: "prove", request, cells });
+    });
   }
 
   /** A fresh worker, warmed up before it is needed; the compiled module is shared. */

@@ -1,14 +1,24 @@
 // @ts-check
-// Definitions, one hover, tap or focus away: every element with `data-tip` has one.
-import { byId } from "./dom.js";
+// Definitions, one hover, tap or focus away: every element with `data-tip` has one. Many lead on to a lesson.
+import { byId, make } from "./dom.js";
 
-/** Starts listening for the whole page. */
-export function startTips() {
+/** Time to get from what is explained to its definition, ms. */
+const WAY = 200;
+
+/** Starts listening for the whole page. @param {import("./main.js").App} app */
+export function startTips(app) {
   const tip = byId("tip");
   /** @type {Element | null} */
   let owner = null;
 
+  let leaving = 0;
+  /** Opens the lesson of what is shown. @type {(() => void) | undefined} */
+  let lesson;
+
   const hide = () => {
+    clearTimeout(leaving);
+    lesson = undefined;
+    tip.style.pointerEvents = "";
     owner?.querySelector("[aria-describedby=tip]")?.removeAttribute("aria-describedby");
     owner = null;
     tip.hidden = true;
@@ -28,12 +38,38 @@ export function startTips() {
     tip.hidden = false;
     next.querySelector("button, input, select")?.setAttribute("aria-describedby", "tip");
     place(tip, next);
+    void leadOn(next);
+  };
+
+  /** Adds the lesson that explains it. @param {Element} next */
+  const leadOn = async (next) => {
+    const { lessonOf } = await import("./learn/explains.js");
+    const found = await lessonOf(next).catch(() => undefined);
+    if (!found || owner !== next) return;
+    lesson = () => {
+      hide();
+      import("./learn/enter.js").then(({ enterLearn }) => enterLearn(app, found.id)).catch(console.warn);
+    };
+    const keys = matchMedia("(hover: none)").matches ? "" : " (F1)";
+    const link = make("button", { type: "button", className: "link", tabIndex: -1, onclick: lesson }, `Explained in lesson ${found.number}, “${found.title}”${keys}`);
+    link.style.color = "inherit";
+    const line = make("div", {}, link);
+    line.style.marginTop = "0.3rem";
+    tip.append(line);
+    tip.style.pointerEvents = "auto";
+    place(tip, next);
   };
 
   // Loaded with the first input, which may have come to one already.
   show([...document.querySelectorAll(":hover")].at(-1) ?? null);
   document.addEventListener("pointerover", (event) => {
-    if (event.pointerType === "mouse") show(event.target);
+    if (event.pointerType !== "mouse") return;
+    clearTimeout(leaving);
+    if (!(event.target instanceof Node) || tip.contains(event.target)) return;
+    // On the way to a link in the definition, there may be something else for a moment.
+    const { target } = event;
+    if (lesson && !(target instanceof Element && target.closest("[data-tip]"))) leaving = setTimeout(() => show(target), WAY);
+    else show(target);
   });
   document.addEventListener("focusin", (event) => {
     if (event.target instanceof Element && event.target.matches(":focus-visible")) show(event.target);
@@ -42,7 +78,7 @@ export function startTips() {
   });
   // A tap on a term opens its definition, the next tap closes it.
   document.addEventListener("click", (event) => {
-    if (!(event instanceof PointerEvent)) return;
+    if (!(event instanceof PointerEvent) || (event.target instanceof Node && tip.contains(event.target))) return;
     if (event.pointerType === "mouse") {
       // What was set in motion is to be seen; a term is clicked to be read.
       if (!(event.target instanceof Element && event.target.closest(".term"))) hide();
@@ -54,6 +90,10 @@ export function startTips() {
   });
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") hide();
+    if (event.key === "F1" && lesson) {
+      event.preventDefault();
+      lesson();
+    }
   });
   document.addEventListener("scroll", hide, true);
   // A finger that is lifted leaves, too.

@@ -472,6 +472,8 @@ needs: Array<Need>, };
 export type GoalAnswer = {
 /** The settings, as in links. */
 link: string,
+/** The program, if the settings say that one drives or plans. */
+program?: Program,
 /** The runs that the page made; grading makes them again. */
 runs: Array<RunRecord>, };
 
@@ -517,6 +519,8 @@ minutes: number,
 audience: string,
 /** What one can do afterwards. */
 outcomes: Array<string>,
+/** Labels of the page's numbers and controls that it explains; the definitions there lead to it. */
+explains: Array<string>,
 /** Sources, as safe HTML. */
 sources: Array<string>,
 /** Digest of the text. */
@@ -1199,8 +1203,10 @@ offered: boolean,
 on: boolean,
 /** The current decision, or the film's caption; empty for none. */
 text: string,
-/** Why it can't be shown in this room; empty if it can. */
+/** Why it can't be shown; empty if it can. */
 refusal: string,
+/** Whether it could in a smaller room. */
+fits_small: boolean,
 /** The film, if there is one and it is shown. */
 film: FilmView | null, };
 

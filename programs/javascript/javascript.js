@@ -83,6 +83,7 @@ export function loadJavaScript(options) {
     static now = clock.now;
   };
   const console = { log: print, info: print, warn: print, error: print, debug: print };
+  options.begins?.();
   /** @type {Record<string, any>} */
   let parts;
   try {
@@ -169,6 +170,8 @@ export function loadJavaScript(options) {
       }
       return !robot._isDone;
     },
+    hold: () => motion?.hold?.(robot) ?? 0,
+    skip: (/** @type {number} */ steps) => motion?.skip?.(steps),
     variables,
     save: () => undefined,
     restore: () => { throw new Error("JavaScript programs are replayed, not restored"); },

@@ -5,7 +5,9 @@ import { SourceError, number, shown } from "./words.js";
 
 /** @typedef {import("./robot.js").Robot} Robot */
 /** A motion is started in the step that yields it, and asked at every further step: undefined while it goes on, then true
- * if it has reached its aim and false if not. @typedef {{name: string, start(robot: Robot): void, step(robot: Robot): boolean | undefined}} Motion */
+ * if it has reached its aim and false if not. @typedef {{name: string, start(robot: Robot): void, step(robot: Robot): boolean | undefined,
+ * hold?(robot: Robot): number, skip?(steps: number): void}} Motion `hold` is the number of further steps in which it surely
+ * commands the same, unless the robot gets blocked; `skip` is told when they went by. */
 
 export const RADIANS = 0.017453292519943295;
 /** Slowest wheel speed at which a motion ends, m/s. */
@@ -55,6 +57,16 @@ function way(name, isBlockable, begin) {
       step(robot);
     },
     step,
+    hold: (robot) => {
+      // Until it brakes, in wheels that turn half as fast again as they should.
+      const { speed } = going;
+      // One that begins blocked ends with the next step.
+      if (isBlockable && robot.blocked()) return 0;
+      const left = going.left(robot);
+      const steps = left > speed * speed ? Math.trunc((left - speed * speed) / (speed * 0.0225)) : 0;
+      return limit > 2 ? Math.min(steps, limit - 2) : 0;
+    },
+    skip: (steps) => { limit -= steps; },
   };
 }
 
@@ -115,7 +127,7 @@ export function arc(radius, degrees, speed) {
 /** Goes on as it was commanded for some seconds. @param {number} seconds @returns {Motion} */
 export function wait(seconds) {
   let limit = Math.trunc(number("robot.wait: seconds", seconds) * PER_SECOND + 0.5);
-  return { name: "wait", start: () => {}, step: () => (--limit <= 0 ? true : undefined) };
+  return { name: "wait", start: () => {}, step: () => (--limit <= 0 ? true : undefined), hold: () => Math.max(0, limit - 2), skip: (steps) => { limit -= steps; } };
 }
 
 /** Goes on as it was commanded until a condition holds. @param {(robot: Robot) => unknown} condition @param {number} [timeout] s @returns {Motion} */

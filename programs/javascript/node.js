@@ -15,6 +15,9 @@ if (!file) {
 /** @type {import("./runtime.js").Program | undefined} */
 let program;
 let readings = new Float64Array(0);
+/** Whether the host keeps commands, and the step that comes next. */
+let holds = false;
+let at = 0;
 
 /** @param {Record<string, unknown>} message */
 function answer(message) {
@@ -30,6 +33,7 @@ function take(message) {
   if (message.kind === "hello" && message.robovac === VERSION) {
     readings = new Float64Array(LAYOUT.laser + (message.robot.laser?.beams ?? 0));
     program = loadJavaScript({ language: "javascript", source: fs.readFileSync(file, "utf8"), name: file, facts: message.robot, seed: message.seed, layout: LAYOUT });
+    holds = message.holds === true;
     return answer({ ready: program.kind === "plan" ? "planner" : "behaviour" });
   }
   if (!program) throw new Error(`this program speaks version ${VERSION} of the protocol; the host does not`);
@@ -39,8 +43,11 @@ function take(message) {
     return answer({ done: true });
   }
   pack(message, readings);
+  if (message.step > at) program.skip?.(message.step - at);
+  at = message.step + 1;
   const goesOn = program.step(readings);
-  answer({ left: program.left, right: program.right, ...(!goesOn && { done: true }) });
+  const hold = (goesOn && holds && program.hold?.()) || 0;
+  answer({ left: program.left, right: program.right, ...(!goesOn && { done: true }), ...(hold && { hold }) });
 }
 
 for await (const line of readline.createInterface({ input: process.stdin })) {

@@ -58,7 +58,9 @@ export async function loadPython(options) {
   // What Python's `random` begins with: always the same, as it may begin again behind a restored state.
   const first = chance(seed)();
   state.chance = () => first;
-  const { kind, floats, out } = JSON.parse(String(call(named("load"), text.source, name, JSON.stringify(facts), String(seed))));
+  const loading = named("load");
+  options.begins?.();
+  const { kind, floats, out } = JSON.parse(String(call(loading, text.source, name, JSON.stringify(facts), String(seed))));
   const [floatsAt, outAt] = [floats >> 3, out >> 3];
   python.run("robot = page.program.robot\nfunction = page.program.function");
   const robot = named("robot");

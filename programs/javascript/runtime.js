@@ -22,6 +22,7 @@ export { SourceError } from "./words.js";
  * @property {number} [budget] turns of loops in one step (in JavaScript: statements), after which it counts as endless
  * @property {{line: number, condition?: string}[]} [breakpoints]
  * @property {number} [memory] the most that Python may use, MB
+ * @property {() => void} [begins] called when all is ready, before the program's first line runs
  */
 /**
  * @typedef {object} Program
@@ -31,6 +32,8 @@ export { SourceError } from "./words.js";
  * @property {number} line that was begun last; 0 if it isn't traced
  * @property {Record<string, any>[]} output what it has said, to be emptied by the caller
  * @property {(readings: Float64Array) => boolean} step one step with new readings; false once it is done
+ * @property {() => number} [hold] for how many further steps its command surely stays, unless the robot gets blocked
+ * @property {(steps: number) => void} [skip] so many steps went by in such a time
  * @property {() => [name: string, text: string, type: string][]} variables
  * @property {() => any} save its state, or undefined if it has to be replayed
  * @property {(state: any) => void} restore

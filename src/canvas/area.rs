@@ -8,6 +8,10 @@ use robovac_core::{coverage::CoverageTracker, geometry::Point};
 const MARGIN: f64 = 8.0;
 /// How far a body's halo, shadow and pressed bumper reach beyond it, in radii.
 const REACH: f64 = 1.4;
+/// How far side brushes take dirt beyond the body, m.
+const BRUSHED: f64 = 0.12;
+/// How far people and pets reach around where they are, m.
+const FIGURE: f64 = 0.25;
 /// Share of the picture from which on all of it is drawn.
 const MOST: f64 = 0.7;
 
@@ -25,7 +29,8 @@ impl Area {
             area.add(viewport.to_screen(*point), MARGIN);
         }
         if let Some(view) = &scene.robot {
-            let reach = REACH * (view.radius * viewport.scale).max(robot::LEAST_RADIUS) + MARGIN;
+            let body = REACH * (view.radius * viewport.scale).max(robot::LEAST_RADIUS);
+            let reach = body.max((view.radius + BRUSHED) * viewport.scale) + MARGIN;
             for pose in std::iter::once(&view.pose).chain(&view.estimate) {
                 area.add(viewport.to_screen(pose.position()), reach);
             }
@@ -33,14 +38,27 @@ impl Area {
         area
     }
 
-    /// Where rows of the swept floor are, the lowest and highest given.
+    /// Where people and pets are.
+    pub fn of_figures(scene: &Scene<'_>, viewport: &Viewport) -> Self {
+        let mut area = Self::NONE;
+        if let Some(life) = scene.life {
+            for &(at, _) in life.movers() {
+                area.add(viewport.to_screen(at), FIGURE * viewport.scale + MARGIN);
+            }
+        }
+        area
+    }
+
+    /// Where rows of the swept floor are, the lowest and highest given, with the dirt that went from beside them.
     pub fn of_rows(scene: &Scene<'_>, tracker: &CoverageTracker, rows: (usize, usize), viewport: &Viewport) -> Self {
         let row = scene.plan.height_m() / tracker.visits().height() as f64;
         // A cell fades into its neighbours.
         let (low, high) = (row * (rows.0 as f64 - 2.0), row * (rows.1 as f64 + 3.0));
         let mut area = Self::NONE;
-        area.add(viewport.to_screen(Point::new(0.0, low)), MARGIN);
-        area.add(viewport.to_screen(Point::new(scene.plan.width_m(), high)), MARGIN);
+        let has_dirt = scene.life.is_some_and(|life| !life.spots().is_empty());
+        let beside = scene.robot.filter(|_| has_dirt).map_or(0.0, |view| view.radius + BRUSHED);
+        area.add(viewport.to_screen(Point::new(0.0, low - beside)), MARGIN);
+        area.add(viewport.to_screen(Point::new(scene.plan.width_m(), high + beside)), MARGIN);
         area
     }
 

@@ -59,11 +59,15 @@ struct DrawnScene {
     selected: Option<usize>,
     in_hand: bool,
     shows: Shows,
-    /// Steps at the shown sensor reading and positions of movers.
+    /// Whether a sensor reading is shown.
+    senses: bool,
+    /// Steps at that and at the positions of movers.
     steps: Option<u64>,
     believed: (usize, Option<Point>, Option<Point>),
     /// Where robot, estimate and trails are.
     moving: Area,
+    /// Where people and pets are.
+    figures: Area,
 }
 
 /// The part of the state that the layers depend on.
@@ -106,10 +110,12 @@ impl Canvas {
             selected: scene.selected,
             in_hand: !scene.in_hand.is_empty(),
             shows: scene.shows,
+            senses: scene.sensed.is_some(),
             steps: (scene.sensed.is_some() || scene.life.is_some_and(|life| !life.movers().is_empty()))
                 .then_some(scene.steps),
             believed: (scene.believed.len(), scene.believed.first().copied(), scene.believed.last().copied()),
             moving: Area::of_moving(scene, viewport),
+            figures: Area::of_figures(scene, viewport),
         };
         if self.last == Some(drawn) && !drawn.in_hand && scene.dirty_rows.is_none() {
             return Ok(());
@@ -122,20 +128,23 @@ impl Canvas {
         if last.is_none_or(|l| l.still != still) {
             self.update_layers(scene, viewport, palette)?;
         }
-        let part = last.filter(|last| only_moves(last, &drawn, scene)).and_then(|last| {
-            let mut area = last.moving;
+        let parts = last.filter(|last| only_moves(last, &drawn)).and_then(|last| {
+            let (mut area, mut figures) = (last.moving, last.figures);
             area.join(&drawn.moving);
+            figures.join(&drawn.figures);
             if let (Some(tracker), Some(rows)) = (scene.tracker, scene.dirty_rows) {
                 area.join(&Area::of_rows(scene, tracker, rows, viewport));
             }
-            area.to_device(viewport)
+            Some([area.to_device(viewport)?, figures.to_device(viewport)?])
         });
         let context = &self.context;
         context.save();
-        if let Some([left, top, width, height]) = part {
+        if let Some(parts) = parts {
             context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
             context.begin_path();
-            context.rect(left, top, width, height);
+            for [left, top, width, height] in parts {
+                context.rect(left, top, width, height);
+            }
             context.clip();
         }
         let composed = self.compose(scene, viewport, palette);
@@ -285,20 +294,18 @@ impl Canvas {
     }
 }
 
-/// Whether nothing but robot, trails and swept floor can differ between two frames.
-fn only_moves(last: &DrawnScene, drawn: &DrawnScene, scene: &Scene<'_>) -> bool {
+/// Whether nothing but robot, trails, people, pets, and floor and dirt that were swept can differ between two frames.
+fn only_moves(last: &DrawnScene, drawn: &DrawnScene) -> bool {
     let is_lifted = |frame: &DrawnScene| frame.robot.is_some_and(|robot| robot.is_lifted);
     let still = |frame: &DrawnScene| {
         let DrawnScene { still, run_version, cursor, selected, shows, .. } = *frame;
         (still, run_version, cursor, selected, shows)
     };
     still(last) == still(drawn)
-        && (last.search, last.in_hand, last.steps) == (None, false, None)
-        && (drawn.search, drawn.in_hand, drawn.steps) == (None, false, None)
+        && (last.search, last.in_hand, last.senses) == (None, false, false)
+        && (drawn.search, drawn.in_hand, drawn.senses) == (None, false, false)
         && !is_lifted(last)
         && !is_lifted(drawn)
-        // Where dirt goes, the floor is swept; but not where it isn't.
-        && scene.life.is_none_or(|life| life.spots().is_empty())
 }
 
 /// Draws one part of all objects that aren't being dragged.

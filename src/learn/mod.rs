@@ -35,6 +35,12 @@ impl LessonText {
         to_js(&goal.request(link, self.lesson.scenario_of(goal), seeds))
     }
 
+    /// Where a program drives that answers a goal: the settings without the algorithm.
+    pub fn place(&self, goal: &str, link: &str) -> Result<String, JsValue> {
+        let settings = self.goal(goal)?.settings(link).0;
+        Ok(settings.keeping(|key| !matches!(key, "planner" | "behaviour") && !key.starts_with("p.")).to_string())
+    }
+
     /// What of the answer `link` doesn't count, as it may not be changed.
     pub fn ignored(&self, goal: &str, link: &str) -> Result<Vec<String>, JsValue> {
         Ok(self.goal(goal)?.settings(link).1)
@@ -44,7 +50,7 @@ impl LessonText {
     #[wasm_bindgen(unchecked_return_type = "rust.Verdict")]
     pub fn judge(&self, goal: &str, outcomes: &[f64]) -> Result<JsValue, JsValue> {
         let mut runs = RunOutcome::from_numbers(outcomes);
-        runs.sort_by_key(|run| run.seed);
+        runs.sort_unstable_by_key(|run| run.seed);
         to_js(&self.goal(goal)?.judge(&runs))
     }
 

@@ -134,7 +134,7 @@ impl Connection {
                 let smooth = (!knots.is_empty()).then(|| Arc::new(trajectory_from_js(knots)));
                 // The stairs of a real flat aren't in the room.
                 let follower = prepared.follower(&robot, &line, odometry).carefully();
-                Driven { line, smooth }.controller(&robot, follower)
+                Box::new(Driven { line, smooth }.follower(&robot, follower))
             }
         };
         let (title, cleans) = (settings.algorithm.title(), cleans && settings.algorithm.cleans());

@@ -88,7 +88,7 @@ pub fn least(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
     }))
 }
 
-/// Reports a planner's progress to `on_progress` regularly, and films it from the first walk with a proof on. That walk
+/// Reports a planner's progress to `on_progress` regularly, and films it from the first walk on. That walk
 /// is reported at once, as the walks that a film `begin`s with can take longer.
 pub(super) fn reporter(
     on_progress: &Function,
@@ -96,9 +96,9 @@ pub(super) fn reporter(
     begin: impl Fn() -> Option<Film>,
 ) -> impl FnMut(ProgressReport<'_>) -> ControlFlow<()> {
     let mut next = clock() + REPORT_EVERY_MS;
-    let mut is_proven = false;
+    let mut has_begun = false;
     move |report| {
-        let is_first = (report.proof.is_some() || !report.line.is_empty()) && !is_proven;
+        let is_first = !(has_begun || report.walk.is_empty() && report.line.is_empty());
         let now = clock();
         if is_first || now >= next {
             // With its proof it could be kept, but it has no film yet.
@@ -108,7 +108,7 @@ pub(super) fn reporter(
             next = told + REPORT_EVERY_MS.max(TELLING * (told - now));
         }
         if is_first {
-            is_proven = true;
+            has_begun = true;
             *film = begin();
         }
         if let Some(film) = film.as_mut() {

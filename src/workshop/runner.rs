@@ -1,8 +1,9 @@
 //! Runs in workers: a request comes in as a plain object, outcomes go out as numbers.
 
 use js_sys::{Array, Float64Array, Reflect, Uint8Array, Uint32Array};
-use robovac_app::compare::ProgramRuns;
-use robovac_playground::wire::walk;
+use robovac_app::{compare::ProgramRuns, explore::Session};
+use robovac_core::floor_plan::SourceFile;
+use robovac_playground::wire::{message, walk};
 use robovac_sim::montecarlo::{Lab, RunOutcome, RunsRequest};
 use wasm_bindgen::prelude::*;
 
@@ -38,6 +39,19 @@ impl Runner {
         let outcomes = request.run(lab, None)?;
         Ok(to_numbers(&outcomes))
     }
+}
+
+/// The job with which a user's program drives in the room of a link, or in that of a scenario file with the link's settings.
+#[wasm_bindgen]
+pub fn job_of_place(link: &str, scenario: Option<String>) -> Result<Vec<u8>, JsValue> {
+    let mut session = Session::new();
+    if let Some(text) = scenario {
+        let file = SourceFile { name: "scene.json".to_owned(), bytes: text.into_bytes() };
+        session.load(&[file]).map_err(message)?;
+    }
+    // The program drives in its place.
+    session.restore(&format!("{link}&behaviour=bounce")).map_err(message)?;
+    Ok(session.program_job().to_bytes())
 }
 
 /// Runs of the user's program, by the logs or the plan in `work`.

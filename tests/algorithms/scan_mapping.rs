@@ -77,7 +77,7 @@ fn a_laser_keeps_the_pose_within_centimetres_and_maps_what_it_sees() {
 }
 
 /// The table of docs/maps.md, for the rooms that ship and two plans in ../shared/maps if they are there:
-/// `cargo test --release --test algorithms -- --ignored --nocapture twenty_seeds_by_laser`.
+/// `cargo test --release --test algorithms -- --ignored --nocapture twenty_seeds_by_laser`, or with `ONLY="cbot flat"` one row.
 #[test]
 #[ignore = "soak: two hundred runs of twenty minutes"]
 fn twenty_seeds_by_laser() {
@@ -90,8 +90,9 @@ fn twenty_seeds_by_laser() {
             plans.push((name.to_owned(), load(&[SourceFile { name: file, bytes }]).unwrap()));
         }
     }
+    let only = std::env::var("ONLY").unwrap_or_default();
     for robot in ROBOTS {
-        for (name, plan) in &plans {
+        for (name, plan) in plans.iter().filter(|(name, _)| format!("{robot} {name}").contains(&only)) {
             let runs: Vec<[f64; 6]> = (101..=120).map(|seed| outcome(plan, robot, "wall_follow", seed, 20.0)).collect();
             let column = |i: usize| median(runs.iter().map(|run| run[i]).collect());
             let [metres, degrees, m, d, right, seen] = std::array::from_fn(column);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openApp } from "./app.mjs";
 
-for (const [name, address] of [["a plan", "#room=lshape&planner=boustrophedon&speed=64&slip=harsh&show=coverage,estimate"], ["a behaviour", "#room=lshape&behaviour=random_walk&speed=64"]]) {
+for (const [name, address] of [["a plan", "#room=lshape&planner=boustrophedon&speed=64&slip=harsh&show=coverage,estimate"], ["a behaviour", "#room=lshape&behaviour=random_walk&speed=64"], ["a cat and dirt", "#room=living&behaviour=random_walk&speed=64"]]) {
   test(`after many frames of ${name} the picture is the one that a fresh drawing gives`, async (t) => {
     const { page, app } = await openApp(t, { address, deviceScaleFactor: 1.5 });
     await app.numbersThat(({ coverage }) => coverage > 6);

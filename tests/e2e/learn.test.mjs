@@ -209,3 +209,68 @@ test("the page shows itself around in four steps, once", async (t) => {
   await page.waitForFunction(() => performance.getEntriesByType("resource").some(({ name }) => name.includes("learn/offer.js")));
   assert.equal(await page.getByRole("button", { name: "Show me", exact: true }).count(), 0);
 });
+
+const BY_PROGRAM = `# By program
+
+\`\`\`lesson
+id: by-program
+\`\`\`
+
+\`\`\`code javascript
+function* run(robot) {
+  for (;;) {
+    yield robot.forward(10);
+    yield robot.forward(-0.05);
+    yield robot.turn(90 + 90 * robot.random());
+  }
+}
+\`\`\`
+
+\`\`\`goal
+id: drive
+in: room=thesis8&robot=roomba600&behaviour=wall_follow&slip=typical
+change: program
+runs: 3
+minutes: 2
+need: median coverage >= 20 %
+\`\`\`
+`;
+
+test("a program reaches a goal in a room of the task's, is handed in, and graded natively with the same digests", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=bedroom&behaviour=bounce" });
+  await drop(page, "by-program.md", BY_PROGRAM);
+  const panel = page.locator("#learn");
+  await panel.getByRole("button", { name: "Check my program" }).click();
+  await panel.getByText(/No program drives the robot yet/).waitFor();
+  await panel.getByRole("button", { name: "Open in Program" }).click();
+  await page.locator("#program-foreign").waitFor();
+  await page.locator("#program-run").click();
+  await page.waitForFunction(() => /behaviour=program/.test(location.hash));
+  await panel.getByRole("button", { name: "Check my program" }).click();
+  await panel.getByText("Goal reached.").waitFor();
+  const [download] = await taken(page, 1, () => panel.getByRole("button", { name: "Hand in" }).click());
+  const folder = fs.mkdtempSync(path.join(ROOT, "target/learn-"));
+  t.after(() => fs.rmSync(folder, { recursive: true }));
+  const [lesson, answer] = [path.join(folder, "lesson.md"), path.join(folder, "answer.json")];
+  fs.writeFileSync(lesson, BY_PROGRAM);
+  await download.saveAs(answer);
+  const [{ passed, goals }] = JSON.parse(execFileSync(robovac(), ["grade", lesson, answer, "--json", "--unconfined"], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }));
+  assert.deepEqual({ passed, misfits: goals[0].misfits, runs: goals[0].verdict.runs.length }, { passed: true, misfits: [], runs: 3 });
+  assert.equal(await app.message(), "");
+});
+
+test("a definition leads to the lesson that explains it, by pointer and by key", async (t) => {
+  const { page } = await openApp(t, { address: "#room=thesis8&behaviour=bounce" });
+  await page.mouse.move(400, 300);
+  const term = page.locator("#metrics").getByRole("button", { name: "Position error" });
+  await term.focus();
+  // Focus by key shows the definition; that of a script doesn't.
+  await page.keyboard.press("Shift+Tab");
+  await page.keyboard.press("Tab");
+  await page.locator("#tip").getByRole("button", { name: /Explained in lesson 7/ }).waitFor();
+  await page.keyboard.press("F1");
+  await page.locator("#learn").getByRole("heading", { name: "Lost" }).waitFor();
+  await page.locator("#numbers").getByRole("button", { name: "Coverage" }).hover();
+  await page.locator("#tip").getByRole("button", { name: /Explained in lesson 1/ }).click();
+  await page.locator("#learn").getByRole("heading", { name: "Who wins?" }).waitFor();
+});

@@ -87,7 +87,7 @@ test(`${COUNT} hostile programs reach nothing and stop nothing`, { timeout: 3_60
     ends[end] = (ends[end] ?? 0) + 1;
     assert.ok(took < 60_000, `${took} ms until the end of\n${program.source}`);
     if (longest > MOST_MS) slow.push(`${Math.round(longest)} ms: ${how}\n${program.source}`);
-    if (process.env.VERBOSE) t.diagnostic(`${index} ${program.language} ${Math.round(took)} ms, longest ${Math.round(longest)} ms, ${how}\n${program.source}`);
+    if (process.env.VERBOSE) console.log(`${index} ${program.language} ${Math.round(took)} ms, longest ${Math.round(longest)} ms, ${how}\n${program.source}`);
   }
   t.diagnostic(JSON.stringify(ends));
   assert.deepEqual(slow, [], "the page stood still");

@@ -14,7 +14,7 @@ export const SIZES = [
 ];
 const KEYS = ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Enter", "Escape", "Tab", " ", "Delete", ".", "+", "-", "0", "?", ..."rvwesonpltdabcm"];
 /** Most of what follows a tab's choice happens in it. */
-const TABS = ["explore", "compare", "map", "floor-plan", "connection"];
+const TABS = ["explore", "program", "compare", "map", "floor-plan", "connection"];
 /** How many actions are told when something goes wrong. */
 const TOLD = 25;
 /** Actions after which the page is opened afresh: people do so, too, and what is kept is read again. */

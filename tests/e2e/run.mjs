@@ -26,7 +26,7 @@ if (!fs.existsSync(path.join(here, "../../dist/index.html"))) fail("dist/ is mis
 if (files.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/e2e/*.test.mjs"}`);
 
 /** Where a robot's stop is due soon, the machine has nothing heavy to do besides. */
-const isUrgent = (file) => /^connection(-bridge|-fake|-serial|-stop|-usb|-window)?\.test/.test(path.basename(file));
+const isUrgent = (file) => /^connection(-bridge|-fake|-program|-serial|-stop|-usb|-window)?\.test/.test(path.basename(file));
 /** Nothing runs beside these. */
 const isAlone = (file) => /^connection-(bridge|stop|window)\.test/.test(path.basename(file));
 /** That a robot stops in time has to hold at the first try. */

@@ -42,8 +42,14 @@ test("the snake's decisions follow steps and scrubs, in words and on the floor",
   await app.press("Back to the start");
   await app.until("ready");
   await app.poll(() => note.textContent(), (text) => /straight on\.$/.test(text));
-  await app.choose("algorithm", "boustrophedon");
-  assert.ok((await toggle.isHidden()) && (await note.isHidden()), "others don't tell");
+  // Others tell what they weigh, too; one plans in metres, and a behaviour plans nothing.
+  await app.choose("algorithm", "wavefront_distance");
+  await app.poll(() => note.textContent(), (text) => /^Farthest from the goal: .*\.$/.test(text));
+  await app.choose("algorithm", "lanes");
+  assert.match(await page.locator("#search-refusal").textContent(), /metres/);
+  assert.ok((await toggle.isDisabled()) && (await page.locator("#search-small:visible").count()) === 0);
+  await app.choose("algorithm", "random_walk");
+  assert.ok((await toggle.isHidden()) && (await note.isHidden()), "a behaviour has no search");
 });
 
 test("the search fits a phone", async (t) => {

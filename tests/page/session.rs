@@ -676,15 +676,19 @@ fn search_says_why_a_walk_ends_early() {
 fn search_is_only_shown_where_there_is_one() {
     let mut session = opened();
     session.show_search(true);
+    session.restore("room=living&behaviour=random_walk").unwrap();
     let search = session.view().search;
-    assert!(search.on && !search.offered && search.text.is_empty(), "boustrophedon doesn't trace");
+    assert!(search.on && !search.offered && search.text.is_empty(), "a behaviour has no search");
+    session.restore("room=living&planner=lanes").unwrap();
+    let search = session.view().search;
+    assert!(search.offered && !search.on && !search.fits_small && search.refusal.contains("in metres"), "{search:?}");
     for (planner, refusal) in [
         ("snake", "shown only in rooms of up to 20000 planning cells"),
         ("near_optimal", "filmed only in rooms of up to 2000 planning cells"),
     ] {
         session.restore(&format!("room=hall20&planner={planner}")).unwrap();
         let search = session.view().search;
-        assert!(search.offered && !search.on && search.text.is_empty(), "{search:?}");
+        assert!(search.offered && !search.on && search.fits_small && search.text.is_empty(), "{search:?}");
         assert!(search.refusal.contains(refusal), "{}", search.refusal);
     }
     session.show_search(false);

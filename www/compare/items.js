@@ -19,8 +19,11 @@ export function showItems({ app, act, view, about }) {
   // Copies stand behind what they were made of.
   const rank = (/** @type {{ id: string, kind: string }} */ { id, kind }) => view.entrants.findIndex((entrant) => entrant.id === id && entrant.kind === kind);
   order.sort((a, b) => rank(a) - rank(b) || a.copy - b.copy);
-  for (const [list, wanted] of /** @type {const} */ ([["entrants", "planner"], ["racing-behaviours", "behaviour"]])) {
-    byId(list).replaceChildren(...order.filter(({ kind }) => kind === wanted).flatMap(({ index }) => items[index] ?? []));
+  // The user's own program is what they look for.
+  const listOf = (/** @type {{ id: string, kind: string }} */ { id, kind }) => (kind === "planner" || id === "program" ? "entrants" : "racing-behaviours");
+  order.sort((a, b) => Number(b.id.startsWith("program")) - Number(a.id.startsWith("program")));
+  for (const list of ["entrants", "racing-behaviours"]) {
+    byId(list).replaceChildren(...order.filter((entrant) => listOf(entrant) === list).flatMap(({ index }) => items[index] ?? []));
   }
   return items;
 }

@@ -2,9 +2,10 @@
 // Algorithms that drive the robot: chosen here or in Explore, planned first where there is something to plan.
 import { button, byId, changed, fill, input, make, select, setAttribute, setEnabled, setHidden, setText } from "../dom.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
+import { textOf } from "../messages.js";
 import { Planning } from "../planning.js";
 import { choose, keep, kept } from "./dialogs.js";
-import { PROGRAM } from "./room.js";
+import { PROGRAM, PROGRAM_PLANNER } from "./room.js";
 
 /** @typedef {import("./tab.js").ConnectionTab} ConnectionTab */
 
@@ -15,6 +16,12 @@ const CLEANS = "connection-cleans";
 async function takeSeat(it) {
   const { pilot } = await import("../program/pilot.js");
   return pilot(it.app, it.connection, it.view.virtual === null, it.complain);
+}
+
+/** Whether the user's program may drive the robot. @param {ConnectionTab} it */
+async function mayPlan(it) {
+  const { isAllowed } = await import("../program/pilot.js");
+  return isAllowed(it.room.own, it.view.virtual === null);
 }
 
 /** @param {ConnectionTab} it */
@@ -44,6 +51,24 @@ export function startRide(it) {
     if (!(await it.request({ do: "odometry", model: /** @type {import("../types").OdometryModel} */ (odometry.value) }))) odometry.value = it.view.odometry;
   });
 
+  /** The user's program plans in its sandbox. @param {import("../worker-types").PlanRequest} request */
+  const planByProgram = async (request) => {
+    const { own } = room;
+    knots = undefined;
+    try {
+      if (!own) return answer(false);
+      const { planned } = await import("../program/pilot.js");
+      const { cells, seconds } = await planned(own, request);
+      // It may have been cancelled.
+      if (!waiting) return;
+      if (it.app.act(() => room.mirror.plan_finished(request.id, cells, seconds))) planning.prove(request, cells);
+      else answer(false);
+    } catch (error) {
+      it.complain(`The planner failed: ${textOf(error)}.`);
+      answer(false);
+    }
+  };
+
   /** The last plan with rounded corners. @type {import("../worker-types").Knots} */
   let knots;
   /** Resolves the pending plan. @type {((worked: boolean) => void) | undefined} */
@@ -60,6 +85,9 @@ export function startRide(it) {
       answer(it.app.act(() => room.mirror.plan_finished(id, cells, seconds)));
       it.live.map.set_planned(room.mirror.corners());
     },
+    // Of what a program has planned.
+    smoothed: (_, rounded) => (knots = rounded),
+    proven: () => answer(true),
     failed: (_, message) => {
       it.complain(`The planner failed: ${message}.`);
       answer(false);
@@ -73,10 +101,12 @@ export function startRide(it) {
   /** Corners of the line to drive; `undefined` if there is none. @returns {Promise<Float64Array | undefined>} */
   const corners = async () => {
     if (room.algorithm?.kind === "behaviour") return new Float64Array();
+    /** @type {import("../worker-types").PlanRequest | undefined} */
     const request = room.mirror.take_plan_request();
     if (request) {
       setText(byId("connection-planning"), "Planning…");
-      planning.start(request);
+      if (request.planner === PROGRAM_PLANNER) void planByProgram(request);
+      else planning.start(request);
       if (!(await new Promise((resolve) => (waiting = resolve)))) return undefined;
     }
     const line = room.mirror.corners();
@@ -103,6 +133,7 @@ export function startRide(it) {
     }
     const refusal = room.refusal();
     if (refusal) return it.complain(refusal);
+    if (room.algorithm?.id === PROGRAM_PLANNER && !(await mayPlan(it))) return;
     const line = await corners();
     // After a stop or a loss of control it must not start.
     if (!line || !it.view.can.ride) return;
@@ -134,15 +165,16 @@ export function startRide(it) {
         if (room.hasPath) choice.append(new Option("Path from Floor plan", "path"));
       }
       const own = room.program();
-      if (changed(choice, "program", own?.title)) {
-        choice.querySelector(`option[value=${PROGRAM}]`)?.remove();
+      if (changed(choice, "program", own && own.id + own.title)) {
+        choice.querySelector(`option[value^=${PROGRAM}]`)?.remove();
         if (own) choice.prepend(new Option(own.title, own.id));
       }
       if (document.activeElement !== choice) choice.value = room.algorithm?.id ?? "";
       const { can, is_moving: goes } = view;
       setHidden(button("connection-to-start"), goes || !it.live.isKnown() || placeOf(view) === "at");
       const where = it.live.isKnown() ? "It is assumed to start on the dashed circle, facing along its arrow." : "It starts from where it stands.";
-      const question = view.calibration.step === "asking" ? "Calibration waits for your answer: answer or skip it in Tools, Calibrate." : where;
+      const charging = room.algorithm?.kind === "planner" ? " On a planned path it does not go home to charge." : "";
+      const question = view.calibration.step === "asking" ? "Calibration waits for your answer: answer or skip it in Tools, Calibrate." : where + charging;
       setText(byId("connection-ride-note"), room.refusal() || (can.drive ? question : "Take control first."));
       setEnabled(button("connection-go"), can.ride);
       setEnabled(button("connection-end"), goes || waiting !== undefined);

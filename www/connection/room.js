@@ -4,8 +4,9 @@ import { SessionMirror } from "../../workshop.js";
 
 /** Stands for the path of Explore in place of an algorithm's id. */
 const PATH = "path";
-/** Stands for the user's program. */
+/** Stand for the user's program: a behaviour, or a planner. */
 export const PROGRAM = "program";
+export const PROGRAM_PLANNER = "program_planner";
 
 /**
  * The playground's room as it was when it was last taken over, with an algorithm of one's own choice.
@@ -23,11 +24,13 @@ export function startRoom({ playground, catalogue }) {
   const path = { .../** @type {import("../types").CatalogueEntry} */ (catalogue.planners[0]), id: PATH, title: "Path from Floor plan" };
 
   let own = playground.program();
-  /** The user's program, if it drives. */
+  /** The user's program as an entry of the list. */
   const program = () => {
-    if (own?.kind !== "behaviour") return undefined;
-    return { .../** @type {import("../types").CatalogueEntry} */ (catalogue.behaviours[0]), id: PROGRAM, title: `Your program: ${own.name}`, params: [], cleans: true, manual: false };
+    if (!own) return undefined;
+    const [base, id] = own.kind === "planner" ? [catalogue.planners[0], PROGRAM_PLANNER] : [catalogue.behaviours[0], PROGRAM];
+    return { .../** @type {import("../types").CatalogueEntry} */ (base), id, title: `Your program: ${own.name}`, params: [], cleans: true, manual: false };
   };
+  const find = (/** @type {string | null | undefined} */ id) => [...all, program()].find((entry) => entry && entry.id === id);
 
   /** Says which room it is, and where the robot starts in it. */
   const version = () => JSON.stringify([taken.room_version, taken.room, taken.start]);
@@ -38,13 +41,17 @@ export function startRoom({ playground, catalogue }) {
     /** Algorithms that can drive a robot. */
     all,
     get algorithm() {
-      return algorithm === PATH ? path : algorithm === PROGRAM ? program() : all.find(({ id }) => id === algorithm);
+      return algorithm === PATH ? path : find(algorithm);
     },
     /** Whether Explore drives a path from the tab Floor plan. */
     get hasPath() {
       return Boolean(taken.choices.path);
     },
     program,
+    /** Its text. */
+    get own() {
+      return own;
+    },
     /** Why a Roomba can't ride the chosen path; empty if it can. */
     refusal: () => (algorithm === PATH ? refusal : ""),
     /** Takes over what Explore shows now; says whether the room is another one. */
@@ -55,7 +62,7 @@ export function startRoom({ playground, catalogue }) {
       const there = taken.choices.path ? PATH : (taken.choices.behaviour ?? taken.choices.planner);
       // Manual driving needs no algorithm here.
       if (there === PATH) algorithm = there === chosenThere ? algorithm : PATH;
-      else if (there !== chosenThere || !algorithm) algorithm = (there === PROGRAM ? program() : all.find(({ id }) => id === there))?.id ?? (algorithm && algorithm !== PATH ? algorithm : (all[0]?.id ?? ""));
+      else if (there !== chosenThere || !algorithm) algorithm = find(there)?.id ?? (algorithm && algorithm !== PATH ? algorithm : (all[0]?.id ?? ""));
       chosenThere = there;
       refusal = SessionMirror.path_refusal(taken);
       follow();

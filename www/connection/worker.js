@@ -36,10 +36,21 @@ const beatenAt = startBeats();
 /** @param {import("./types").FromConnection} message @param {Transferable[]} [transfer] */
 const tell = (message, transfer = []) => self.postMessage(message, { transfer });
 
+/** When this worker was last seen to run, by the time of day: its own clock may stand still while the computer sleeps, ms. */
+let ranAt = Date.now();
+
+/** A computer that slept, or a browser that stood still, didn't mind the robot. */
+function mindSleep() {
+  const slept = Date.now() - ranAt > SLEEP_MS;
+  ranAt = Date.now();
+  if (slept) connection.leave(now(), "The computer slept, or stood still.");
+}
+
 /** Calls the connection, then executes its requests. Any error stops the robot. @param {() => void} what */
 function safely(what) {
   if (isBroken) return;
   try {
+    mindSleep();
     what();
     pump();
     const readings = connection.take_readings();
@@ -108,16 +119,6 @@ async function rescue(lost) {
   tell({ type: "failed", failure: failure("broken", `The worker that holds the line stopped responding. ${what}`, isSent ? "Check that the robot has stopped, then connect again." : "Lift the robot, or press its CLEAN button.") });
 }
 
-/** When this worker was last seen to run, by the time of day: its own clock may stand still while the computer sleeps, ms. */
-let ranAt = Date.now();
-
-/** A computer that slept, or a browser that stood still, didn't mind the robot. */
-function mindSleep() {
-  const slept = Date.now() - ranAt > SLEEP_MS;
-  ranAt = Date.now();
-  if (slept) connection.leave(now(), "The computer slept, or stood still.");
-}
-
 /** Does what takes time, in which the wheels aren't supervised. @template T @param {() => T} what @returns {T} */
 function unsupervised(what) {
   safely(() => connection.pause(now()));
@@ -127,9 +128,8 @@ function unsupervised(what) {
 }
 
 setInterval(() => {
-  if (!line) return (ranAt = Date.now());
+  if (!line) return void (ranAt = Date.now());
   safely(() => {
-    mindSleep();
     if (line instanceof VirtualLine) line.tick(now());
     connection.tick(now());
   });

@@ -52,7 +52,7 @@ export async function startLater(app) {
       () => import("./own-rooms.js").then(({ startMenu }) => startMenu(app)),
     ),
     later(
-      ({ search }) => search.refusal !== "",
+      ({ search }) => search.fits_small,
       () => import("./small-room.js").then(({ startSmallRoom }) => startSmallRoom(app)),
     ),
     later(
@@ -72,7 +72,7 @@ export async function startLater(app) {
       () => import("./film.js").then(({ startFilm }) => startFilm(app)),
     ),
   ];
-  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips()), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), import("./try.js").then(({ startTry }) => startTry(app)), import("../learn/offer.js").then(({ offerTour }) => offerTour(app))])).then(whenIdle).catch(console.warn);
+  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips(app)), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), import("./try.js").then(({ startTry }) => startTry(app)), import("../learn/offer.js").then(({ offerTour }) => offerTour(app))])).then(whenIdle).catch(console.warn);
   const view = app.playground.view();
   updateFolds(view);
   // A part that loads slowly doesn't delay the page.

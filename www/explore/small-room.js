@@ -20,5 +20,5 @@ export function startSmallRoom(app) {
     byId("show-search").focus();
   });
   byId("search-refusal").after(offer);
-  return ({ search }) => setHidden(offer, search.refusal === "");
+  return ({ search }) => setHidden(offer, !search.fits_small);
 }

@@ -2,6 +2,8 @@
 // A task: its start, what the present run has of it, and the check by many runs.
 import { make, setText } from "../dom.js";
 import { clock, percent } from "../format.js";
+import { textOf } from "../messages.js";
+import { workshop } from "../workers.js";
 import { press } from "./blocks.js";
 import { joined, makeRuns } from "./runs.js";
 import { applyLink, applyScenario } from "./scene.js";
@@ -12,23 +14,31 @@ export function goal(context, goal) {
   const box = make("section", { className: "part goal", "aria-label": "Goal" }, make("h4", {}, "Goal"));
   if (goal.title) box.append(make("p", {}, goal.title));
   const list = make("ul", { className: "needs" }, ...goal.needs.map((need) => make("li", {}, words(need, goal))));
-  const allowed = make("p", { className: "note" }, `You may change: ${goal.changes.join(", ")}. ${count(goal.runs)} of ${goal.minutes} min, seeds ${goal.first_seed} to ${goal.first_seed + goal.runs - 1}.`);
+  const allowed = make("p", { className: "note" }, `You may change: ${goal.changes.map((name) => WORDS[name] ?? name).join(", ")}. ${count(goal.runs)} of ${goal.minutes} min, seeds ${goal.first_seed} to ${goal.first_seed + goal.runs - 1}.`);
   const live = make("p", { className: "note live" });
   const outcome = make("div", { className: "outcome", role: "status" });
   const bar = make("progress", { max: 1, value: 0, hidden: true, "aria-label": "Runs" });
 
+  const scene = lesson.blocks.find((block) => block.kind === "scene" && block.id === goal.scene && block.scenario);
+  const scenario = scene?.kind === "scene" ? scene.scenario : undefined;
   const begin = press("Set up the task", async () => {
-    const scenario = lesson.blocks.find((block) => block.kind === "scene" && block.id === goal.scene && block.scenario);
-    if (scenario?.kind === "scene") await applyScenario(app, scenario.scenario);
+    if (scenario) await applyScenario(app, scenario);
     applyLink(app, goal.start, false);
   });
   /** @type {AbortController | undefined} */
   let running;
-  const check = press("Check my settings", () => (running ? running.abort() : void test()), "primary");
+  const byProgram = goal.changes.includes("program");
+  const name = goal.changes.length === 1 && byProgram ? "Check my program" : byProgram ? "Check my entry" : "Check my settings";
+  const check = press(name, () => (running ? running.abort() : void test()), "primary");
 
   async function test() {
     const link = app.playground.link();
     const ignored = text.ignored(goal.id, link);
+    const program = byProgram && /(^|&)(planner|behaviour)=program/.test(link) ? app.playground.program() : undefined;
+    if (goal.changes.length === 1 && byProgram && !program) {
+      outcome.textContent = "No program drives the robot yet. Open one in Program, press Run, and check again.";
+      return;
+    }
     running = new AbortController();
     const ends = AbortSignal.any([signal, running.signal]);
     const pieces = Math.min(goal.runs, 2 * (navigator.hardwareConcurrency || 2));
@@ -40,18 +50,26 @@ export function goal(context, goal) {
     bar.value = 0;
     outcome.textContent = "";
     try {
-      await makeRuns(requests, (_, outcomes) => (bar.value = parts.push(outcomes) / pieces), ends);
+      const driven = program && { program, ...(await place(text.place(goal.id, link))) };
+      await makeRuns(requests, (_, outcomes) => (bar.value = parts.push(outcomes) / pieces), ends, driven);
       const verdict = text.judge(goal.id, joined(parts));
-      done.goals[goal.id] = { link, passed: verdict.passed, runs: verdict.runs };
+      done.goals[goal.id] = { link, ...(program && { program }), passed: verdict.passed, runs: verdict.runs };
       changed();
       show(verdict, ignored);
     } catch (error) {
-      if (!ends.aborted) outcome.textContent = `The runs could not be made: ${error instanceof Error ? error.message : String(error)}.`;
+      if (!ends.aborted) outcome.textContent = `The runs could not be made: ${textOf(error)}.`;
     } finally {
       running = undefined;
-      check.textContent = "Check my settings";
+      check.textContent = name;
       bar.hidden = true;
     }
+  }
+
+  /** What a program needs to drive where the task has it. @param {string} link */
+  async function place(link) {
+    const [{ default: init, job_of_place }, module] = await Promise.all([import("../../workshop.js"), workshop()]);
+    await init({ module_or_path: module });
+    return { job: job_of_place(link, scenario) };
   }
 
   /** @param {import("../types").Verdict} verdict @param {string[]} ignored */
@@ -72,6 +90,9 @@ export function goal(context, goal) {
   box.append(list, allowed, make("p", { className: "act" }, begin, check), bar, live, outcome);
   return box;
 }
+
+/** What may be changed, by its name on the page. @type {Record<string, string>} */
+const WORDS = { algorithm: "Algorithm with its parameters", program: "the program", params: "the algorithm's parameters", cell: "Planning cell", robot: "Robot", start: "the start point", odometry: "Odometry", "plan seed": "Seed", charge: "Start charge" };
 
 /** @param {number} runs */
 const count = (runs) => (runs === 1 ? "One run" : `${runs} runs`);

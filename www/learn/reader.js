@@ -83,7 +83,7 @@ function handIn(lesson, state, name) {
     lesson: lesson.id,
     lesson_digest: lesson.digest,
     name: name.trim(),
-    goals: Object.fromEntries(Object.entries(state.goals).map(([id, { link, runs }]) => [id, { link, runs }])),
+    goals: Object.fromEntries(Object.entries(state.goals).map(([id, { passed: _, ...answer }]) => [id, answer])),
     quizzes: Object.fromEntries(Object.entries(state.quizzes).map(([id, { answers }]) => [id, { answers: answers.map(([seed, text]) => /** @type {[number, string]} */ ([seed, text])) }])),
     predictions: state.predictions,
   };

@@ -10,8 +10,9 @@ const MOST = 8;
  * @param {{ id: number }[]} requests
  * @param {(index: number, outcomes: Float64Array) => void} told
  * @param {AbortSignal} signal
+ * @param {{ program: import("../program/work.js").Text, job: Uint8Array }} [driven] The program that makes them, and what it needs for it.
  */
-export async function makeRuns(requests, told, signal) {
+export async function makeRuns(requests, told, signal, driven) {
   let next = 0;
   const count = Math.min(MOST, navigator.hardwareConcurrency || 2, requests.length);
   /** @type {Worker[]} */
@@ -23,7 +24,8 @@ export async function makeRuns(requests, told, signal) {
     if (signal.aborted) return worker.terminate();
     while (next < requests.length && !signal.aborted) {
       const id = next++;
-      told(id, await one(worker, { .../** @type {{ id: number }} */ (requests[id]), id }, signal));
+      const request = { .../** @type {{ id: number }} */ (requests[id]), id };
+      told(id, await one(worker, driven ? await logged(request, driven, signal) : request, signal));
     }
   };
   try {
@@ -45,6 +47,12 @@ function one(worker, request, signal) {
     worker.onerror = (event) => reject(new Error(event.message || "a worker could not be started"));
     worker.postMessage({ type: "runs", request });
   });
+}
+
+/** The request with what the program did, in its sandbox. @param {{ id: number }} request @param {{ program: import("../program/work.js").Text, job: Uint8Array }} driven @param {AbortSignal} signal */
+async function logged(request, { program, job }, signal) {
+  const { prepared } = await import("../program/work.js");
+  return prepared(program, { ...request, job }, () => !signal.aborted);
 }
 
 /** All numbers one behind the other. @param {Float64Array[]} parts */

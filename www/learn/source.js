@@ -3,7 +3,7 @@
 import { pack, unpack } from "../explore/pack.js";
 
 /**
- * @typedef {{ id: string, file: string, title: string, minutes: number, about: string }} Entry A lesson of this page.
+ * @typedef {{ id: string, file: string, title: string, minutes: number, about: string, explains: string[] }} Entry A lesson of this page.
  * @typedef {object} Source
  * @property {string} text
  * @property {string} place What leads here, behind `#lesson=`.

@@ -6,7 +6,7 @@ import { download } from "../files.js";
  * What was done in a lesson.
  * @typedef {object} Done
  * @property {Record<string, number>} predictions The options that were committed.
- * @property {Record<string, { link: string, passed: boolean, runs: import("../types").RunRecord[] }>} goals
+ * @property {Record<string, import("../types").GoalAnswer & { passed: boolean }>} goals
  * @property {Record<string, { answers: [number, string, boolean][] }>} quizzes Seeds, answers, whether they were right.
  * @property {number} hints How many hints are open.
  * @property {number} parts How many parts there are to do.

@@ -17,18 +17,22 @@ import { make } from "../dom.js";
  */
 
 /** @type {Part[]} */
-let parts = [];
+let all = [];
 
 /** @param {Part[]} list The interface: programs/interface.json. */
-export const setInterface = (list) => void (parts = list);
+export const setInterface = (list) => void (all = list);
+export const parts = () => all;
 
 /** @param {Part} part @param {import("./editor.js").Language} language */
 const nameIn = ({ name, js }, language) => (language === "python" ? name : js);
 
-/** @param {Part} part @param {import("./editor.js").Language} language */
-function about(part, language) {
+/** @param {Part} part */
+const ownerOf = ({ kind, group }) => (kind === "function" ? "" : group === "room" ? "room." : "robot.");
+
+/** What it is, with an example. @param {Part} part @param {import("./editor.js").Language} language */
+export function about(part, language) {
   const args = (language === "python" ? part.args : part.jsArgs) ?? "";
-  const head = make("code", {}, nameIn(part, language) + (part.kind === "property" ? "" : `(${args})`));
+  const head = make("code", {}, ownerOf(part) + nameIn(part, language) + (part.kind === "property" ? "" : `(${args})`));
   const example = part.example?.[language];
   return make("div", { className: "cm-about" }, head, part.unit ? `, ${part.unit}` : "", make("p", {}, part.text), ...(example ? [make("pre", {}, example)] : []));
 }
@@ -40,7 +44,7 @@ function complete(language) {
     if (!member) return null;
     const owner = member.text.slice(0, member.text.indexOf("."));
     const isRoom = owner === "room";
-    const own = parts.filter((part) => part.kind !== "function" && (part.group === "room") === isRoom);
+    const own = all.filter((part) => part.kind !== "function" && (part.group === "room") === isRoom);
     if (!isRoom && owner !== "robot" && owner !== "r") return null;
     return {
       from: member.from + owner.length + 1,
@@ -66,7 +70,7 @@ const hover = (language) =>
       const before = text.slice(0, index);
       const isRoom = /\broom\.$/.test(before);
       const isMember = before.endsWith(".");
-      const part = parts.find((one) => nameIn(one, language) === word && (one.kind === "function" ? !isMember : isMember && (one.group === "room") === isRoom));
+      const part = all.find((one) => nameIn(one, language) === word && (one.kind === "function" ? !isMember : isMember && (one.group === "room") === isRoom));
       return part ? { pos: start, end, above: true, create: () => ({ dom: about(part, language) }) } : null;
     }
     return null;

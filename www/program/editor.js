@@ -62,6 +62,8 @@ export class Editor {
   #view;
   #language = new cm.Compartment();
   #line = 0;
+  /** @type {Language} */
+  language = "python";
 
   /** @param {HTMLElement} parent @param {{ changed(): void, run(): void, stop(): void, marked(): void }} tell */
   constructor(parent, tell) {
@@ -121,6 +123,7 @@ export class Editor {
 
   /** Shows another program, with an undo history of its own. @param {string} text @param {Language} language */
   open(text, language) {
+    this.language = language;
     this.#line = 0;
     this.#view.setState(this.#state(text, language));
   }

@@ -1,7 +1,7 @@
 // @ts-check
 // Marks, lines and words that a program puts on the floor, as they are at the time that is shown.
 import { make } from "../dom.js";
-import { STEP } from "./run.js";
+import { STEP } from "./stage.js";
 
 /** @typedef {import("./types").Output} Output */
 
@@ -19,13 +19,13 @@ export function startMarks(app, run) {
   /** To be called in every frame. */
   return () => {
     const { view, playground } = app;
-    const isShown = view.program !== null && run.output.length > 0;
+    const isShown = view.program !== null && run.said.all.length > 0;
     if (!context || (!isShown && !drawn)) return;
     const [scale = 1, x = 0, y = 0] = playground.floor_to_screen();
     const { clientWidth: width, clientHeight: height } = canvas;
     const now = Math.round(view.time_s / STEP);
-    const shown = isShown ? visible(run.output, now) : [];
-    const key = shown.length ? [run.outputVersion, shown.length, shown.at(-1)?.step, scale, x, y, width, height, devicePixelRatio].join() : "";
+    const shown = isShown ? visible(run.said.all, now) : [];
+    const key = shown.length ? [run.said.version, shown.length, shown.at(-1)?.step, scale, x, y, width, height, devicePixelRatio].join() : "";
     if (key === drawn) return;
     drawn = key;
     const ratio = devicePixelRatio || 1;

@@ -21,6 +21,18 @@ export const MOST_LETTERS = 200_000;
 const MOST_NAME = 80;
 let warned = false;
 
+/** Texts that are ours or were written here, but aren't kept, by the ids of their programs. @type {Map<string, string>} */
+const trusted = new Map();
+
+/** Whether a program's text was written here, or comes with the page: not by a link or a file. @param {string} source */
+export const isTrusted = (source) => [...trusted.values()].includes(source) || list().some(({ id, isForeign }) => !isForeign && find(id)?.source === source);
+
+/** An example. @param {Program} program @returns {Program} */
+export function trust(program) {
+  trusted.set(program.id, program.source);
+  return program;
+}
+
 const keyOf = (/** @type {string} */ id) => `own-program-${id}`;
 
 /** All but their texts, the latest last. @returns {Omit<Program, "source">[]} */
@@ -54,6 +66,7 @@ export function put({ source, ...rest }) {
     else programs[index] = rest;
     localStorage.setItem(LIST, JSON.stringify(programs));
   } catch (error) {
+    if (!rest.isForeign) trusted.set(rest.id, source);
     // A private window has no storage at all, and the program isn't expected to stay.
     if (warned || !(error instanceof DOMException) || error.name !== "QuotaExceededError") return;
     warned = true;

@@ -4,23 +4,34 @@
 import { make } from "../dom.js";
 import { style } from "../parts.js";
 import { kitFor } from "./kit.js";
-import { find, list } from "./own-programs.js";
+import { isTrusted } from "./own-programs.js";
 import { Inmate } from "./sandbox.js";
+import { work } from "./work.js";
 
 /** The one that drives, or did. @type {Inmate | undefined} */
 let inmate;
 let lastId = 0;
 
+/** The plan of the program, for the place of a request. @param {{ name: string, language: "python" | "javascript", source: string }} program @param {{ place?: object }} request */
+export async function planned(program, { place }) {
+  const job = new TextEncoder().encode(JSON.stringify({ place, inputs: [], version: 0 }));
+  const plan = await work({ program, job, seconds: 0 });
+  if (!("cells" in plan)) throw "this program drives, and doesn't plan";
+  return plan;
+}
+
+/** A program that came from elsewhere drives a real robot only after its text was shown. @param {{ name: string, source: string } | undefined} program @param {boolean} isReal */
+export const isAllowed = async (program, isReal) => !isReal || !program || isTrusted(program.source) || (await confirmed(program));
+
 /**
- * Gets the program ready. A program that came from elsewhere drives a real robot only after its text was shown.
+ * Gets the program ready.
  * @param {import("../main.js").App} app @param {import("../connection/client.js").ConnectionClient} connection @param {boolean} isReal @param {(text: string) => void} complain
  * @returns {Promise<boolean>} Whether it is ready.
  */
 export async function pilot(app, connection, isReal, complain) {
   const program = app.playground.program();
   if (!program) return complain("There is no program any more. Choose one in the tab Program."), false;
-  const isForeign = list().some(({ id, isForeign }) => isForeign && find(id)?.source === program.source);
-  if (isReal && isForeign && !(await confirmed(program))) return false;
+  if (!(await isAllowed(program, isReal))) return false;
   const facts = await connection.facts();
   if (!facts) return complain("The robot doesn't fit into the room."), false;
   inmate?.end();

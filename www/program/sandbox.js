@@ -4,8 +4,8 @@
 import { openFrame } from "./frame.js";
 
 /** Longest silence of a worker that owes an answer, ms. */
-const PATIENCE = 1000;
-/** Until MicroPython and the simulator are there, before any line of a program runs, ms. */
+export const PATIENCE = 1000;
+/** Until the first line of a program runs, ms: MicroPython, the simulator and the room take their time, which isn't its own. */
 const START_PATIENCE = 20_000;
 /** Most messages of one worker in a tenth of a second: it sends one for each slice of about 20 ms. */
 const MOST_MESSAGES = 100;
@@ -32,9 +32,10 @@ export class Inmate {
   #owes = 0;
   /** Number of requests. */
   #asked = 0;
-  #patience = START_PATIENCE;
+  #patience = PATIENCE;
+  /** Whether no line of the program has run yet. */
+  #isStarting = true;
   #count = 0;
-  #isReady = false;
   #timer = 0;
   isAlive = true;
 
@@ -50,24 +51,29 @@ export class Inmate {
       this.end();
       ended(why, text);
     };
+    let lastTick = performance.now();
+    /** How long the page itself was busy or asleep before, ms: what was said meanwhile comes all at once. */
+    let slept = 0;
     port.onmessage = ({ data }) => {
       if (!this.isAlive) return;
+      const now = performance.now();
       this.#count += 1;
-      if (this.#count > MOST_MESSAGES) return end("loud");
-      if (data?.type === "ready") [this.#isReady, this.#patience] = [true, PATIENCE];
-      this.#owes = data?.more === true || data?.heard !== this.#asked ? performance.now() : 0;
+      if (this.#count > MOST_MESSAGES * Math.max(1, (slept + now - lastTick) / (2 * TICK))) return end("loud");
+      if (data?.type === "begins") this.#isStarting = false;
+      this.#owes = data?.more === true || data?.heard !== this.#asked ? now : 0;
       tell(data);
     };
     this.#owes = performance.now();
     let ticks = 0;
-    let lastTick = performance.now();
     this.#timer = setInterval(() => {
       const now = performance.now();
-      // The page itself was busy or asleep: no fault of the worker's.
-      if (now - lastTick > 4 * TICK && this.#owes) this.#owes += now - lastTick;
+      const gap = now - lastTick;
       lastTick = now;
-      if ((ticks += 1) % 2 === 0) this.#count = 0;
-      if (this.#owes && now - this.#owes > this.#patience) end("silent");
+      if (gap > 4 * TICK) {
+        slept = gap;
+        if (this.#owes) this.#owes += gap;
+      } else if ((ticks += 1) % 2 === 0) this.#count = slept = 0;
+      if (this.#owes && now - this.#owes > (this.#isStarting ? START_PATIENCE : this.#patience)) end("silent");
     }, TICK);
     this.#heard = ({ source, data }) => {
       if (data?.id === this.#id && data.broken && source === home?.contentWindow) end("broken", String(data.broken).slice(0, 300));
@@ -81,12 +87,13 @@ export class Inmate {
   /** @type {(event: MessageEvent) => void} */
   #heard;
 
-  /** Asks for something that is answered. @param {ToWorker} message @param {number} patience Longest silence from now on, ms. */
+  /** Asks for something that is answered. @param {ToWorker} message @param {number} patience Longest silence of the program from now on, ms. */
   ask(message, patience = PATIENCE) {
     if (!this.isAlive) return;
     this.#owes ||= performance.now();
     this.#asked += 1;
-    if (this.#isReady) this.#patience = patience;
+    this.#patience = patience;
+    if (message.type === "load") this.#isStarting = true;
     this.#channel.port1.postMessage(message);
   }
 

@@ -4,7 +4,7 @@ import { button, input, make, select } from "../dom.js";
 import { download, fileName } from "../files.js";
 import { complain, textOf, toast } from "../messages.js";
 import { startMenu } from "./menu.js";
-import { endingOf, find, freeName, freshId, isOwn, list, put, readProgram, remove } from "./own-programs.js";
+import { endingOf, find, freeName, freshId, isOwn, list, put, readProgram, remove, trust } from "./own-programs.js";
 
 /**
  * @typedef {import("./own-programs.js").Program} Program
@@ -60,7 +60,7 @@ export class Shelf {
     const language = wanted === "javascript" ? "javascript" : "python";
     if (!example) return undefined;
     const source = await (await fetched(example.id + endingOf(language))).text();
-    return { id: `${example.id}.${language}`, name: example.title, language, source };
+    return trust({ id: `${example.id}.${language}`, name: example.title, language, source });
   }
 
   /** The first one that a new user sees. */

@@ -9,10 +9,12 @@ import { currentTab } from "../tabs.js";
 import { Editor } from "./editor.js";
 import { MOST_PACKED, packProgram, unpackProgram } from "./link.js";
 import { startMarks } from "./marks.js";
+import { startNames } from "./names.js";
 import { find, isOwn, remember, remembered } from "./own-programs.js";
 import { startPlace } from "./place.js";
-import { ProgramRun, STEP } from "./run.js";
+import { ProgramRun } from "./run.js";
 import { Shelf } from "./shelf.js";
+import { STEP } from "./stage.js";
 import { Watch } from "./watch.js";
 
 /** @typedef {import("./own-programs.js").Program} Program */
@@ -29,6 +31,7 @@ export async function startProgram(app) {
   const editor = new Editor(byId("program-editor"), { changed: () => edited(), run: () => void start(true), stop: () => run.stop(), marked: () => marked() });
   const run = new ProgramRun(app, () => show());
   const watch = new Watch(app, run, (line) => editor.light(line && broke.line && broke.step === Math.round(app.view.time_s / STEP) ? broke.line : line));
+  const tellNames = startNames(() => editor.language);
   const shelf = await new Shelf({
     open(program) {
       const isOther = program.id !== run.program?.id || program.source !== editor.text;
@@ -40,6 +43,7 @@ export async function startProgram(app) {
       if (isHeld || run.state !== "idle") run.stop();
       run.state = "idle";
       watch.clear();
+      tellNames();
       show();
       if (!isHeld && isOpened) void start(!calm);
     },
@@ -87,8 +91,8 @@ export async function startProgram(app) {
   document.addEventListener("tab", () => currentTab() === "program" && enter(location.hash.includes("tab=program") ? location.hash.slice(1) : ""));
   const draw = startMarks(app, run);
   tellMore(
-    () => run.outputVersion,
-    () => (app.view.program ? run.output.filter(({ kind }) => kind === "print").map(({ step = 0, text }) => ({ time: step * STEP, text: String(text ?? ""), felt: false })) : []),
+    () => run.said.version,
+    () => (app.view.program ? run.said.all.filter(({ kind }) => kind === "print").map(({ step = 0, text }) => ({ time: step * STEP, text: String(text ?? ""), felt: false })) : []),
   );
 
   /** In words, what goes on. */
@@ -108,6 +112,7 @@ export async function startProgram(app) {
   // Explore shows the run, too.
   const frame = () => {
     requestAnimationFrame(frame);
+    run.frame();
     draw();
     stopAtBreaks();
     if (currentTab() !== "program") return;
@@ -121,7 +126,7 @@ export async function startProgram(app) {
   const stopAtBreaks = () => {
     const now = Math.round(app.view.time_s / STEP);
     const isPlaying = app.view.state === "playing";
-    const hit = isPlaying && now > shown ? run.output.find(({ kind, step = 0 }) => kind === "break" && step > shown && step <= now) : undefined;
+    const hit = isPlaying && now > shown ? run.said.all.find(({ kind, step = 0 }) => kind === "break" && step > shown && step <= now) : undefined;
     shown = now;
     if (!hit) return;
     // The line ran in the step that follows what it had read.

@@ -38,7 +38,7 @@ export interface Load {
 
 export type ToWorker =
   | Load
-  /** Run until that step; with `inspect`, then say line and variables. */
+  /** Run until that step; with `inspect`, run or go back to it, then say line and variables. */
   | { type: "go"; id: number; until: number; inspect?: boolean }
   /** Let a planner plan. */
   | { type: "plan"; id: number }
@@ -47,9 +47,11 @@ export type ToWorker =
 
 export type FromWorker = (
   | { type: "ready" }
+  /** All is there for the program, and its first line runs next. */
+  | { type: "begins"; id: number }
   | { type: "loaded"; id: number; kind: "step" | "run" | "plan" }
   | { type: "busy"; id: number }
-  | { type: "ran"; id: number; log: Uint8Array; steps: number; output: Output[]; isOver: boolean }
+  | { type: "ran"; id: number; log: Uint8Array; digest: string; steps: number; output: Output[]; isOver: boolean }
   | { type: "drive"; id: number; left: number; right: number; isDone: boolean }
   | { type: "planned"; id: number; cells: Uint32Array; output: Output[] }
   | { type: "state"; id: number; step: number; line: number; variables: [name: string, text: string, type: string][] }

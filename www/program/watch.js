@@ -1,12 +1,12 @@
 // @ts-check
 // The variables of the program and the line that ran, at the time that is shown: the same program runs once more in a worker
-// of its own, followed line by line, up to that step.
+// of its own, followed line by line, up to that step or back to it.
 import { byId, changed, make, setHidden, setText, typed } from "../dom.js";
 import { clock } from "../format.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
-import { kitFor } from "./kit.js";
-import { STEP } from "./run.js";
-import { Inmate } from "./sandbox.js";
+import { THINKING } from "./doubt.js";
+import { Hired } from "./hired.js";
+import { STEP } from "./stage.js";
 
 /** Least time between looks while the run plays, ms. */
 const PAUSE = 200;
@@ -17,14 +17,12 @@ export class Watch {
   #app;
   #run;
   #light;
-  /** @type {Inmate | undefined} */
-  #inmate;
-  #hasPython = false;
+  #hired = new Hired((message) => this.#hear(message), () => this.#done());
   #order = 0;
   /** What the worker runs: program and version. */
   #loaded = "";
   /** The step that it is at, and the one that was asked for; -1 for none. */
-  #at = 0;
+  #at = -1;
   #asked = -1;
   #isDue = atMostEvery(PAUSE);
   /** @type {Map<string, string>} */
@@ -55,12 +53,16 @@ export class Watch {
 
   /** Forgets the program. */
   clear() {
-    this.#inmate?.end();
-    this.#inmate = undefined;
-    this.#asked = -1;
-    this.#loaded = "";
+    this.#hired.end();
+    this.#at = this.#asked = -1;
     this.#show([], 0);
     this.#light(0);
+  }
+
+  /** The answer is there, or won't come. */
+  #done() {
+    this.#at = this.#asked;
+    this.#asked = -1;
   }
 
   /** @param {string} key @param {number} step */
@@ -68,44 +70,31 @@ export class Watch {
     const program = this.#run.program;
     if (!program) return;
     this.#asked = step;
-    const isPython = program.language === "python";
+    const { language, source } = program;
     try {
-      if (!this.#inmate?.isAlive || (isPython && !this.#hasPython)) {
-        this.#inmate?.end();
-        const kit = await kitFor(program.language);
-        this.#hasPython = isPython;
-        this.#loaded = "";
-        const failed = () => ((this.#asked = -1), (this.#at = step));
-        this.#inmate = new Inmate(kit, (message) => this.#hear(message), failed);
+      const isNew = !this.#hired.inmate || key !== this.#loaded;
+      const inmate = await this.#hired.of(language);
+      if (this.#asked !== step) return;
+      if (isNew) {
+        this.#loaded = key;
+        this.#order += 1;
+        inmate.ask({ type: "load", id: this.#order, language, source, job: this.#app.playground.program_job(), traced: true, breakpoints: [], from: 0 }, THINKING);
       }
+      inmate.ask({ type: "go", id: this.#order, until: step, inspect: true }, THINKING);
     } catch (error) {
-      this.#asked = -1;
-      this.#at = step;
-      return console.warn(error);
+      this.#done();
+      console.warn(error);
     }
-    const { playground } = this.#app;
-    if (key !== this.#loaded || step < this.#at) {
-      this.#loaded = key;
-      this.#order += 1;
-      const { language, source } = program;
-      this.#inmate.ask({ type: "load", id: this.#order, language, source, job: playground.program_job(), traced: true, breakpoints: [], from: 0 });
-    }
-    this.#inmate.ask({ type: "go", id: this.#order, until: step, inspect: true });
   }
 
   /** @param {import("./types").FromWorker} message */
   #hear(message) {
-    if (!("id" in Object(message)) || /** @type {{ id: number }} */ (message).id !== this.#order) return;
-    if (message.type === "failed") {
-      this.#at = this.#asked;
-      this.#asked = -1;
-    }
+    if (!("id" in Object(message)) || /** @type {{ id: number }} */ (message).id !== this.#order || this.#asked < 0) return;
+    const isIdle = message.type === "busy" && message.more !== true;
+    if (isIdle || message.type === "failed" || message.type === "state") this.#done();
     if (message.type !== "state") return;
-    this.#at = this.#asked = Number(message.step);
-    this.#asked = -1;
-    const { view } = this.#app;
-    if (view.state !== "playing") this.#light(Number(message.line) || 0);
-    if (Array.isArray(message.variables)) this.#show(message.variables, this.#at);
+    if (this.#app.view.state !== "playing") this.#light(Number(message.line) || 0);
+    if (Array.isArray(message.variables)) this.#show(message.variables, Number(message.step) || 0);
   }
 
   /** @param {[name: string, text: string, type: string][]} variables @param {number} step */

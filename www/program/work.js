@@ -1,7 +1,8 @@
 // @ts-check
 // Programs at work for others than the floor of Explore: logs for races and many runs, plans for comparisons.
+import { THINKING } from "./doubt.js";
 import { kitFor } from "./kit.js";
-import { STEP } from "./run.js";
+import { STEP } from "./stage.js";
 import { Inmate } from "./sandbox.js";
 
 /**
@@ -15,7 +16,8 @@ import { Inmate } from "./sandbox.js";
  * @property {(part: Uint8Array) => void} [onPart] Takes the log as it grows; else the whole log is the result.
  */
 
-const PLANNING = 10_000;
+/** Longest step, ms: nobody waits for it as in the tab Program, and all cores are busy. */
+const STEPPING = 4000;
 /** Workers that have nothing to do. @type {{ inmate: Inmate, language: string, hear: (message: FromWorker) => void, ended: (text: string) => void }[]} */
 const idle = [];
 let lastId = 0;
@@ -34,7 +36,7 @@ async function hand(language) {
 /**
  * Runs a program once, in a worker of the sandbox.
  * @param {Order} order @param {{ isWanted?: () => boolean }} [options]
- * @returns {Promise<{ log: Uint8Array } | { cells: Uint32Array, seconds: number }>} Throws a sentence for users.
+ * @returns {Promise<{ log: Uint8Array, digest: string } | { cells: Uint32Array, seconds: number }>} Throws a sentence for users.
  */
 export async function work({ program: { language, source }, job, seed, seconds, onPart }, { isWanted = () => true } = {}) {
   const one = await hand(language);
@@ -49,18 +51,18 @@ export async function work({ program: { language, source }, job, seed, seconds, 
         if (!("id" in Object(message)) || /** @type {{ id: number }} */ (message).id !== id) return;
         if (message.type === "loaded") {
           began = performance.now();
-          if (message.kind === "plan") one.inmate.ask({ type: "plan", id }, PLANNING);
-          else one.inmate.ask({ type: "go", id, until });
+          if (message.kind === "plan") one.inmate.ask({ type: "plan", id }, THINKING);
+          else one.inmate.ask({ type: "go", id, until }, STEPPING);
         } else if (message.type === "failed") {
           const where = Number(message.line) ? ` in line ${Number(message.line)}` : "";
           reject(`the program failed${where}: ${String(message.message).slice(0, 500)}`);
         } else if (message.type === "planned" && message.cells instanceof Uint32Array) resolve({ cells: message.cells, seconds: (performance.now() - began) / 1000 });
         else if (message.type === "ran" && message.log instanceof Uint8Array) {
           onPart?.(message.log);
-          if (message.more !== true) resolve({ log: message.log });
+          if (message.more !== true) resolve({ log: message.log, digest: String(message.digest) });
         }
       };
-      one.inmate.ask({ type: "load", id, language, source, job, traced: false, breakpoints: [], from: 0, seed, isQuiet: !onPart });
+      one.inmate.ask({ type: "load", id, language, source, job, traced: false, breakpoints: [], from: 0, seed, isQuiet: !onPart }, STEPPING);
     });
   } finally {
     if (one.inmate.isAlive) idle.push(one);

@@ -38,7 +38,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{BestOf, FloorLeft, MAX_CELLS_FOR_ALL, WalkRule},
+    stage::{BestOf, FloorLeft, MAX_CELLS_FOR_ALL, Straight, WalkRule},
 };
 use robovac_core::{
     grid::Direction,
@@ -50,14 +50,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "backtracking_spiral",
     title: "Backtracking spiral (BSA)",
     summary: "Spirals inwards along walls and clean floor, then goes to the nearest uncleaned cell and spirals again.",
-    claims: PlannerClaims {
-        complete: true,
-        deterministic: true,
-        fast: true,
-        in_metres: false,
-        traces: false,
-        search: Search::None,
-    },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
     params: &[ParamSpec {
         id: "side",
         label: "Reference side",
@@ -117,7 +110,8 @@ impl Planner for BacktrackingSpiral {
                 best_of.greedy_walk(ctx, &mut rule)?;
             }
         }
-        Ok(best_of.finish())
+        Ok(best_of
+            .finish(ctx, &mut Straight { on: "Along walls and clean floor", turn: "Round walls and clean floor" }))
     }
 }
 

@@ -41,7 +41,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
         deterministic: true,
         fast: true,
         in_metres: false,
-        traces: false,
         search: Search::Limited { effort: "effort" },
     },
     params: &[

@@ -32,7 +32,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{Costs, Flood, Transit, TransitEnd, shortcut},
+    stage::{Costs, Flood, Straight, Transit, TransitEnd, shortcut, tell_walk},
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -45,14 +45,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "contour",
     title: "Contour (rings along the walls)",
     summary: "Follows the walls, then drives concentric rings at growing distance from them.",
-    claims: PlannerClaims {
-        complete: true,
-        deterministic: true,
-        fast: true,
-        in_metres: false,
-        traces: false,
-        search: Search::None,
-    },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
     params: &[ParamSpec {
         id: "order",
         label: "Order",
@@ -129,6 +122,7 @@ impl Planner for Contour {
         }
         let before = if ctx.is_observed() { walk.clone() } else { Vec::new() };
         shortcut(job, costs, &mut transit, &mut walk, |done| ctx.checkpoint(DRIVEN + (1.0 - DRIVEN) * done, &before))?;
+        tell_walk(ctx, job, &walk, &mut Straight { on: "The ring goes on", turn: "The ring turns" });
         Ok(CoveragePath::walk(walk))
     }
 }

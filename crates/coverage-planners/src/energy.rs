@@ -41,7 +41,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{Costs, MAX_CELLS_FOR_ALL, NearestGoalBfs, Transit, shortcut},
+    stage::{Costs, MAX_CELLS_FOR_ALL, NearestGoalBfs, Reasons, Transit, shortcut, tell_walk},
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -53,14 +53,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "energy",
     title: "Energy functional",
     summary: "Moves to the neighbour with the least energy: near, straight ahead, and surrounded by clean floor.",
-    claims: PlannerClaims {
-        complete: true,
-        deterministic: true,
-        fast: true,
-        in_metres: false,
-        traces: false,
-        search: Search::None,
-    },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
     params: &[
         weight("rotation", "Turning", "Energy of a quarter turn; a step costs 1.", 1.0),
         weight("visited", "Clean floor", "Energy bonus for each clean cell among the eight neighbours.", 0.5),
@@ -138,6 +131,22 @@ impl EnergyFloor<'_> {
     }
 }
 
+impl Reasons for EnergyFloor<'_> {
+    fn visit(&mut self, cell: Cell) {
+        EnergyFloor::visit(self, cell);
+    }
+
+    fn values(&self, at: Cell, heading: Direction, open: &[Direction]) -> Vec<u32> {
+        let energies = open.iter().map(|&look| self.energy(heading, look, at.step(look)));
+        let least = energies.clone().min().unwrap_or(0);
+        energies.map(|energy| (energy - least) as u32).collect()
+    }
+
+    fn rule(&self, _at: Cell, _heading: Direction, _towards: Direction) -> &'static str {
+        "Hundredths above the least energy"
+    }
+}
+
 /// Steps between two reports.
 const REPORT_EVERY: usize = 4096;
 
@@ -164,11 +173,24 @@ impl Planner for Energy {
             let mut transit = Transit::new(&job.free, costs);
             shortcut(job, costs, &mut transit, &mut best, |_| ctx.checkpoint(1.0, &[]))?;
         }
+        if ctx.is_traced() {
+            tell_walk(ctx, job, &best, &mut self.floor(&job.free, true));
+        }
         Ok(CoveragePath::walk(best))
     }
 }
 
 impl Energy {
+    /// The floor with nothing clean yet.
+    fn floor<'a>(&'a self, free: &'a Grid<bool>, is_left_first: bool) -> EnergyFloor<'a> {
+        let mut drawn = Grid::filled(free.width(), free.height(), 0);
+        for (cell, _) in free.iter().filter(|&(_, &is_free)| is_free) {
+            let walls = cell.block().filter(|&near| !free.is_set(near)).count();
+            drawn[cell] = -self.walls * walls as i32;
+        }
+        EnergyFloor { weights: self, free, is_left: free.clone(), drawn, is_left_first }
+    }
+
     /// The walk of a robot that looks in `heading` at the start.
     fn walk(
         &self,
@@ -178,12 +200,7 @@ impl Energy {
         mut report: impl FnMut(f64, &[Cell]) -> Result<(), PlanError>,
     ) -> Result<Vec<Cell>, PlanError> {
         let free = &job.free;
-        let mut drawn = Grid::filled(free.width(), free.height(), 0);
-        for (cell, _) in free.iter().filter(|&(_, &is_free)| is_free) {
-            let walls = cell.block().filter(|&near| !free.is_set(near)).count();
-            drawn[cell] = -self.walls * walls as i32;
-        }
-        let mut floor = EnergyFloor { weights: self, free, is_left: free.clone(), drawn, is_left_first };
+        let mut floor = self.floor(free, is_left_first);
         let mut seeker = NearestGoalBfs::new(free);
         let cells = job.cells();
         let (mut walk, mut at) = (Vec::with_capacity(cells * 9 / 8), job.start);

@@ -1,6 +1,6 @@
-//! Recording of a film: the improvements of an anytime planner.
+//! Recording of a film: the walks of a planner, each better than the one before.
 
-use crate::{CoverageJob, PlanContext, PlannerInfo, ProgressReport, Proof};
+use crate::{Bounds, CoverageJob, CoveragePath, PlanContext, PlannerInfo, ProgressReport, Proof, metrics::WalkMetrics};
 use robovac_core::{grid::Cell, registry::Params};
 
 /// Most free cells of a filmed room: in larger ones single improvements can't be seen.
@@ -27,12 +27,36 @@ pub struct Film {
     frames: Vec<FilmFrame>,
     /// The latest walk of the search.
     last: Option<FilmFrame>,
+    /// Proves walks of a planner that doesn't.
+    prover: Option<Prover>,
+}
+
+/// What it takes to compare walks with the bound.
+#[derive(Debug)]
+struct Prover {
+    job: CoverageJob,
+    bound: u64,
+    /// Title of the planner.
+    planner: &'static str,
+}
+
+impl Prover {
+    /// The proof of a walk; `None` for one that isn't complete yet.
+    fn proof(&self, walk: &[Cell]) -> Option<Proof> {
+        let metrics = WalkMetrics::of(&self.job, &CoveragePath::walk(walk.to_vec()));
+        let is_complete = metrics.visited_cells == metrics.reachable_cells;
+        is_complete.then(|| Proof { cost: metrics.cost() as u64, bound: self.bound })
+    }
 }
 
 impl Film {
     /// Begins with the walks that `planner` can start from.
     pub fn of(planner: &PlannerInfo, params: &Params, job: &CoverageJob) -> Self {
         let mut film = Self::default();
+        if !planner.is_anytime() {
+            let (job, bound) = (job.clone(), Bounds::of(job).cost as u64);
+            film.prover = Some(Prover { job, bound, planner: planner.title });
+        }
         let (job, planners) = planner.build(params).begins_with(job);
         for first in planners {
             let plan = first.build(&Params::defaults(first.params)).plan(&job, &mut PlanContext::new(0));
@@ -45,11 +69,18 @@ impl Film {
 
     /// Takes a report. Only a better walk, or a better proof of it, counts.
     pub fn take(&mut self, report: &ProgressReport<'_>) {
-        let Some(proof) = report.proof else { return };
+        let is_known = self.last.as_ref().is_some_and(|last| last.walk == report.walk);
+        let prover = self.prover.as_ref().filter(|_| !is_known && !report.walk.is_empty());
+        let Some(proof) = report.proof.or_else(|| prover?.proof(report.walk)) else { return };
+        if let (Some(prover), None) = (prover, &self.last) {
+            let (walk, planner) = (report.walk.to_vec(), prover.planner.to_owned());
+            self.frames.push(FilmFrame { walk, proof: None, planner, number: 0 });
+        }
         let number = match &self.last {
             None => 0,
             Some(last) if last.walk == report.walk => last.number,
-            Some(FilmFrame { proof: Some(known), .. }) if proof.cost >= known.cost => return,
+            // What is chosen in the end is shown, even if the planner compares otherwise.
+            Some(FilmFrame { proof: Some(known), .. }) if proof.cost >= known.cost && report.done < 1.0 => return,
             Some(last) => last.number + 1,
         };
         if self.last.as_ref().is_some_and(|last| last.number == number && last.proof == Some(proof)) {

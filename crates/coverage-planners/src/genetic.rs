@@ -56,7 +56,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
         deterministic: false,
         fast: false,
         in_metres: false,
-        traces: false,
         search: Search::Limited { effort: "generations" },
     },
     params: &[

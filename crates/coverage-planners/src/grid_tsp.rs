@@ -49,7 +49,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
         deterministic: true,
         fast: false,
         in_metres: false,
-        traces: false,
         search: Search::Limited { effort: "effort" },
     },
     params: &[

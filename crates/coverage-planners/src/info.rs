@@ -29,8 +29,6 @@ pub struct PlannerClaims {
     pub fast: bool,
     /// Plans a path in metres and needs the job's place; others walk from cell to cell.
     pub in_metres: bool,
-    /// Explains every step by [`PlanContext::trace`](super::PlanContext::trace).
-    pub traces: bool,
     /// Whether it searches for a better walk than its first one.
     pub search: Search,
 }
@@ -55,7 +53,29 @@ pub enum Search {
     },
 }
 
+/// What a planner shows of its search.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ShownSearch {
+    /// What it considers and decides at each step, by [`PlanContext::trace`](super::PlanContext::trace).
+    Decisions,
+    /// Its walks, each better than the one before, in a [`Film`](super::Film).
+    Film,
+    /// Nothing, with the reason.
+    Nothing(&'static str),
+}
+
 impl PlannerInfo {
+    /// What it shows of its search.
+    pub fn shown_search(&self) -> ShownSearch {
+        match self.claims.search {
+            _ if self.claims.in_metres => {
+                ShownSearch::Nothing("This planner works in metres: there are no cells to show its search on.")
+            }
+            Search::None => ShownSearch::Decisions,
+            Search::Limited { .. } | Search::Anytime { .. } => ShownSearch::Film,
+        }
+    }
+
     /// Whether its search can be stopped at any time.
     pub fn is_anytime(&self) -> bool {
         matches!(self.claims.search, Search::Anytime { .. })

@@ -37,7 +37,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{Costs, NearestGoalBfs},
+    stage::{Costs, NearestGoalBfs, Reasons, tell_walk},
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -49,14 +49,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "neural",
     title: "Neural network",
     summary: "A neural field excited by uncleaned floor; the robot follows the highest activity.",
-    claims: PlannerClaims {
-        complete: true,
-        deterministic: true,
-        fast: false,
-        in_metres: false,
-        traces: false,
-        search: Search::None,
-    },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: false, in_metres: false, search: Search::None },
     params: &[
         ParamSpec {
             id: "straight",
@@ -210,6 +203,20 @@ impl<'a> Field<'a> {
     }
 }
 
+impl Reasons for Field<'_> {
+    fn visit(&mut self, cell: Cell) {
+        Field::visit(self, cell);
+    }
+
+    fn values(&self, at: Cell, _heading: Direction, open: &[Direction]) -> Vec<u32> {
+        open.iter().map(|&look| (1000.0 * self.activity[at.step(look)]).round() as u32).collect()
+    }
+
+    fn rule(&self, _at: Cell, _heading: Direction, _towards: Direction) -> &'static str {
+        "Activity in thousandths"
+    }
+}
+
 /// Activities below are treated as 0.
 const FAINTEST: f64 = 1e-200;
 
@@ -233,6 +240,7 @@ impl Planner for Neural {
             }
             heading = heading.left();
         }
+        tell_walk(ctx, job, &best, &mut fresh.clone());
         Ok(CoveragePath::walk(best))
     }
 }

@@ -32,7 +32,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{CoverageProgress, lanes_lie_down},
+    stage::{CoverageProgress, Straight, lanes_lie_down},
 };
 use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
 
@@ -41,14 +41,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "s_shape",
     title: "S-shaped pathway",
     summary: "Drives parallel lanes like the letter S; at a dead end it goes to the nearest uncleaned cell.",
-    claims: PlannerClaims {
-        complete: true,
-        deterministic: true,
-        fast: true,
-        in_metres: false,
-        traces: false,
-        search: Search::None,
-    },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
     params: &[ParamSpec {
         id: "lanes",
         label: "Lanes",
@@ -135,6 +128,7 @@ impl Planner for SShape {
                 }
             }
         }
+        progress.tell(ctx, &mut Straight { on: "The lane goes on", turn: "The lane ends" });
         Ok(progress.into_path())
     }
 }

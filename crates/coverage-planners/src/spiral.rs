@@ -33,7 +33,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{CoverageProgress, Flood},
+    stage::{CoverageProgress, Flood, Straight},
 };
 use robovac_core::{
     grid::{Cell, Direction, Grid},
@@ -46,14 +46,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "spiral",
     title: "Growing spirals",
     summary: "Spirals outwards in free space until it reaches an obstacle, then goes to the next free area.",
-    claims: PlannerClaims {
-        complete: true,
-        deterministic: true,
-        fast: true,
-        in_metres: false,
-        traces: false,
-        search: Search::None,
-    },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
     params: &[
         ParamSpec {
             id: "room",
@@ -139,6 +132,7 @@ impl Planner for SpiralPlanner {
             }
             place = self.next_place(&progress, &mut flood, &mut room);
         }
+        progress.tell(ctx, &mut Straight { on: "The circle goes on", turn: "The circle turns" });
         Ok(progress.into_path())
     }
 }

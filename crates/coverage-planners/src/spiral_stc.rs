@@ -32,7 +32,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
-    stage::{Added, BestOf, MAX_CELLS_FOR_ALL, MegaCells},
+    stage::{Added, BestOf, MAX_CELLS_FOR_ALL, MegaCells, Straight},
 };
 use robovac_core::{
     grid::Direction,
@@ -44,14 +44,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "spiral_stc",
     title: "Spanning tree (Spiral-STC)",
     summary: "Divides the room into squares of 2 x 2 cells, connects them by a spanning tree and drives around it.",
-    claims: PlannerClaims {
-        complete: true,
-        deterministic: true,
-        fast: true,
-        in_metres: false,
-        traces: false,
-        search: Search::None,
-    },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
     params: &[ParamSpec {
         id: "tree",
         label: "Tree",
@@ -144,7 +137,7 @@ impl Planner for SpiralStc {
                 best_of.offer(ctx, tour)?;
             }
         }
-        Ok(best_of.finish())
+        Ok(best_of.finish(ctx, &mut Straight { on: "Along the tree", turn: "Round the tree" }))
     }
 }
 

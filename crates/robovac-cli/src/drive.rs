@@ -98,7 +98,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let end = end_requested()?;
     // The program first: one with a fault must not touch the robot.
     let mut process = ProgramProcess::start(language.command(), arguments.memory, Arc::clone(&end)).map_err(fault)?;
-    let greeting = hello(&RobotFacts::of(&robot), arguments.seed);
+    let greeting = hello(&RobotFacts::of(&robot), arguments.seed, false);
     let ready = process.ask(&greeting, Task::Start).map_err(fault)?.ready;
     if ready.as_deref() != Some("behaviour") {
         return Err(fault("only a behaviour drives a robot; a planner needs the grid of a room".to_owned()));

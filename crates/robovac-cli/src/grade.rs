@@ -1,8 +1,15 @@
 //! `grade`: runs the answers to a lesson again and marks them.
 
+mod programs;
 mod report;
 
-use super::{failure::Failure, output};
+use super::{
+    failure::Failure,
+    output,
+    parallel::{self, in_parallel},
+    signals::end_requested,
+};
+use programs::{Programs, Pupil};
 use report::{csv, html, table};
 use robovac_lessons::{Answer, GradedAnswer, Job, Lesson, check};
 use robovac_sim::montecarlo::{Lab, RunOutcome, RunsRequest};
@@ -10,11 +17,6 @@ use std::{
     collections::BTreeMap,
     fs,
     path::{Path, PathBuf},
-    sync::{
-        Mutex,
-        atomic::{AtomicUsize, Ordering},
-    },
-    thread,
 };
 
 /// Largest answer file, bytes.
@@ -35,6 +37,16 @@ pub struct Arguments {
     /// Runs in parallel [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     jobs: Option<u16>,
+    /// Run learners' programs even where they can't be kept from your files and the network
+    #[arg(long)]
+    unconfined: bool,
+    #[command(flatten)]
+    form: FormArguments,
+}
+
+/// What the table is written as, instead of text.
+#[derive(clap::Args)]
+struct FormArguments {
     /// Write one JSON object with all numbers
     #[arg(long, conflicts_with_all = ["csv", "html"])]
     json: bool,
@@ -50,7 +62,7 @@ pub struct Arguments {
 struct Piece<'a> {
     /// Index of the answer and of the job.
     at: (usize, usize),
-    request: &'a RunsRequest,
+    job: &'a Job,
     seed: u64,
 }
 
@@ -81,8 +93,13 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
             answer.as_ref().map_or_else(|_| Vec::new(), |answer| GradedAnswer::jobs(&lesson, answer, seeds.as_deref()))
         })
         .collect();
-    let threads = arguments.jobs.map_or_else(|| thread::available_parallelism().map_or(1, usize::from), usize::from);
-    let mut results = make(&jobs, threads);
+    let threads = parallel::jobs(arguments.jobs);
+    let has_programs = jobs.iter().flatten().any(Job::by_program);
+    let programs = has_programs.then(|| Programs::new(arguments.unconfined, end_requested()?)).transpose()?;
+    if let Some(programs) = &programs {
+        eprintln!("{}", programs.words());
+    }
+    let mut results = make(&jobs, programs.as_ref(), threads);
     let graded: Vec<GradedAnswer> = answers
         .into_iter()
         .zip(&mut results)
@@ -93,7 +110,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
             }
         })
         .collect();
-    Ok(match (arguments.json, arguments.csv, arguments.html) {
+    Ok(match (arguments.form.json, arguments.form.csv, arguments.form.html) {
         (true, ..) => output::json(&graded),
         (_, true, _) => csv(&graded),
         (.., true) => html(&lesson, &graded),
@@ -101,28 +118,36 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     })
 }
 
+/// A room, and the program that drives in it, if one does.
+type Ready = (Lab, Option<Pupil>);
 type Results = Vec<(usize, Result<Vec<RunOutcome>, String>)>;
 
 /// Makes all runs, `threads` at a time: plans first, as the runs of an answer share its plan.
-fn make(jobs: &[Vec<Job>], threads: usize) -> Vec<Results> {
+fn make(jobs: &[Vec<Job>], programs: Option<&Programs>, threads: usize) -> Vec<Results> {
     let all: Vec<((usize, usize), &Job)> = jobs
         .iter()
         .enumerate()
         .flat_map(|(who, jobs)| jobs.iter().enumerate().map(move |(which, job)| ((who, which), job)))
         .collect();
-    let labs = parallel(&all, threads, |(_, job)| {
+    let labs = in_parallel(&all, threads, |(_, job)| {
         let lab = job.request.lab()?;
+        if job.by_program() {
+            return Ok((lab, Some(Programs::pupil(job)?)));
+        }
         let plan_only = RunsRequest { seeds: Vec::new(), ..job.request.clone() };
         plan_only.run(&lab, None)?;
-        Ok::<Lab, String>(lab)
+        Ok::<Ready, String>((lab, None))
     });
-    let labs: BTreeMap<(usize, usize), Result<Lab, String>> = all.iter().map(|(at, _)| *at).zip(labs).collect();
+    let labs: BTreeMap<(usize, usize), Result<Ready, String>> = all.iter().map(|(at, _)| *at).zip(labs).collect();
     let able = all.iter().filter(|(at, _)| labs.get(at).is_some_and(Result::is_ok));
-    let pieces: Vec<Piece<'_>> = able
-        .flat_map(|(at, job)| job.request.seeds.iter().map(|&seed| Piece { at: *at, request: &job.request, seed }))
-        .collect();
-    let outcomes = parallel(&pieces, threads, |piece| match labs.get(&piece.at) {
-        Some(Ok(lab)) => piece.request.run_one(lab, piece.seed),
+    let pieces: Vec<Piece<'_>> =
+        able.flat_map(|(at, job)| job.request.seeds.iter().map(|&seed| Piece { at: *at, job, seed })).collect();
+    let outcomes = in_parallel(&pieces, threads, |piece| match labs.get(&piece.at) {
+        Some(Ok((lab, None))) => piece.job.request.run_one(lab, piece.seed),
+        Some(Ok((lab, Some(pupil)))) => match programs {
+            Some(programs) => programs.run(piece.job, pupil, lab, piece.seed),
+            None => Err("programs can't be run".to_owned()),
+        },
         _ => Err("it has no room".to_owned()),
     });
     let mut results: Vec<Results> =
@@ -136,34 +161,12 @@ fn make(jobs: &[Vec<Job>], threads: usize) -> Vec<Results> {
         let result = &mut results[piece.at.0][piece.at.1].1;
         match (&mut *result, outcome) {
             (Ok(runs), Ok(outcome)) => runs.push(outcome),
-            (_, Err(fault)) => *result = Err(fault),
+            // The first that has failed says why.
+            (Ok(_), Err(fault)) if !fault.is_empty() => *result = Err(fault),
             _ => {}
         }
     }
     results
-}
-
-/// Does work on several threads; results are in the order of the items.
-fn parallel<T: Sync, R: Send>(items: &[T], threads: usize, work: impl Fn(&T) -> R + Sync) -> Vec<R> {
-    let next = AtomicUsize::new(0);
-    let done = Mutex::new(Vec::with_capacity(items.len()));
-    thread::scope(|scope| {
-        for _ in 0..threads.clamp(1, items.len().max(1)) {
-            scope.spawn(|| {
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(item) = items.get(index) else { break };
-                    let result = work(item);
-                    if let Ok(mut done) = done.lock() {
-                        done.push((index, result));
-                    }
-                }
-            });
-        }
-    });
-    let mut done = done.into_inner().unwrap_or_default();
-    done.sort_by_key(|(index, _)| *index);
-    done.into_iter().map(|(_, result)| result).collect()
 }
 
 fn read(path: &Path) -> Result<String, Failure> {

@@ -4,6 +4,8 @@ mod child;
 mod language;
 mod protocol;
 mod runtimes;
+mod talk;
+mod walls;
 
 use super::{
     conditions::ConditionsArguments, failure::Failure, montecarlo::parse_minutes, output, signals::end_requested,
@@ -12,7 +14,6 @@ use super::{
 pub use child::{ProgramProcess, Task};
 use coverage_planners::{CoveragePath, metrics::WalkMetrics};
 pub use language::Language;
-use protocol::PROTOCOL;
 pub use protocol::{Reply, Words};
 use robovac_core::{grid::Cell, robot::OdometryModel};
 use robovac_sim::{
@@ -22,10 +23,9 @@ use robovac_sim::{
         planning::{Placement, choose_robot},
     },
     montecarlo::quantile,
-    program::{Lockstep, LogEnd, ProgramRoom, RobotFacts, check_walk},
+    program::{Lockstep, ProgramRoom, check_walk},
 };
 use serde::Serialize;
-use serde_json::json;
 use std::{
     fmt::Write,
     path::{Path, PathBuf},
@@ -35,11 +35,8 @@ use std::{
     },
     thread,
 };
-
-/// Most lines that a program prints in a run.
-const MOST_PRINTS: usize = 10_000;
-/// Most cells of a plan.
-const MOST_CELLS: usize = 2_000_000;
+pub use talk::{drive, greet, hello, plan};
+pub use walls::Walls;
 
 /// Run your own program on the simulated robot: Python, JavaScript, or any program that speaks the protocol
 #[derive(clap::Args)]
@@ -221,64 +218,19 @@ impl Study {
 
     fn make(&self, seed: u64) -> Result<ProgramOutcome, String> {
         let mut process = ProgramProcess::start(self.language.command(), self.memory_mb, Arc::clone(&self.end))?;
-        let lockstep = Lockstep::new(&self.prepared, self.conditions, seed, Vec::new());
-        let reply = process.ask(&hello(&lockstep.facts(), seed), Task::Start)?;
-        match reply.ready.as_deref() {
-            Some("behaviour") => self.behave(seed, &mut process, lockstep),
-            Some("planner") => self.plan(seed, &mut process),
-            _ => {
-                Err("the program must answer the greeting with {\"ready\": \"behaviour\"} or {\"ready\": \"planner\"}"
-                    .to_owned())
-            }
+        let mut lockstep = Lockstep::new(&self.prepared, self.conditions, seed, Vec::new());
+        let mut prints = Vec::new();
+        if !greet(&mut process, &lockstep.facts(), seed)? {
+            return self.plan(seed, &mut process);
         }
-    }
-
-    fn behave(
-        &self,
-        seed: u64,
-        process: &mut ProgramProcess,
-        mut lockstep: Lockstep,
-    ) -> Result<ProgramOutcome, String> {
-        let (mut prints, mut scan, mut speeds) = (Vec::new(), 0, [0.0; 2]);
-        let mut end = "time";
-        while lockstep.run().steps() < self.most_steps {
-            let time_s = lockstep.run().time_s();
-            let line = lockstep.readings_json(lockstep.scan() != scan);
-            scan = lockstep.scan();
-            let told = |fault: String| format!("at {time_s:.2} s: {fault}");
-            let reply = process.ask(&line, Task::Step).map_err(told)?;
-            take_prints(&mut prints, time_s, &reply).map_err(told)?;
-            speeds = [reply.left.unwrap_or(speeds[0]), reply.right.unwrap_or(speeds[1])];
-            if reply.done {
-                lockstep.finish(LogEnd::Done);
-                end = "done";
-                break;
-            }
-            if !lockstep.step(speeds) {
-                end = "battery";
-                break;
-            }
-        }
+        let end = drive(&mut process, &mut lockstep, self.most_steps, &mut prints)?;
         Ok(ProgramOutcome::of(lockstep.run(), seed, "behaviour", end, prints))
     }
 
     fn plan(&self, seed: u64, process: &mut ProgramProcess) -> Result<ProgramOutcome, String> {
         let room = ProgramRoom::of(&self.prepared.job, self.placement.cell_size);
-        let (mut prints, mut cells) = (Vec::new(), Vec::new());
-        let mut reply = process.ask(&json!({ "room": room }).to_string(), Task::Plan)?;
-        loop {
-            take_prints(&mut prints, 0.0, &reply)?;
-            // A number that is no cell's stays one that is none.
-            let index = |value: i64| i32::try_from(value).unwrap_or(i32::MAX);
-            cells.extend(reply.cells.iter().map(|&[x, y]| Cell::new(index(x), index(y))));
-            if cells.len() > MOST_CELLS {
-                return Err(format!("the plan has more than {MOST_CELLS} cells; does it go in circles?"));
-            }
-            if reply.done {
-                break;
-            }
-            reply = process.next(Task::Plan)?;
-        }
+        let mut prints = Vec::new();
+        let cells = plan(process, &room, &mut prints)?;
         let missed = check_walk(&self.prepared.job, &cells).map_err(|fault| fault.to_string())?;
         let answer = PlanAnswer { path: CoveragePath::walk(cells), seconds: 0.0, proof: None, trace: Vec::new() };
         let planned = Planned::new(&self.prepared, &answer).map_err(|error| error.to_string())?;
@@ -293,19 +245,6 @@ impl Study {
             ..ProgramOutcome::of(&run, seed, "planner", end, prints)
         })
     }
-}
-
-/// The host's first line.
-pub fn hello(robot: &RobotFacts, seed: u64) -> String {
-    json!({ "robovac": PROTOCOL, "kind": "hello", "robot": robot, "dt": STEP_S, "seed": seed }).to_string()
-}
-
-fn take_prints(prints: &mut Vec<(f64, String)>, time_s: f64, reply: &Reply) -> Result<(), String> {
-    prints.extend(reply.print.iter().map(|text| (time_s, Words::of(text.as_bytes()))));
-    if prints.len() > MOST_PRINTS {
-        return Err(format!("the program printed more than {MOST_PRINTS} lines; print less"));
-    }
-    Ok(())
 }
 
 impl ProgramOutcome {

@@ -9,13 +9,13 @@ use super::{
     twin,
 };
 use coverage_planners::smooth::{SmoothPath, SmoothSetup};
-use robovac_core::{floor_plan::ScenarioPose, robot::OdometryModel};
+use robovac_core::{floor_plan::ScenarioPose, geometry::MetricPath, registry::Params, robot::OdometryModel};
 use robovac_ros::{Pace, RunTopics, SourceMap};
 use robovac_sim::{
     Conditions, Run, STEP_S, SlipLevel, What, controller,
     experiment::{
-        Algorithm,
-        planning::{Placement, PlanSolution, Planned, PlanningTask, RoomSetup, TaskReport},
+        Algorithm, Settings,
+        planning::{Placement, PlanSolution, Planned, PlanningError, PlanningTask, RoomSetup, TaskReport},
     },
 };
 use serde::Serialize;
@@ -59,16 +59,29 @@ pub struct Arguments {
     json: bool,
 }
 
-/// One of the two must be given.
+/// One of the two, unless a scenario says it.
 #[derive(clap::Args)]
-#[group(required = true, multiple = false)]
+#[group(multiple = false)]
 struct AlgorithmArguments {
-    /// Planner, see "robovac planners"
+    /// Planner, see "robovac planners" [default: all that the scenario of --map says]
     #[arg(long, value_name = "ID")]
     planner: Option<String>,
     /// Behaviour, see "robovac behaviours"
     #[arg(long, value_name = "ID")]
     behaviour: Option<String>,
+}
+
+/// What is simulated.
+struct Task {
+    placement: Placement,
+    algorithm: Algorithm,
+    params: Params,
+    seed: u64,
+    conditions: Conditions,
+    odometry: OdometryModel,
+    smooth: bool,
+    /// Driven in place of the planner's.
+    path: Option<MetricPath>,
 }
 
 /// Report of a run.
@@ -81,6 +94,9 @@ struct SimulateReport {
     quantised: bool,
     start_charge_percent: u8,
     odometry: OdometryModel,
+    /// Corners of the scenario's path, which is driven in place of the planner's.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    path_corners: Option<usize>,
     /// The plan with rounded corners, if they are.
     #[serde(skip_serializing_if = "Option::is_none")]
     smooth: Option<RoundedPlan>,
@@ -137,42 +153,77 @@ struct SimulateSample {
     estimate: Option<ScenarioPose>,
 }
 
+impl Arguments {
+    /// By the options, or if they name no algorithm by the scenario.
+    fn task(&self) -> Result<Task, Failure> {
+        let Some(algorithm) = self.algorithm.find()? else { return self.scenario() };
+        let params = self.params.checked(algorithm.params())?;
+        let mut placement = self.placement.placement(DEFAULT_ROBOT)?;
+        let mut conditions = Conditions::default();
+        if let Some(path) = &self.twin {
+            let file = twin::open(path)?;
+            placement.robot = file.twin.of(&placement.robot);
+            conditions = file.conditions(conditions);
+        }
+        let (seed, odometry, smooth, path) = (self.params.seed, self.conditions.odometry, self.smooth, None);
+        let conditions = self.conditions.over(conditions);
+        Ok(Task { placement, algorithm, params, seed, conditions, odometry, smooth, path })
+    }
+
+    /// The scenario's run, with other slip, noise or charge if they are given.
+    fn scenario(&self) -> Result<Task, Failure> {
+        let (plan, settings) = self.placement.scenario()?;
+        if self.params.are_given() || self.coverage.is_given() || self.twin.is_some() {
+            let what = "--param, --seed, --coverage and --twin";
+            return Err(Failure::usage(format!("{what}: the scenario has these; leave them out, or give --planner")));
+        }
+        let (robot, conditions) = (settings.robot_model(), self.conditions.over(settings.conditions));
+        let Settings { cell_size, algorithm, params, seed, odometry, path, .. } = settings;
+        let placement = Placement { plan, robot, cell_size, start: None, heading_deg: None };
+        let smooth = self.smooth || settings.smooth;
+        Ok(Task { placement, algorithm, params, seed, conditions, odometry, smooth, path })
+    }
+}
+
+impl Task {
+    /// The room laid out, and the plan if it is one.
+    fn prepare(&mut self, coverage: &CoverageArguments) -> Result<(RoomSetup, Option<Planned>), Failure> {
+        let Placement { plan, robot, cell_size, .. } = &self.placement;
+        if let Some(path) = &self.path {
+            let heading = plan.start.map_or(0.0, |start| start.heading);
+            let prepared = RoomSetup::along(plan, robot, *cell_size, path, heading).map_err(PlanningError::from)?;
+            let planned = Planned::along(&prepared, path, 0.0);
+            return Ok((prepared, Some(planned)));
+        }
+        let Some(planner) = self.algorithm.planner() else { return Ok((self.placement.prepare()?, None)) };
+        let (placement, params) = (self.placement.clone(), self.params.clone());
+        let mut task = PlanningTask { placement, planner, params, seed: self.seed };
+        coverage.fit_cells(&mut task)?;
+        self.placement.clone_from(&task.placement);
+        let begin = Instant::now();
+        let PlanSolution { prepared, planned, .. } = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
+        Ok((prepared, Some(planned)))
+    }
+}
+
 /// Plans if needed, drives, and returns the output.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
-    let algorithm = arguments.algorithm.find()?;
-    let params = arguments.params.checked(algorithm.params())?;
-    let mut placement = arguments.placement.placement(DEFAULT_ROBOT)?;
-    let seed = arguments.params.seed;
-    let (mut conditions, odometry) = (Conditions::default(), arguments.conditions.odometry);
-    if let Some(path) = &arguments.twin {
-        let file = twin::open(path)?;
-        placement.robot = file.twin.of(&placement.robot);
-        conditions = file.conditions(conditions);
-    }
-    let conditions = arguments.conditions.over(conditions);
+    let mut task = arguments.task()?;
     // First of all: a long run that can't be written is lost.
     let mut bag = arguments.mcap.as_deref().map(BagFile::create).transpose()?;
+    let (prepared, planned) = task.prepare(&arguments.coverage)?;
+    let Task { placement, algorithm, params, seed, conditions, odometry, path: own_path, .. } = task;
     let mut smooth = None;
-    let (prepared, mut run, path) = match algorithm {
-        Algorithm::Planner(planner) => {
-            let mut task = PlanningTask { placement: placement.clone(), planner, params: params.clone(), seed };
-            arguments.coverage.fit_cells(&mut task)?;
-            placement.clone_from(&task.placement);
-            let begin = Instant::now();
-            let solution = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
-            let PlanSolution { prepared, mut planned, .. } = solution;
-            if arguments.smooth {
-                let (rounded, plan) = round(planned, &prepared)?;
-                (planned, smooth) = (rounded, Some(plan));
-            }
-            let run = planned.run(&prepared, conditions, odometry, seed);
-            (prepared, run, planned.line.to_vec())
+    let (mut run, path) = if let Some(mut planned) = planned {
+        if task.smooth {
+            let (rounded, plan) = round(planned, &prepared)?;
+            (planned, smooth) = (rounded, Some(plan));
         }
-        Algorithm::Behaviour(info) => {
-            let prepared = placement.prepare()?;
-            let run = prepared.run_behaviour(info, &params, conditions, seed);
-            (prepared, run.ok_or_else(|| Failure::unknown("behaviour", info.id, "behaviours"))?, Vec::new())
-        }
+        (planned.run(&prepared, conditions, odometry, seed), planned.line.to_vec())
+    } else {
+        let info = algorithm.behaviour().ok_or_else(|| Failure::unknown("planner", algorithm.id(), "planners"))?;
+        let run = prepared.run_behaviour(info, &params, conditions, seed);
+        (run.ok_or_else(|| Failure::unknown("behaviour", info.id, "behaviours"))?, Vec::new())
     };
     let never_ends = algorithm.behaviour().is_some_and(|info| !info.claims.ends);
     let max_time = arguments.max_time.or(never_ends.then_some(MOST_TIME_S));
@@ -198,6 +249,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         quantised: conditions.quantised,
         start_charge_percent: conditions.start_charge_percent,
         odometry,
+        path_corners: own_path.map(|path| path.corners().len()),
         smooth,
         totals: Totals::of(&run),
         samples,
@@ -218,16 +270,16 @@ fn round(planned: Planned, prepared: &RoomSetup) -> Result<(Planned, RoundedPlan
 }
 
 impl AlgorithmArguments {
-    fn find(&self) -> Result<Algorithm, Failure> {
+    fn find(&self) -> Result<Option<Algorithm>, Failure> {
         if let Some(id) = &self.planner {
-            return plan::planner(id).map(Algorithm::Planner);
+            return plan::planner(id).map(|info| Some(Algorithm::Planner(info)));
         }
-        let id = self.behaviour.as_deref().unwrap_or_default();
+        let Some(id) = &self.behaviour else { return Ok(None) };
         let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
         if info.claims.manual {
             return Err(Failure::usage(format!("behaviour \"{id}\" is driven by hand; use it on the page")));
         }
-        Ok(Algorithm::Behaviour(info))
+        Ok(Some(Algorithm::Behaviour(info)))
     }
 }
 
@@ -284,6 +336,9 @@ impl Totals {
 impl SimulateReport {
     fn to_text(&self, algorithm: Algorithm, placement: &Placement) -> String {
         let mut text = task::summary(algorithm, placement, &self.task);
+        if let Some(corners) = self.path_corners {
+            let _ = writeln!(text, "Path      {corners} corners of the scenario, in place of the planner's");
+        }
         let quantised = if self.quantised { ", quantised" } else { "" };
         let _ = writeln!(text, "Wheels    slip: {}, odometry: {}{quantised}", self.slip.id(), self.odometry.id());
         let _ = writeln!(text, "Sensors   noise: {}", self.noise);

@@ -1,7 +1,7 @@
 //! `--map`, `--room` and `--flat`: where a floor plan comes from.
 
 use super::failure::Failure;
-use robovac_app::Import;
+use robovac_app::{Import, ScenarioChoices};
 use robovac_core::floor_plan::{FloorPlan, ROOMS, SourceFile, generate::FlatId, image_of, room};
 use std::{
     fs,
@@ -48,6 +48,13 @@ impl RoomSource {
     /// The file of `--map`, if that is given.
     pub fn file(&self) -> Result<Option<SourceFile>, Failure> {
         self.map.as_deref().map_or(Ok(None), read)
+    }
+
+    /// The floor plan of a scenario file with what else it says; `None` if it's none.
+    pub fn scenario(&self) -> Result<Option<(FloorPlan, ScenarioChoices)>, Failure> {
+        let Some(file) = self.file()? else { return Ok(None) };
+        let Import { plan, choices } = Import::read(&[file])?;
+        Ok(choices.map(|choices| (plan, choices)))
     }
 
     pub fn plan(&self) -> Result<FloorPlan, Failure> {

@@ -2,11 +2,12 @@
 
 use super::{failure::Failure, source::RoomSource};
 use robovac_core::{
+    floor_plan::FloorPlan,
     grid::Cell,
     registry::{ParamSpec, Params},
 };
 use robovac_sim::experiment::{
-    Algorithm,
+    Algorithm, Settings,
     planning::{Placement, PlanningTask, TaskReport, choose_robot},
 };
 use std::ops::ControlFlow;
@@ -60,7 +61,38 @@ impl PlacementArguments {
     }
 }
 
+impl PlacementArguments {
+    /// What a scenario file alone says: its room and all settings.
+    pub fn scenario(&self) -> Result<(FloorPlan, Settings), Failure> {
+        let found =
+            self.source.scenario()?.filter(|(_, choices)| choices.algorithm().is_some() || choices.path.is_some());
+        let (plan, choices) = found.ok_or_else(|| {
+            Failure::usage(
+                "give --planner or --behaviour, or as --map a scenario with an algorithm or a path".to_owned(),
+            )
+        })?;
+        if self.start.is_some() || self.heading.is_some() || self.robot.is_some() || self.cell.is_some() {
+            let what = "--start, --heading, --robot and --cell";
+            return Err(Failure::usage(format!("{what}: the scenario has these; leave them out, or give --planner")));
+        }
+        let settings = choices.settings(&Settings::new()).map_err(|error| Failure::usage(error.to_string()))?;
+        let by_hand = settings.algorithm.behaviour().is_some_and(|info| info.claims.manual);
+        if by_hand && settings.path.is_none() {
+            return Err(Failure::usage("the scenario's robot is driven by hand; use it on the page".to_owned()));
+        }
+        if settings.algorithm.is_program() && settings.path.is_none() {
+            return Err(Failure::usage("the scenario runs a program; use \"robovac run\" with its file".to_owned()));
+        }
+        Ok((plan, settings))
+    }
+}
+
 impl CoverageArguments {
+    /// Whether cells are to be chosen.
+    pub fn is_given(&self) -> bool {
+        self.coverage.is_some()
+    }
+
     /// Sets the task's planning cells, if they are to be chosen for a coverage. The start in cells is one of the default cells.
     pub fn fit_cells(&self, task: &mut PlanningTask) -> Result<(), Failure> {
         let Some(percent) = self.coverage else { return Ok(()) };
@@ -82,6 +114,11 @@ impl CoverageArguments {
 }
 
 impl ParamArguments {
+    /// Whether a parameter or seed was given.
+    pub fn are_given(&self) -> bool {
+        !self.params.is_empty() || self.seed != 0
+    }
+
     /// Values for all of `specs`, each parsed by its kind; unknown names are refused by the check.
     pub fn checked(&self, specs: &[ParamSpec]) -> Result<Params, Failure> {
         let mut params = Params::defaults(specs);

@@ -1,5 +1,6 @@
 //! What a learner hands in: settings, the numbers of the runs, and their digests.
 
+use robovac_core::program::Program;
 use robovac_sim::montecarlo::RunOutcome;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -38,6 +39,10 @@ pub struct Answer {
 pub struct GoalAnswer {
     /// The settings, as in links.
     pub link: String,
+    /// The program, if the settings say that one drives or plans.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional))]
+    pub program: Option<Program>,
     /// The runs that the page made; grading makes them again.
     #[serde(default)]
     pub runs: Vec<RunRecord>,

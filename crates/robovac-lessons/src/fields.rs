@@ -1,4 +1,4 @@
-//! The `key: value` lines of a fenced block.
+//! The `key: value` lines of a fenced block, and the numbers in them.
 
 use crate::LessonFault;
 
@@ -10,6 +10,20 @@ pub struct Field {
     key: String,
     /// What stands behind the colon.
     pub value: String,
+}
+
+/// A number as people write it, `-42.5`: up to 15 digits. All that is exact with two floats and one division; the library's
+/// reader of any number weighs more than the rest of this crate.
+pub fn decimal(text: &str) -> Option<f64> {
+    let (sign, digits) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
+    let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
+    let all = || whole.bytes().chain(part.bytes());
+    if !(1..=15).contains(&all().count()) || !all().all(|digit| digit.is_ascii_digit()) {
+        return None;
+    }
+    let number = all().fold(0_u64, |number, digit| 10 * number + u64::from(digit - b'0'));
+    let scale = part.bytes().fold(1.0, |scale, _| 10.0 * scale);
+    Some(sign * (number as f64 / scale))
 }
 
 /// The lines of one block; they are taken out by their keys.
@@ -94,7 +108,7 @@ impl Fields {
         range: std::ops::RangeInclusive<f64>,
     ) -> Result<f64, LessonFault> {
         let Some(field) = self.take(key) else { return Ok(default) };
-        let number = field.value.parse().ok().filter(|number| range.contains(number));
+        let number = decimal(&field.value).filter(|number| range.contains(number));
         number.ok_or_else(|| {
             let what = format!("\"{key}\" can't be \"{}\"", field.value);
             LessonFault::new(field.line, what, format!("use a number from {} to {}", range.start(), range.end()))
@@ -112,5 +126,21 @@ impl Fields {
         let mut known = self.known.clone();
         known.sort_unstable();
         Err(LessonFault::new(field.line, what, format!("it takes: {}", known.join(", "))))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::decimal;
+
+    #[test]
+    fn numbers_are_those_of_the_library() {
+        for text in ["0", "95", "0.1", "-42.5", "123456789.012345", "0.000000000000001", "999999999999999", ".5", "7."]
+        {
+            assert_eq!(decimal(text), text.parse().ok(), "{text}");
+        }
+        for text in ["", "-", ".", "1e3", "inf", "nan", "+1", "--1", "1.2.3", "1234567890123456", "١"] {
+            assert_eq!(decimal(text), None, "{text}");
+        }
     }
 }

@@ -3,7 +3,7 @@
 use crate::{
     LessonFault, Link, Number,
     answer::RunRecord,
-    fields::{Field, Fields},
+    fields::{Field, Fields, decimal},
 };
 use robovac_sim::montecarlo::{RunOutcome, RunsRequest, quantile};
 use serde::Serialize;
@@ -13,8 +13,9 @@ const MOST_MINUTES: f64 = 600.0;
 const MOST_RUNS: f64 = 1000.0;
 
 /// What a learner may change: names in lessons, and the keys of links that each stands for.
-const CHANGES: [(&str, &[&str]); 8] = [
-    ("algorithm", &["planner", "behaviour", "p."]),
+const CHANGES: [(&str, &[&str]); 9] = [
+    ("algorithm", &["p."]),
+    ("program", &[]),
     ("params", &["p."]),
     ("cell", &["cell"]),
     ("robot", &["robot", "own", "twin", "cell"]),
@@ -143,11 +144,14 @@ impl Goal {
     /// has changed: it does not count.
     pub fn settings(&self, link: &str) -> (Link, Vec<String>) {
         let (start, answer) = (Link::parse(&self.start), Link::parse(link));
+        let has = |name: &str| self.changes.iter().any(|own| own == name);
+        let choice = if answer.is_program() { "program" } else { "algorithm" };
         let keys: Vec<&str> = CHANGES
             .iter()
-            .filter(|(name, _)| self.changes.iter().any(|own| own == name))
+            .filter(|(name, _)| has(name))
             .flat_map(|(_, keys)| *keys)
             .copied()
+            .chain(["planner", "behaviour"].into_iter().filter(|_| has(choice)))
             .collect();
         let may = |key: &str| keys.iter().any(|known| *known == key || *known == "p." && key.starts_with("p."));
         let algorithm = |link: &Link| ["planner", "behaviour"].map(|key| link.get(key).map(str::to_owned));
@@ -235,7 +239,7 @@ impl Need {
             Number::parse(name.trim()).ok_or_else(|| wrong(format!("there is no number \"{}\"", name.trim())))?;
         let limit = parts.1.trim();
         let bare = limit.strip_suffix(number.unit()).unwrap_or(limit).trim();
-        let value = bare.parse().ok().filter(|value: &f64| value.is_finite());
+        let value = decimal(bare);
         let value =
             value.ok_or_else(|| wrong(format!("\"{limit}\" isn't a number in the unit \"{}\"", number.unit())))?;
         Ok(Self { text: field.value.clone(), statistic, number, at_least, value })
@@ -245,7 +249,7 @@ impl Need {
         // What a run did not reach counts as worst.
         let worst = if self.at_least { f64::NEG_INFINITY } else { f64::INFINITY };
         let mut values: Vec<f64> = runs.iter().map(|run| self.number.of(run).unwrap_or(worst)).collect();
-        values.sort_by(f64::total_cmp);
+        values.sort_unstable_by(f64::total_cmp);
         let value = match (self.statistic, self.at_least) {
             (Statistic::Median, _) => quantile(&values, 0.5),
             (Statistic::Every, true) | (Statistic::Best, false) => values.first().copied(),

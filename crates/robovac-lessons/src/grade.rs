@@ -1,8 +1,9 @@
 //! Marking an answer: its runs are made again.
 
-use crate::{Answer, Goal, Lesson, Verdict, answer::RunRecord};
+use crate::{Answer, Block, Goal, Lesson, Scene, Verdict, answer::RunRecord};
+use robovac_core::program::Program;
 use robovac_sim::{
-    experiment::Settings,
+    experiment::{Algorithm, Settings, plan_of},
     montecarlo::{RunOutcome, RunsRequest},
 };
 use serde::Serialize;
@@ -14,6 +15,8 @@ pub struct Job {
     pub goal: usize,
     /// The runs.
     pub request: RunsRequest,
+    /// The program that makes them; with [`Job::by_program`].
+    pub program: Option<Program>,
 }
 
 /// The mark of an answer.
@@ -73,7 +76,26 @@ pub fn check(lesson: &Lesson) -> Result<(), String> {
             )));
         }
     }
+    for block in &lesson.blocks {
+        let Block::Scene(Scene { title, scenario, .. }) = block else { continue };
+        if !scenario.is_empty() {
+            plan_of(None, Some(scenario)).map_err(|error| {
+                format!("the scene \"{title}\": {error}; paste a file that \"Save as…\" has written")
+            })?;
+        }
+    }
     Ok(())
+}
+
+impl Job {
+    /// Whether a program makes the runs, not an algorithm of the registries.
+    pub fn by_program(&self) -> bool {
+        Self::is_by_program(&self.request)
+    }
+
+    fn is_by_program(request: &RunsRequest) -> bool {
+        Algorithm::is_program_id(&request.entrant)
+    }
 }
 
 impl GradedAnswer {
@@ -82,7 +104,9 @@ impl GradedAnswer {
         let job = |(index, goal): (usize, &Goal)| {
             let given = answer.goals.get(&goal.id)?;
             let seeds = seeds.map_or_else(|| goal.seeds(), <[u64]>::to_vec);
-            Some(Job { goal: index, request: goal.request(&given.link, lesson.scenario_of(goal), seeds) })
+            let request = goal.request(&given.link, lesson.scenario_of(goal), seeds);
+            let program = given.program.clone().filter(|_| Job::is_by_program(&request));
+            Some(Job { goal: index, request, program })
         };
         lesson.goals().enumerate().filter_map(job).collect()
     }

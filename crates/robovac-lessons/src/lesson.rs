@@ -17,6 +17,8 @@ pub struct Lesson {
     pub audience: String,
     /// What one can do afterwards.
     pub outcomes: Vec<String>,
+    /// Labels of the page's numbers and controls that it explains; the definitions there lead to it.
+    pub explains: Vec<String>,
     /// Sources, as safe HTML.
     pub sources: Vec<String>,
     /// Digest of the text.

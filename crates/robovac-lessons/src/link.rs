@@ -1,6 +1,6 @@
 //! A settings link as a list of pairs, and the runs that it stands for.
 
-use robovac_sim::montecarlo::RunsRequest;
+use robovac_sim::{experiment::Algorithm, montecarlo::RunsRequest};
 
 /// Keys of the view, which change no run.
 const VIEW: [&str; 6] = ["speed", "show", "search", "tab", "lesson", "m"];
@@ -20,6 +20,16 @@ impl Link {
     /// The value of a key.
     pub fn get(&self, key: &str) -> Option<&str> {
         self.0.iter().rev().find(|(known, _)| known == key).map(|(_, value)| value.as_str())
+    }
+
+    /// Whether the user's own program drives or plans.
+    pub fn is_program(&self) -> bool {
+        self.algorithm().is_some_and(|(_, id)| Algorithm::is_program_id(id))
+    }
+
+    /// Key and id of the algorithm.
+    fn algorithm(&self) -> Option<(&str, &str)> {
+        self.pairs().filter(|(key, _)| matches!(*key, "planner" | "behaviour")).last()
     }
 
     /// The pairs.
@@ -44,13 +54,14 @@ impl Link {
             "cell" | "own" | "twin" => !replaces(key) && !replaces("robot"),
             _ => !(replaces(key) || algorithm && key.starts_with("p.")),
         };
-        let kept = self.0.iter().filter(|(key, _)| stays(key)).cloned();
+        let all = || self.0.iter().filter(|(key, _)| stays(key)).chain(&over.0);
         // The algorithm before its parameters, the robot before its cells.
-        let mut pairs: Vec<_> = kept.chain(over.0.iter().cloned()).collect();
-        pairs.sort_by_key(|(key, _)| {
-            (key.starts_with("p."), !matches!(key.as_str(), "room" | "planner" | "behaviour" | "robot"))
-        });
-        Self(pairs)
+        let rank = |key: &str| match key {
+            "room" | "planner" | "behaviour" | "robot" => 0,
+            _ if key.starts_with("p.") => 2,
+            _ => 1,
+        };
+        Self((0..3).flat_map(|now| all().filter(move |(key, _)| rank(key) == now)).cloned().collect())
     }
 
     /// Runs of `duration_s` seconds with the settings of the link. `scenario` is the room if the link names none.
@@ -62,8 +73,7 @@ impl Link {
             .filter(|(key, _)| !is_algorithm(key) && !VIEW.contains(key))
             .map(|(key, value)| format!("{key}={value}"))
             .collect();
-        let behaviour = self.0.iter().rev().find(|(key, _)| matches!(key.as_str(), "planner" | "behaviour"));
-        let (behaves, id) = behaviour.map_or((false, "boustrophedon"), |(key, id)| (key == "behaviour", id.as_str()));
+        let (behaves, id) = self.algorithm().map_or((false, "boustrophedon"), |(key, id)| (key == "behaviour", id));
         let params = self.pairs().filter_map(|(key, value)| Some((key.strip_prefix("p.")?, value)));
         let params = params.fold(String::new(), |text, (id, value)| text + "~" + id + ":" + value);
         let room = self.get("room").filter(|_| scenario.is_none()).unwrap_or("flat");

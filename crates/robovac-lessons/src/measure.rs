@@ -87,7 +87,7 @@ impl Measure {
     pub fn cells(&self, runs: &[RunOutcome]) -> Vec<Option<f64>> {
         let median = |number: &Number| {
             let mut values: Vec<f64> = runs.iter().map(|run| number.of(run).unwrap_or(f64::INFINITY)).collect();
-            values.sort_by(f64::total_cmp);
+            values.sort_unstable_by(f64::total_cmp);
             quantile(&values, 0.5).filter(|value| value.is_finite())
         };
         self.numbers.iter().map(median).collect()

@@ -83,7 +83,8 @@ fn kind_of(info: &str) -> Option<(&'static str, &str)> {
 
 /// A title as a name in links.
 fn plain(title: &str) -> String {
-    let kept: String = title.to_lowercase().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    let kept: String =
+        title.to_ascii_lowercase().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
     let parts: Vec<&str> = kept.split('-').filter(|part| !part.is_empty()).collect();
     if parts.is_empty() { "lesson".to_owned() } else { parts.join("-") }
 }
@@ -156,14 +157,6 @@ impl Builder<'_> {
                     scenario: content[at..].to_owned(),
                 };
                 fields.finish()?;
-                if let Err(error) = serde_json::from_str::<serde_json::Value>(&scene.scenario) {
-                    let at = line + content[..at].matches('\n').count() + error.line();
-                    return Err(LessonFault::new(
-                        at,
-                        format!("the scenario isn't JSON: {error}"),
-                        "paste a file that \"Save as…\" has written",
-                    ));
-                }
                 Block::Scene(scene)
             }
             _ => {
@@ -185,6 +178,9 @@ impl Builder<'_> {
                 self.lesson.minutes = fields.number("minutes", 0.0, 1.0..=600.0)?;
                 self.lesson.audience = fields.text("for");
                 self.lesson.outcomes = fields.take_all("outcome").into_iter().map(|field| field.value).collect();
+                let names = fields.text("explains");
+                let names = names.split(',').map(str::trim).filter(|name| !name.is_empty());
+                self.lesson.explains = names.map(str::to_owned).collect();
                 self.lesson.sources = fields.take_all("source").iter().map(|field| safe_html(&field.value)).collect();
                 return Ok(None);
             }
@@ -287,7 +283,6 @@ mod tests {
         );
         assert!(fault("# T\n```quiz riddle\n```").starts_with("line 2: there is no quiz \"riddle\""));
         assert!(fault("# T\n```code c\n```").starts_with("line 2: there are no programs in \"c\""));
-        assert!(fault("# T\n```scene\n{ \"a\": \n```").starts_with("line 4: the scenario isn't JSON"));
     }
 
     #[test]

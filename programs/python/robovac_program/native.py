@@ -54,6 +54,8 @@ def _converse(path, hello, read, answer):
         random.seed(hello["seed"])
         with open(path, encoding="utf-8") as file:
             program = Program(file.read(), path, hello["robot"], hello["seed"])
+        holds = hello.get("holds", False)
+        at = 0
         answer({"ready": "planner" if program.kind == "plan" else "behaviour"})
         while True:
             line = read()
@@ -63,20 +65,27 @@ def _converse(path, hello, read, answer):
             if "room" in message:
                 _plan(program, message["room"], answer)
             else:
-                _step(program, message, answer)
+                if message["step"] > at:
+                    program.skip(message["step"] - at)
+                at = message["step"] + 1
+                _step(program, message, holds, answer)
     except Exception as error:
         words, line = error_of(error, path)
         answer({"error": words, "line": line} if line else {"error": words})
         return 1
 
 
-def _step(program, readings, answer):
+def _step(program, readings, holds, answer):
     left, right = program.step(readings)
     message = {"left": left, "right": right}
     if program.robot._events:
         message["events"] = program.robot._take()
     if program.is_done():
         message["done"] = True
+    elif holds:
+        steps = program.hold()
+        if steps:
+            message["hold"] = steps
     answer(message)
 
 

@@ -111,6 +111,15 @@ class Program:
         out = robot._out
         return whole(out[LEFT], robot.top_speed), whole(out[RIGHT], robot.top_speed)
 
+    def hold(self):
+        """For how many further steps the command surely stays, unless the robot gets blocked."""
+        return 0 if self.motion is None else self.motion.hold(self.robot)
+
+    def skip(self, steps):
+        """So many steps went by in such a time."""
+        if self.motion is not None:
+            self.motion.limit -= steps
+
     def is_done(self):
         return self.robot._out[DONE] != 0.0
 

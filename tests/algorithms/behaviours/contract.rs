@@ -152,7 +152,11 @@ fn everybody_is_found_by_id() {
 fn documentation_lists_all_behaviours() {
     let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/behaviours.md")).expect("it exists");
     let listed = page.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
-    assert_eq!(listed.collect::<Vec<_>>(), BEHAVIOURS.iter().map(|info| info.id).collect::<Vec<_>>());
+    assert_eq!(
+        listed.collect::<Vec<_>>(),
+        BEHAVIOURS.iter().map(|info| info.id).collect::<Vec<_>>(),
+        "rows of docs/behaviours.md, and behaviours in the order of `registry!`"
+    );
 }
 
 /// The DVR-1's bumper is narrow: in a corner it once felt only the nearer wall, beside it, and pushed for ever.

@@ -1,6 +1,7 @@
 //! Home by the beams.
 
 use super::support::{conditions, lay_out, lay_out_from, run, run_with};
+use coverage_planners::smooth::SmoothSetup;
 use rand::RngExt;
 use robovac_core::{
     coverage::with_objects,
@@ -14,7 +15,7 @@ use robovac_core::{
 use robovac_sim::{
     Conditions, Input, NoiseLevel, Run, RunSetup, World, berth,
     controller::{self, BehaviourInfo, Recharge},
-    experiment::planning::RoomSetup,
+    experiment::planning::{Driven, RoomSetup},
 };
 use std::sync::Arc;
 
@@ -124,11 +125,19 @@ fn every_furnished_room_has_a_dock_that_charges() {
 /// Lanes 0.4 m apart over the right half of the room, and a Roomba that follows them and recharges below `low` percent up
 /// to a little more.
 fn planned(start_charge_percent: u8, low: f64, level: NoiseLevel, seed: u64) -> (RoomSetup, Run) {
+    follows(false, start_charge_percent, low, level, seed)
+}
+
+/// The same, with its corners rounded if it `is_smooth`.
+fn follows(is_smooth: bool, start_charge_percent: u8, low: f64, level: NoiseLevel, seed: u64) -> (RoomSetup, Run) {
     let robot = model("roomba600").expect("it ships");
     let prepared = RoomSetup::new(&room_with_dock(), robot, 0.15, None).expect("it fits");
     let line = [(1.0, 1.5), (3.0, 1.5), (3.0, 1.1), (1.2, 1.1), (1.2, 0.6), (3.0, 0.6), (3.0, 1.8), (1.2, 1.8)];
     let line: Arc<[Point]> = line.map(|(x, y)| Point::new(x, y)).into();
-    let follower = prepared.follower(robot, &line, OdometryModel::Arc);
+    let rounded = is_smooth.then(|| prepared.smooth(&line, &SmoothSetup::default(), false).expect("it has two wheels"));
+    let smooth = rounded.map(|path| Arc::new(path.trajectory));
+    let driven = Driven { line: Arc::clone(&line), smooth };
+    let follower = driven.follower(robot, prepared.follower(robot, &line, OdometryModel::Arc));
     let docks = &prepared.world.docks;
     let recharge = Recharge::new(&follower, &prepared.floor, docks, seed).expect("it can dock").between(low, low + 2.0);
     let conditions = Conditions { start_charge_percent, ..conditions(level) };
@@ -139,7 +148,9 @@ fn planned(start_charge_percent: u8, low: f64, level: NoiseLevel, seed: u64) -> 
 #[test]
 fn a_planned_run_goes_home_is_charged_and_goes_on_where_it_stopped() {
     for seed in 0..4 {
-        let (_, mut run) = planned(50, 49.8, NoiseLevel::Typical, seed);
+        // With stops at its corners, and smoothly.
+        let is_smooth = seed % 2 == 1;
+        let (_, mut run) = follows(is_smooth, 50, 49.8, NoiseLevel::Typical, seed);
         assert!(step_until(&mut run, 2.0, |run| run.activity() == "driving back to its dock"), "it doesn't go home");
         let (left, corner) = (run.pose(), run.corner());
         assert!(step_until(&mut run, 5.0, |run| run.activity() == "charging"), "{seed}: it doesn't get home");

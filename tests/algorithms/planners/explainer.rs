@@ -37,11 +37,11 @@ fn planners_shine_and_fail_where_they_say() {
     // Several planners name the same rooms.
     let mut known: BTreeMap<(&str, &str), f64> = BTreeMap::new();
     for info in PLANNERS {
-        let [shines, fails] = {
+        let rooms = {
             let explainer = coverage_planners::explainer(info.id).expect("it is listed");
             [explainer.shines, explainer.fails]
-        }
-        .map(|example| {
+        };
+        let [shines, fails] = rooms.map(|example| {
             let job = job(example.room);
             let mut cost = |other: &PlannerInfo| -> f64 {
                 *known.entry((example.room, other.id)).or_insert_with(|| cost(other, &job))
@@ -54,7 +54,14 @@ fn planners_shine_and_fail_where_they_say() {
             own / fast.map(|other| cost(other)).fold(own, f64::min)
         });
         println!("{:20} {shines:.3} {fails:.3}", info.id);
-        assert!(shines < fails, "{}: {shines} times the best where it shines, {fails} times where it fails", info.id);
+        assert!(
+            shines < fails,
+            "{}: {shines:.3} times the best in {}, where it `shines`, and {fails:.3} times in {}, where it `fails`: choose \
+             other rooms",
+            info.id,
+            rooms[0].room,
+            rooms[1].room
+        );
     }
 }
 
@@ -74,5 +81,9 @@ fn documentation_lists_all_planners_and_their_claims() {
         let PlannerClaims { complete, deterministic, fast, .. } = info.claims;
         (info.id.to_owned(), vec![complete, deterministic, fast])
     });
-    assert_eq!(listed, claimed.collect::<Vec<_>>());
+    assert_eq!(
+        listed,
+        claimed.collect::<Vec<_>>(),
+        "rows of docs/planners.md, and planners in the order of `registry!`: id, then complete, deterministic, fast"
+    );
 }

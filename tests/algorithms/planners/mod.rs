@@ -10,4 +10,5 @@ mod papers;
 mod peers;
 mod printed_snake;
 mod properties;
+mod shown_search;
 mod support;

@@ -1,9 +1,11 @@
 // What must work in every browser: each tab does its main thing. Details are tested in Chromium.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { ROOT } from "../browser.mjs";
-import { reproduced, shown } from "./numbers.mjs";
+import { robovac } from "../serial/robot.mjs";
+import { programmed, reproduced, shown } from "./numbers.mjs";
 
 /** Waits for one of these states of the tab Explore. */
 const state = (page, ...states) => page.until((wanted) => wanted.includes(document.body.dataset.state ?? ""), states);
@@ -72,10 +74,15 @@ export const CHECKS = {
     assert.equal(line, "dotted", "that a word has a definition can be seen");
   },
 
-  "Program: a program in Python drives from its sandbox": async ({ page, url }) => {
+  "Program: a program in Python drives from its sandbox, as in Chromium and on the command line, to the last bit": async ({ page, url, inChromium }) => {
     await page.open(`${url}#room=empty&tab=program`);
     await page.until(() => document.getElementById("program-status")?.textContent.startsWith("Change a number"));
     await grows(page, "n-distance", 0.3);
+    const digest = await page.evaluate(programmed);
+    assert.match(digest, /^[\da-f]{16}$/);
+    assert.equal(digest, await inChromium("#room=empty", programmed));
+    const words = ["run", path.join(ROOT, "programs/examples/turn_when_you_bump.py"), "--room", "flat", "--seed", "42", "--slip", "typical", "--noise", "typical", "--minutes", "1", "--json"];
+    assert.equal(digest, JSON.parse(execFileSync(robovac(), words, { encoding: "utf8" })).runs[0].digest);
   },
 
   "Explore: plans by menus, plays by keys; a wall is drawn and undone, and a reload keeps it": async ({ page, url }) => {

@@ -27,3 +27,14 @@ export async function reproduced() {
   const words = new Uint32Array(curve.slice(0, 2 * points).buffer);
   return { view, points, hash: words.reduce((sum, word) => (Math.imul(sum, 31) + word) | 0, 0) };
 }
+
+/** A minute of an example in Python, in the sandbox: the digest of its simulation. */
+export async function programmed() {
+  const [{ default: init, Playground }, { work }] = await Promise.all(["page.js", "www/program/work.js"].map((name) => import(new URL(name, location.href).href)));
+  await init();
+  const playground = new Playground(document.createElement("canvas"));
+  playground.restore("room=flat&behaviour=bounce&robot=roomba600&seed=42&slip=typical&noise=typical");
+  const job = new TextEncoder().encode(JSON.stringify({ place: playground.snapshot(), inputs: [], version: 0 }));
+  const source = await (await fetch(new URL("programs/examples/turn_when_you_bump.py", location.href))).text();
+  return (await work({ program: { language: "python", source }, job, seconds: 60 })).digest;
+}

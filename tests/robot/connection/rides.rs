@@ -85,7 +85,7 @@ fn smooth_over_the_line(plan: &FloorPlan) -> [f64; 2] {
     wire.connect();
     wire.arm();
     let follower = prepared.follower(&robot, &planned.line, OdometryModel::Arc).carefully();
-    let controller = planned.driven().controller(&robot, follower);
+    let controller = Box::new(planned.driven().follower(&robot, follower));
     wire.link.ride(wire.now, "Smooth", controller, prepared.floor.start, true).unwrap();
     let mut farthest: f64 = 0.0;
     let took = wire.pass_until(1800.0, |wire| {

@@ -1,6 +1,7 @@
 // @ts-check
-// A program at work: step after step of its simulation, as far as the page has asked for.
-
+// A program at work for the page: what it asks for, and what it is told.
+import { cellsOf } from "./cells.js";
+import { Drive } from "./drive.js";
 import { refuseImports } from "./imports.js";
 import { Output } from "./output.js";
 
@@ -8,6 +9,8 @@ import { Output } from "./output.js";
  * @typedef {import("../types").ToWorker} ToWorker
  * @typedef {import("../types").FromWorker} FromWorker
  * @typedef {Extract<ToWorker, { type: "load" }>} Order
+ * @typedef {import("./drive.js").Runner} Runner
+ * @typedef {import("./drive.js").Program} Program
  * @typedef {object} Kit
  * @property {typeof import("../../../programs/javascript/runtime.js").load} load
  * @property {typeof import("@lezer/javascript").parser} parser
@@ -16,62 +19,62 @@ import { Output } from "./output.js";
  * @property {WebAssembly.Memory} memory
  * @property {typeof import("../../../program.js").ProgramRunner} ProgramRunner
  * @property {() => number} clock
- * @typedef {import("../../../program.js").ProgramRunner} Runner
- * @typedef {Awaited<ReturnType<Kit["load"]>>} Running
  */
 
 /** A slice, ms; the first ones are short, so that there is something to see at once. */
 const SLICE = 20;
 const FIRST_SLICE = 6;
-/** Steps between looks at the clock. */
-const BATCH = 16;
 /** Statements of a step, when lines are followed, after which it counts as endless. */
 const BUDGET = 2_000_000;
-/** Longest plan, twice its cells. */
-const MOST_CELLS = 4_000_000;
 
 export class Job {
   #kit;
   #order;
   #send;
-  #again;
+  #soon;
   /** @type {Runner | undefined} */
   #runner;
-  /** @type {Running | undefined} */
+  /** @type {Program | undefined} */
   #program;
-  #readings = new Float64Array();
+  /** @type {Drive | undefined} There once the program is loaded. */
+  #drive;
   #until = 0;
   #slices = 0;
   #isScheduled = false;
-  #isOver = false;
   #hasFailed = false;
   #output = new Output();
-  /** Asked for: the state at a step. */
-  #wanted = -1;
+  /** The page looks into it, at a step: nothing else is told. */
+  #inspects = false;
 
-  /** @param {Kit} kit @param {Order} order @param {(message: FromWorker, transfer?: Transferable[]) => void} send @param {() => void} again Calls `slice` soon. */
-  constructor(kit, order, send, again) {
+  /** @param {Kit} kit @param {Order} order @param {(message: FromWorker, transfer?: Transferable[]) => void} send @param {() => void} soon Calls `slice` soon. */
+  constructor(kit, order, send, soon) {
     this.#kit = kit;
     this.#order = order;
     this.#send = send;
-    this.#again = again;
+    this.#soon = soon;
   }
 
   async begin() {
     const { id, job, seed, facts, language, source, traced, breakpoints } = this.#order;
+    const { ProgramRunner, load, parser, micropython, allowText, memory, clock } = this.#kit;
+    this.close();
+    this.#hasFailed = false;
     try {
-      const runner = new this.#kit.ProgramRunner(job, seed);
+      const runner = new ProgramRunner(job, seed);
       this.#runner = runner;
-      const { load, parser, micropython, allowText } = this.#kit;
       if (language === "javascript") refuseImports(source, parser);
       allowText();
-      this.#program = await load({
+      const program = await load({
         language, source, traced, breakpoints, budget: traced ? BUDGET : undefined, seed: runner.seed(), parser, micropython,
         name: language === "python" ? "program.py" : "program.js",
         facts: JSON.parse(facts ?? runner.facts()),
-        layout: JSON.parse(this.#kit.ProgramRunner.layout()),
+        layout: JSON.parse(ProgramRunner.layout()),
+        begins: () => this.#send({ type: "begins", id, more: true }),
       });
-      this.#send({ type: "loaded", id, kind: this.#program.kind });
+      if (this.#runner !== runner) return;
+      this.#program = program;
+      this.#drive = new Drive(runner, program, memory, clock, this.#output);
+      this.#send({ type: "loaded", id, kind: program.kind });
     } catch (error) {
       this.#fail(error);
     }
@@ -79,99 +82,81 @@ export class Job {
 
   /** @param {ToWorker} message @returns {boolean} Whether an answer will come. */
   hear(message) {
-    if (message.type === "sense" && message.id === this.#order.id && this.#program && !this.#hasFailed) {
-      this.#answer(message.readings);
-      return true;
-    }
-    if (message.type === "plan" && message.id === this.#order.id && this.#program?.kind === "plan" && !this.#hasFailed) {
-      try {
-        this.#plan();
-      } catch (error) {
-        this.#fail(error);
-      }
-      return true;
-    }
-    if (message.type === "go" && message.id === this.#order.id && this.#program && !this.#hasFailed) {
+    const drive = this.#drive;
+    if (message.id !== this.#order.id || !drive) return false;
+    if (message.type === "go" && message.inspect) this.#visit(drive, message.until);
+    else if (this.#hasFailed) return false;
+    else if (message.type === "go") {
       this.#until = Math.max(message.until, this.#order.from + 1);
-      if (message.inspect) this.#wanted = message.until;
       this.#schedule();
-      return true;
-    }
-    return false;
+    } else if (message.type === "sense") this.#answer(message.readings);
+    else if (message.type === "plan" && this.#program?.kind === "plan") this.#plan();
+    else return false;
+    return true;
   }
 
   #schedule() {
-    if (this.#isScheduled || !this.#program) return;
+    if (this.#isScheduled || !this.#drive) return;
     this.#isScheduled = true;
-    this.#again();
+    this.#soon();
   }
 
   /** Runs for a while, then says how far it is. */
   slice() {
     this.#isScheduled = false;
-    const [runner, program] = [this.#runner, this.#program];
-    if (!runner || !program) return;
-    const { clock } = this.#kit;
-    const end = clock() + (this.#slices < 4 ? FIRST_SLICE : SLICE);
+    const [drive, { id, from }] = [this.#drive, this.#order];
+    if (!drive) return;
+    const end = this.#kit.clock() + (this.#slices < 4 ? FIRST_SLICE : SLICE);
     this.#slices += 1;
     try {
-      const { from } = this.#order;
-      const until = runner.steps() < from ? from : this.#until;
-      while (!this.#isOver && runner.steps() < until && clock() < end) {
-        for (let n = 0; n < BATCH && !this.#isOver && runner.steps() < until; n += 1) this.#step(runner, program);
-      }
-      if (runner.steps() <= from && from > 0 && !this.#isOver) {
+      const isBefore = drive.steps < from;
+      drive.advance(isBefore ? from : this.#until, end, this.#inspects);
+      if (isBefore && !drive.isOver) {
         // The page knows what is before.
-        runner.take_log();
+        this.#runner?.take_log();
         this.#output.flush();
-        this.#send({ type: "busy", id: this.#order.id, more: true });
+        this.#send({ type: "busy", id, more: true });
         return this.#schedule();
       }
     } catch (error) {
       return this.#fail(error);
     }
-    const more = !this.#isOver && runner.steps() < this.#until;
-    this.#report(more);
-    if (more) return this.#schedule();
-    if (this.#wanted >= 0) this.#inspect(runner.steps());
-  }
-
-  /** @param {Runner} runner @param {Running} program */
-  #step(runner, program) {
-    const goesOn = program.step(this.#sensed(runner));
-    if (program.output.length) this.#output.take(program.output, runner.steps());
-    if (!goesOn) {
-      runner.finish(false);
-      this.#isOver = true;
-    } else if (!runner.step(program.left, program.right)) this.#isOver = true;
-  }
-
-  /** The readings, where they are in memory. @param {Runner} runner */
-  #sensed(runner) {
-    if (this.#readings.length === 0) this.#readings = new Float64Array(this.#kit.memory.buffer, runner.readings_ptr(), runner.readings_len());
-    return this.#readings;
+    const more = !drive.isOver && drive.steps < this.#until;
+    if (!this.#inspects) this.#report(more);
+    else if (more) this.#send({ type: "busy", id, more });
+    else this.#inspect(drive);
+    if (more) this.#schedule();
   }
 
   /** @param {boolean} more */
   #report(more) {
-    const runner = /** @type {Runner} */ (this.#runner);
-    if (this.#order.isQuiet && more) return this.#send({ type: "busy", id: this.#order.id, more: true });
-    const log = this.#order.isQuiet ? runner.log() : runner.take_log();
+    const [runner, { id, isQuiet }] = [/** @type {Runner} */ (this.#runner), this.#order];
+    if (isQuiet && more) return this.#send({ type: "busy", id, more: true });
+    const log = isQuiet ? runner.log() : runner.take_log();
     const said = this.#output.flush();
-    const output = this.#order.isQuiet ? [] : said;
-    this.#send({ type: "ran", id: this.#order.id, log, steps: runner.steps(), output, isOver: this.#isOver, more: more || this.#wanted >= 0 }, [log.buffer]);
+    this.#send({ type: "ran", id, log, digest: more ? "" : runner.digest(), steps: runner.steps(), output: isQuiet ? [] : said, isOver: this.#drive?.isOver === true, more }, [log.buffer]);
   }
 
-  /** @param {number} step */
-  #inspect(step) {
-    this.#wanted = -1;
-    const program = /** @type {Running} */ (this.#program);
-    this.#send({ type: "state", id: this.#order.id, step, line: program.line, variables: program.variables().slice(0, 200) });
+  /** Goes to a step, forward or back, to look into it. @param {Drive} drive @param {number} step */
+  #visit(drive, step) {
+    this.#inspects = true;
+    this.#until = step;
+    const isBehind = this.#hasFailed || step < drive.steps;
+    if (isBehind && !drive.goBack(step)) return void this.begin().then(() => this.#schedule());
+    this.#hasFailed = false;
+    this.#schedule();
+  }
+
+  /** @param {Drive} drive */
+  #inspect({ steps }) {
+    this.#output.flush();
+    const program = /** @type {Program} */ (this.#program);
+    this.#send({ type: "state", id: this.#order.id, step: steps, line: program.line, variables: program.variables().slice(0, 200) });
   }
 
   /** A robot that isn't simulated asks. @param {Float64Array} readings */
   #answer(readings) {
-    const program = /** @type {Running} */ (this.#program);
+    const program = /** @type {Program} */ (this.#program);
     try {
       const isDone = !program.step(readings);
       program.output.length = 0;
@@ -182,38 +167,33 @@ export class Job {
   }
 
   #plan() {
-    const [runner, program] = [/** @type {Runner} */ (this.#runner), /** @type {Running} */ (this.#program)];
-    /** @type {number[]} */
-    const cells = [];
-    for (const [x, y] of program.plan(JSON.parse(runner.room()))) {
-      cells.push(x, y);
-      if (cells.length > MOST_CELLS) throw { message: `The plan has more than ${MOST_CELLS / 2} cells. Let it end.`, line: program.line };
+    const [runner, program] = [/** @type {Runner} */ (this.#runner), /** @type {Program} */ (this.#program)];
+    try {
+      const cells = cellsOf(program, runner.room());
+      this.#output.take(program.output, 0);
+      this.#send({ type: "planned", id: this.#order.id, cells, output: this.#output.flush() });
+    } catch (error) {
+      this.#fail(error);
     }
-    this.#output.take(program.output, 0);
-    this.#isOver = true;
-    this.#send({ type: "planned", id: this.#order.id, cells: new Uint32Array(cells), output: this.#output.flush() });
   }
 
   /** @param {unknown} error */
   #fail(error) {
-    const runner = this.#runner;
-    if (this.#isOver) return;
-    this.#isOver = this.#hasFailed = true;
+    if (this.#hasFailed) return;
+    this.#hasFailed = true;
     const { message, line, column } = /** @type {{ message?: unknown, line?: unknown, column?: unknown }} */ (Object(error));
-    const text = String(message ?? error).slice(0, 2000);
+    const [text, step] = [String(message ?? error).slice(0, 2000), this.#runner?.steps() ?? 0];
     try {
-      if (runner && this.#program) {
-        runner.finish(true);
-        this.#report(true);
-      }
+      this.#drive?.finish(true);
+      if (this.#drive && !this.#inspects) this.#report(true);
     } catch {
       // The simulation itself is broken; the message says it.
     }
-    this.#send({ type: "failed", id: this.#order.id, step: runner?.steps() ?? 0, message: text, line: Number(line) || 0, column: Number(column) || 0 });
+    this.#send({ type: "failed", id: this.#order.id, step, message: text, line: Number(line) || 0, column: Number(column) || 0 });
   }
 
   close() {
     this.#runner?.free();
-    this.#program = this.#runner = undefined;
+    this.#program = this.#runner = this.#drive = undefined;
   }
 }

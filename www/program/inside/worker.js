@@ -29,7 +29,7 @@ self.onmessage = ({ data, ports }) => {
   /** @type {Job | undefined} */
   let job;
   loop.port1.onmessage = () => void job?.slice();
-  port.onmessage = async (/** @type {MessageEvent<ToWorker>} */ { data: message }) => {
+  const hear = async (/** @type {ToWorker} */ message) => {
     heard += 1;
     if (message.type === "load") {
       job?.close();
@@ -37,6 +37,9 @@ self.onmessage = ({ data, ports }) => {
       await job.begin();
     } else if (!job?.hear(message)) send({ type: "busy", id: message.id });
   };
+  // What follows a load waits for it.
+  let turn = Promise.resolve();
+  port.onmessage = (/** @type {MessageEvent<ToWorker>} */ { data }) => void (turn = turn.then(() => hear(data)));
   const kit = { load, parser, micropython, memory, ProgramRunner, clock, allowText: harden() };
   send({ type: "ready" });
 };

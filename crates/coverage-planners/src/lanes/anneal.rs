@@ -20,6 +20,11 @@ use std::ops::ControlFlow;
 
 /// Temperatures at the begin and at the end, s.
 const TEMPERATURES: (f64, f64) = (1.0, 0.02);
+/// Moves for every metre that are worth another descent from the start, most descents, and the share of the search after
+/// which their number is fixed.
+const DESCENT: f64 = 30_000.0;
+const MOST_DESCENTS: f64 = 6.0;
+const FIXED: f64 = 0.01;
 /// Price of floor that isn't swept, s/m²: at first, and its limits.
 const PRICE: (f64, f64, f64) = (80.0, 20.0, 3000.0);
 /// Moves between two adjustments of the price, and at least between two updates of what is near what.
@@ -62,15 +67,29 @@ impl Search<'_> {
     }
 }
 
-/// Improves `points` until the effort is spent or the observer stops it; returns the best path that was measured.
+/// Whether a round of mending ends at `step`, the first when the effort is spent. `mending` keeps the moves of a round, and when
+/// the next one ends.
+fn ends_round(mending: &mut Option<(u64, u64)>, is_spent: bool, step: u64) -> bool {
+    let moves = match *mending {
+        None if is_spent => step / MENDING.1 + REPORT,
+        Some((moves, end)) if step >= end => moves,
+        _ => return false,
+    };
+    *mending = Some((moves, step + moves));
+    true
+}
+
+/// Improves the first of `starts` until the effort is spent or the observer stops it, and where there is time for more than one
+/// descent the others as well; returns the best path that was measured.
 pub(super) fn anneal(
     search: &Search<'_>,
-    raster: SweptRaster,
-    points: Vec<Point>,
+    raster: &SweptRaster,
+    starts: &[Vec<Point>],
     observer: LanesObserver<'_>,
 ) -> Vec<Point> {
     let Search { floor, setup, .. } = *search;
-    let mut best = search.measure(&points);
+    let Some(points) = starts.first() else { return Vec::new() };
+    let mut best = search.measure(points);
     let mut tell = |done: f64, best: &Measured| {
         observer(LanesProgress { done, path: &best.points, duration_s: best.seconds, coverage: best.coverage })
     };
@@ -83,9 +102,13 @@ pub(super) fn anneal(
     if points.is_empty() || total == 0 {
         return best.points;
     }
-    let points = if let [only] = points[..] { vec![only; 2] } else { points };
+    let begin = |start: usize| {
+        let points = &starts[start % starts.len()];
+        let points = if let [only] = points[..] { vec![only; 2] } else { points.clone() };
+        SweptPath::new(points, raster.clone(), search.space, search.times, search.heading)
+    };
     let mut walker = Walker {
-        path: SweptPath::new(points, raster, search.space, search.times, search.heading),
+        path: begin(0),
         nearby: Nearby::default(),
         rng: seeded(setup.seed, 0),
         radius: floor.tool_radius,
@@ -97,9 +120,9 @@ pub(super) fn anneal(
     let mut allowed = (1.0 - setup.coverage) * all;
     let mut candidate: Option<(f64, Vec<Point>)> = None;
     let (mut share, mut temperature, mut next_measure) = (0.0_f64, TEMPERATURES.0, MEASURE);
-    // Once the effort is spent: the moves of a round of mending, and when the next one ends.
     let mut mending: Option<(u64, u64)> = None;
     let mut rounds = 0;
+    let (mut descents, mut descent) = (None, 0.0);
     let mut next_rebuild = 0;
     for step in 0.. {
         if step % ADJUST == 0 {
@@ -115,20 +138,25 @@ pub(super) fn anneal(
                 ControlFlow::Continue(spent) => share = share.max(spent).max(step as f64 / total as f64).min(1.0),
                 ControlFlow::Break(()) => return best.points,
             }
-            temperature = TEMPERATURES.0 * math::exp(share * math::ln(TEMPERATURES.1 / TEMPERATURES.0));
+            if descents.is_none() && share >= FIXED {
+                let moves = step as f64 / share;
+                descents = Some((moves / (DESCENT * metres)).floor().clamp(1.0, MOST_DESCENTS));
+            }
+            let at = share * descents.unwrap_or(1.0);
+            if at.floor() > descent && share < 1.0 {
+                descent = at.floor();
+                if let Some((_, points)) = candidate.take() {
+                    let found = search.measure(&points);
+                    best = if found.value < best.value { found } else { best };
+                }
+                (walker.path, walker.price) = (begin(descent as usize), PRICE.0);
+                (seconds, allowed) = (walker.path.seconds(), (1.0 - setup.coverage) * all);
+                next_rebuild = step;
+                walker.nearby.rebuild(&walker.path.points);
+            }
+            temperature = TEMPERATURES.0 * math::exp((at - descent) * math::ln(TEMPERATURES.1 / TEMPERATURES.0));
         }
-        let ends_round = match mending {
-            None if share >= 1.0 => {
-                let moves = step / MENDING.1 + REPORT;
-                mending = Some((moves, step + moves));
-                true
-            }
-            Some((moves, end)) if step >= end => {
-                mending = Some((moves, step + moves));
-                true
-            }
-            _ => false,
-        };
+        let ends_round = ends_round(&mut mending, share >= 1.0, step);
         if ends_round || mending.is_none() && share >= next_measure {
             next_measure = share + MEASURE;
             let found = match candidate.take() {
@@ -181,26 +209,23 @@ impl Walker<'_> {
         let limit = -temperature * math::ln(1.0 - self.rng.random::<f64>());
         let seconds = self.path.seconds_by(&edit);
         let exchange = self.path.exchange(&edit);
-        if seconds > limit {
-            // It must sweep enough anew, of what is left and of what its new pieces can reach.
-            let reach = 2.0 * self.radius * exchange.new_length() + 0.03;
-            if seconds - limit > self.price * self.path.raster.unswept_area().min(reach) {
-                return 0.0;
-            }
+        // So much may be missed, if as much more is swept anew as there is to sweep.
+        let may_miss = (limit - seconds) / self.price;
+        if may_miss + self.path.raster.unswept_area() < 0.0 {
+            return 0.0;
+        }
+        let most = may_miss + self.path.could_win(&exchange);
+        if most < 0.0 {
+            return 0.0;
         }
         if !exchange.is_free(self.path.space) {
             return 0.0;
         }
-        let before = self.path.raster.unswept_area();
-        self.path.sweep(&exchange);
-        let missed = self.path.raster.unswept_area() - before;
-        if seconds + self.price * missed <= limit {
-            self.path.apply(&edit);
-            seconds
-        } else {
-            self.path.sweep(&exchange.back());
-            0.0
+        if self.path.missed_by(&exchange, most) > may_miss {
+            return 0.0;
         }
+        self.path.apply(&edit, &exchange);
+        seconds
     }
 
     /// Makes unswept floor dearer or cheaper, so that as much stays as is allowed, m²; `all` is the floor.

@@ -10,7 +10,7 @@
 //! 3. *Search*: simulated annealing (Kirkpatrick et al. 1983) of the finished line. Moves shift, delete and insert corners, shift
 //!    lanes, reach for floor that isn't swept, reverse parts of the path (2-opt, Croes 1958) and carry parts elsewhere (Or-opt,
 //!    Or 1976). The objective is the time that the robot takes, with stops and turns, plus a price for floor that isn't swept; the
-//!    price is adjusted until the required share is met.
+//!    price is adjusted until the required share is met. Small rooms leave time for several descents, from other first paths.
 //!
 //! The search counts what is swept on samples; what is reported is measured independently by [`swept_share`].
 
@@ -121,20 +121,19 @@ pub fn plan_lanes(
     let layout = Layout::new(floor, &space);
     let mut lattice = Lattice::new(floor, &space);
     let mut raster = SweptRaster::new(floor);
-    let mut best: Option<(f64, Vec<Point>)> = None;
+    let mut starts: Vec<(f64, Vec<Point>)> = Vec::new();
     for directions in [Directions::Both, Directions::First, Directions::Second] {
         cancelled(report(0.0))?;
         let path = order::in_order(&space, &mut lattice, start, &layout.lanes(&space, directions));
         // Lanes at full speed sweep so much; what is missed takes three times as long.
         let price = 3.0 / (robot.tool_width * robot.cruise_speed);
         let cost = times.path(&path, heading) + price * raster.left_by(&path);
-        if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-            best = Some((cost, path));
-        }
+        starts.push((cost, path));
     }
-    let first = best.map_or_else(|| vec![start], |(_, path)| path);
+    starts.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+    let starts: Vec<Vec<Point>> = starts.into_iter().map(|(_, path)| path).collect();
     let search = anneal::Search { floor, space: &space, times, heading, setup };
-    let path = anneal(&search, raster, first, observer);
+    let path = anneal(&search, &raster, &starts, observer);
     let coverage = swept_share(floor, &path);
     let (length_m, duration_s) = (cost::length(&path), times.path(&path, heading));
     Ok(LanesPlan {

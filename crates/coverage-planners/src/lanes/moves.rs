@@ -63,19 +63,9 @@ impl Exchange {
         &self.new.0[..self.new.1]
     }
 
-    /// Length of the new pieces, m.
-    pub fn new_length(&self) -> f64 {
-        self.added().iter().map(|(a, b)| (b - a).norm()).sum()
-    }
-
     /// Whether all new pieces keep off the obstacles.
     pub fn is_free(&self, space: &FreeSpace) -> bool {
         self.added().iter().all(|stroke| self.removed().contains(stroke) || space.is_free(stroke.0, stroke.1))
-    }
-
-    /// The same back.
-    pub fn back(self) -> Self {
-        Self { old: self.new, new: self.old }
     }
 }
 
@@ -242,27 +232,19 @@ impl<'a> SweptPath<'a> {
         Exchange { old, new }
     }
 
-    /// Counts the new strokes instead of the old ones.
-    pub fn sweep(&mut self, exchange: &Exchange) {
-        let (old, new) = (exchange.removed(), exchange.added());
-        if old.len() == new.len() && old.len() <= 3 {
-            for (&was, &is) in old.iter().zip(new) {
-                if was != is {
-                    self.raster.replace(was, is);
-                }
-            }
-            return;
-        }
-        for stroke in new.iter().filter(|stroke| !old.contains(stroke)) {
-            self.raster.add(stroke.0, stroke.1);
-        }
-        for stroke in old.iter().filter(|stroke| !new.contains(stroke)) {
-            self.raster.remove(stroke.0, stroke.1);
-        }
+    /// No more floor than this, m², does an exchange sweep anew.
+    pub fn could_win(&self, exchange: &Exchange) -> f64 {
+        self.raster.could_win(exchange.removed(), exchange.added())
     }
 
-    /// Makes a valid edit; its strokes have been counted.
-    pub fn apply(&mut self, edit: &Edit) {
+    /// How much more floor stays unswept after an exchange, m²; infinite if more than `most` is lost.
+    pub fn missed_by(&mut self, exchange: &Exchange, most: f64) -> f64 {
+        self.raster.missed_by(exchange.removed(), exchange.added(), most)
+    }
+
+    /// Makes a valid edit, and counts what it exchanges.
+    pub fn apply(&mut self, edit: &Edit, exchange: &Exchange) {
+        self.raster.exchange(exchange.removed(), exchange.added());
         match *edit {
             Edit::Splice { from, to, ref new } => {
                 self.points.splice(from + 1..to, new.slice().iter().copied());
@@ -358,8 +340,10 @@ mod tests {
             }
             let before = path.seconds();
             let by = path.seconds_by(&edit);
-            path.sweep(&path.exchange(&edit));
-            path.apply(&edit);
+            let exchange = path.exchange(&edit);
+            let left = path.raster.unswept_area() + path.missed_by(&exchange, 1e9);
+            path.apply(&edit, &exchange);
+            assert!((path.raster.unswept_area() - left).abs() < 1e-9, "{edit:?}");
             assert!((path.seconds() - before - by).abs() < 1e-9, "{edit:?}: {by} s, not {}", path.seconds() - before);
             let fresh = SweptPath::new(path.points.clone(), raster.clone(), &space, path.times, heading);
             assert_eq!(path.raster.unswept_area(), fresh.raster.unswept_area(), "{edit:?}");

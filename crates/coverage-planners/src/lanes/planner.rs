@@ -24,7 +24,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
         deterministic: false,
         fast: false,
         in_metres: true,
-        traces: false,
         search: Search::Limited { effort: "effort" },
     },
     params: &[

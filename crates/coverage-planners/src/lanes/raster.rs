@@ -12,6 +12,8 @@ use robovac_core::{
 const ANGLE: f64 = 0.417;
 /// Samples across the tool.
 const ACROSS: f64 = 10.0;
+/// Samples along a side of a block, as a power of two.
+const BLOCK: i32 = 4;
 /// Most samples.
 const MOST_SAMPLES: f64 = 12e6;
 
@@ -30,10 +32,15 @@ pub(super) struct SweptRaster {
     radius: f64,
     /// Strokes over each sample, modulo 256; those off the floor begin at 1.
     counts: Vec<u8>,
-    /// Number of samples with count 0.
+    /// Number of samples with count 0: all, and in each square block.
     unswept: i64,
+    blocks: Vec<u16>,
+    blocks_across: i32,
     /// Indices of the samples on the floor.
     floor: Vec<u32>,
+    /// Strokes of an exchange with +1 if new and -1 if old, and where they begin and end in a row; kept for their memory.
+    strokes: Vec<(Stroke, i32)>,
+    ends: Vec<(i32, i32)>,
 }
 
 /// The range of samples of a row that a stroke sweeps.
@@ -62,12 +69,19 @@ impl SweptRaster {
             radius: floor.tool_radius / spacing,
             counts: vec![1; (width * height) as usize],
             unswept: 0,
+            blocks: vec![0; (((width >> BLOCK) + 1) * ((height >> BLOCK) + 1)) as usize],
+            blocks_across: (width >> BLOCK) + 1,
             floor: Vec::new(),
+            strokes: Vec::new(),
+            ends: Vec::new(),
         };
         for index in 0..raster.counts.len() {
             if floor.floor.is_set(floor.cell_at(raster.sample(index))) {
                 raster.counts[index] = 0;
                 raster.floor.push(index as u32);
+                let (row, column) = (index as i32 / width, index as i32 % width);
+                let block = raster.block(row, column);
+                raster.blocks[block] += 1;
             }
         }
         raster.unswept = raster.floor.len() as i64;
@@ -116,7 +130,7 @@ impl SweptRaster {
         let stroke = self.stroke(a, b);
         for row in stroke.rows.0..stroke.rows.1 {
             let run = stroke.run(row, self.width);
-            self.change::<true>(row, run);
+            self.change(row, run, 1);
         }
     }
 
@@ -125,48 +139,137 @@ impl SweptRaster {
         let stroke = self.stroke(a, b);
         for row in stroke.rows.0..stroke.rows.1 {
             let run = stroke.run(row, self.width);
-            self.change::<false>(row, run);
+            self.change(row, run, -1);
         }
     }
 
-    /// Replaces a stroke by one nearby; only where they differ are samples visited.
-    pub fn replace(&mut self, old: (Point, Point), new: (Point, Point)) {
-        let (old, new) = (self.stroke(old.0, old.1), self.stroke(new.0, new.1));
-        for row in old.rows.0.min(new.rows.0)..old.rows.1.max(new.rows.1) {
-            let was = old.run_or_none(row, self.width);
-            let is = new.run_or_none(row, self.width);
-            if was.1 <= is.0 || is.1 <= was.0 {
-                self.change::<true>(row, is);
-                self.change::<false>(row, was);
-            } else {
-                self.change::<true>(row, (is.0, was.0));
-                self.change::<true>(row, (was.1, is.1));
-                self.change::<false>(row, (was.0, is.0));
-                self.change::<false>(row, (is.1, was.1));
+    /// How much more floor would stay unswept if the strokes `new` took the place of `old`, m²; infinite if more than `most`
+    /// is lost, whatever is won.
+    pub fn missed_by(&mut self, old: &[(Point, Point)], new: &[(Point, Point)], most: f64) -> f64 {
+        let area = self.spacing * self.spacing;
+        let (mut won, mut lost, most) = (0_u32, 0_u32, most / area);
+        let mut ends = std::mem::take(&mut self.ends);
+        let rows = self.begin_exchange(old, new);
+        for row in rows.0..rows.1 {
+            self.ends_in_row(row, &mut ends);
+            let line = &self.counts[(row * self.width) as usize..][..self.width as usize];
+            each_run(&ends, |(from, to), by| {
+                let run = &line[from as usize..to as usize];
+                // Nobody but the old strokes sweeps what they count alone.
+                let sought = if by < 0 { by.unsigned_abs() as u8 } else { 0 };
+                let found = run.iter().map(|&count| u32::from(count == sought)).sum::<u32>();
+                *if by < 0 { &mut lost } else { &mut won } += found;
+            });
+            if f64::from(lost) > most {
+                break;
             }
         }
+        self.ends = ends;
+        if f64::from(lost) > most { f64::INFINITY } else { (f64::from(lost) - f64::from(won)) * area }
+    }
+
+    /// No more floor than this, m², could the strokes `new` sweep anew, other than those that are among `old`.
+    pub fn could_win(&self, old: &[(Point, Point)], new: &[(Point, Point)]) -> f64 {
+        let mut samples = 0_u32;
+        for &(a, b) in new.iter().filter(|piece| !old.contains(piece)) {
+            let Stroke { low, high, rows, slope, radius, .. } = self.stroke(a, b);
+            let (left, right) = (low.x.min(high.x), low.x.max(high.x));
+            // A piece that nobody has checked can lie off the map.
+            if rows.0 >= rows.1 {
+                continue;
+            }
+            for block_row in rows.0 >> BLOCK..=(rows.1 - 1) >> BLOCK {
+                // The part of the segment that is no farther from these rows than the tool reaches.
+                let bottom = f64::from(block_row << BLOCK) - radius;
+                let top = f64::from((block_row + 1) << BLOCK) + radius;
+                let at = |y: f64| low.x + slope * (y.clamp(low.y, high.y) - low.y);
+                let (mut from, mut to) = (left, right);
+                if slope.is_finite() {
+                    let ends = (at(bottom), at(top));
+                    (from, to) = (ends.0.min(ends.1), ends.0.max(ends.1));
+                }
+                let first = math::floor(from - radius).clamp(0, self.width - 1) >> BLOCK;
+                let last = math::ceil(to + radius).clamp(0, self.width - 1) >> BLOCK;
+                let start = block_row * self.blocks_across;
+                let blocks = &self.blocks[(start + first) as usize..=(start + last) as usize];
+                samples += blocks.iter().map(|&count| u32::from(count)).sum::<u32>();
+            }
+        }
+        f64::from(samples) * self.spacing * self.spacing
     }
 
     #[inline]
-    fn change<const UP: bool>(&mut self, row: i32, (from, to): Run) {
-        if from >= to {
-            return;
+    fn block(&self, row: i32, column: i32) -> usize {
+        ((row >> BLOCK) * self.blocks_across + (column >> BLOCK)) as usize
+    }
+
+    /// Counts the strokes `new` instead of `old`; only where they differ are samples visited.
+    pub fn exchange(&mut self, old: &[(Point, Point)], new: &[(Point, Point)]) {
+        let mut ends = std::mem::take(&mut self.ends);
+        let rows = self.begin_exchange(old, new);
+        for row in rows.0..rows.1 {
+            self.ends_in_row(row, &mut ends);
+            each_run(&ends, |run, by| self.change(row, run, by));
         }
+        self.ends = ends;
+    }
+
+    /// Takes the strokes in which `old` and `new` differ; returns the rows that they meet.
+    fn begin_exchange(&mut self, old: &[(Point, Point)], new: &[(Point, Point)]) -> (i32, i32) {
+        let mut strokes = std::mem::take(&mut self.strokes);
+        strokes.clear();
+        for (these, others, by) in [(old, new, -1), (new, old, 1)] {
+            let different = these.iter().filter(|piece| !others.contains(piece));
+            strokes.extend(different.map(|&(a, b)| (self.stroke(a, b), by)));
+        }
+        let rows = strokes
+            .iter()
+            .fold((i32::MAX, i32::MIN), |rows, (stroke, _)| (rows.0.min(stroke.rows.0), rows.1.max(stroke.rows.1)));
+        self.strokes = strokes;
+        rows
+    }
+
+    /// Where the strokes of the exchange begin and end in a row, sorted, with the change of the count there.
+    #[inline]
+    fn ends_in_row(&self, row: i32, ends: &mut Vec<(i32, i32)>) {
+        ends.clear();
+        for (stroke, by) in &self.strokes {
+            if row < stroke.rows.0 || row >= stroke.rows.1 {
+                continue;
+            }
+            let (from, to) = stroke.run(row, self.width);
+            if from < to {
+                for end in [(from, *by), (to, -by)] {
+                    ends.push(end);
+                    let mut i = ends.len() - 1;
+                    while i > 0 && ends[i - 1].0 > end.0 {
+                        ends[i] = ends[i - 1];
+                        i -= 1;
+                    }
+                    ends[i] = end;
+                }
+            }
+        }
+    }
+
+    /// Adds to the counts of a run.
+    fn change(&mut self, row: i32, (from, to): Run, by: i32) {
         let start = (row * self.width) as usize;
-        let run = &mut self.counts[start + from as usize..start + to as usize];
-        let mut zeros = 0_u32;
-        if UP {
-            for count in run {
-                zeros += u32::from(*count == 0);
-                *count = count.wrapping_add(1);
+        let mut from = from;
+        while from < to {
+            let end = to.min(((from >> BLOCK) + 1) << BLOCK);
+            let (mut before, mut after) = (0_u16, 0_u16);
+            for count in &mut self.counts[start + from as usize..start + end as usize] {
+                before += u16::from(*count == 0);
+                *count = count.wrapping_add(by as u8);
+                after += u16::from(*count == 0);
             }
-            self.unswept -= i64::from(zeros);
-        } else {
-            for count in run {
-                *count = count.wrapping_sub(1);
-                zeros += u32::from(*count == 0);
+            if before != after {
+                let block = self.block(row, from);
+                self.blocks[block] = self.blocks[block] + after - before;
+                self.unswept += i64::from(after) - i64::from(before);
             }
-            self.unswept += i64::from(zeros);
+            from = end;
         }
     }
 
@@ -180,7 +283,20 @@ fn into_frame(turn: Vector, p: Point) -> Vector {
     Vector::new(turn.x * p.x + turn.y * p.y, turn.x * p.y - turn.y * p.x)
 }
 
+/// Calls `each` with every run between two ends in which the count changes, and by how much.
+#[inline]
+fn each_run(ends: &[(i32, i32)], mut each: impl FnMut(Run, i32)) {
+    let mut by = 0;
+    for pair in ends.windows(2) {
+        by += pair[0].1;
+        if by != 0 && pair[0].0 < pair[1].0 {
+            each((pair[0].0, pair[1].0), by);
+        }
+    }
+}
+
 /// A disc moved along a segment, in samples.
+#[derive(Debug, Clone)]
 struct Stroke {
     /// The lower and the upper end.
     low: Vector,
@@ -195,6 +311,9 @@ struct Stroke {
     inverse: Vector,
     /// Between these heights a row meets neither disc, only the two long sides.
     sides: (f64, f64),
+    /// There: columns from one row to the next, and half the width.
+    slope: f64,
+    half: f64,
 }
 
 impl Stroke {
@@ -205,12 +324,9 @@ impl Stroke {
         let length = (high - low).norm();
         let along = if length > 1e-9 { (high - low) / length } else { Vector::zeros() };
         let inverse = Vector::new(1.0 / along.x, 1.0 / along.y);
-        Self { low, high, radius, rows, along, length, inverse, sides: (low.y + radius, high.y - radius) }
-    }
-
-    #[inline]
-    fn run_or_none(&self, row: i32, width: i32) -> Run {
-        if row < self.rows.0 || row >= self.rows.1 { (0, 0) } else { self.run(row, width) }
+        let sides = (low.y + radius, high.y - radius);
+        let (slope, half) = (along.x * inverse.y, radius * inverse.y);
+        Self { low, high, radius, rows, along, length, inverse, sides, slope, half }
     }
 
     /// The samples of a row: convex, so the hull of what both discs and the rectangle between them sweep of it.
@@ -218,9 +334,8 @@ impl Stroke {
     fn run(&self, row: i32, width: i32) -> Run {
         let y = f64::from(row);
         if y > self.sides.0 && y < self.sides.1 {
-            let middle = self.low.x + self.along.x * (y - self.low.y) * self.inverse.y;
-            let half = self.radius * self.inverse.y;
-            return (math::ceil(middle - half).max(0), (math::floor(middle + half) + 1).min(width));
+            let middle = self.low.x + self.slope * (y - self.low.y);
+            return (math::ceil(middle - self.half).max(0), (math::floor(middle + self.half) + 1).min(width));
         }
         let (mut left, mut right) = (f64::MAX, f64::MIN);
         for end in [self.low, self.high] {
@@ -278,7 +393,16 @@ mod tests {
         for _ in 0..200 {
             let (a, b, c, d) = (at(), at(), at(), at());
             raster.add(a, b);
-            raster.replace((a, b), (c, d));
+            let could = raster.could_win(&[(a, b)], &[(c, d)]);
+            let lone = raster.unswept_area();
+            let missed = raster.missed_by(&[(a, b)], &[(c, d)], 1e9);
+            let before = raster.unswept_area();
+            raster.exchange(&[(a, b)], &[(c, d)]);
+            assert!((raster.unswept_area() - before - missed).abs() < 1e-9);
+            raster.add(a, b);
+            assert!(lone - raster.unswept_area() <= could + 1e-9);
+            raster.remove(a, b);
+            assert_eq!(raster.blocks.iter().map(|&count| i64::from(count)).sum::<i64>(), raster.unswept);
             let near = |p: Point| (nearest_on_segment(c, d, p) - p).norm() < floor.tool_radius;
             let left = raster.floor.iter().filter(|&&i| !near(raster.sample(i as usize))).count() as i64;
             // A sample at the very edge may be rounded either way.

@@ -243,10 +243,14 @@ mod tests {
     fn entries_are_told_apart_and_explained() {
         let ids: HashSet<_> = METRICS.iter().map(|m| m.id).collect();
         let labels: HashSet<_> = METRICS.iter().map(|m| m.label).collect();
-        assert_eq!((ids.len(), labels.len()), (METRICS.len(), METRICS.len()));
+        assert_eq!((ids.len(), labels.len()), (METRICS.len(), METRICS.len()), "two have the same id, or label");
         for metric in METRICS {
             let sentences = metric.definition.matches(['.', '!']).count();
-            assert!(metric.definition.ends_with('.') && sentences <= 2, "{}", metric.id);
+            assert!(
+                metric.definition.ends_with('.') && sentences <= 2,
+                "{}: `definition` must be one or two sentences; every full stop counts",
+                metric.id
+            );
         }
     }
 }

@@ -65,7 +65,6 @@ pub const INFO: PlannerInfo = PlannerInfo {
         deterministic: false,
         fast: false,
         in_metres: false,
-        traces: false,
         search: Search::Anytime { effort: "effort", turn: "turn" },
     },
     params: &[

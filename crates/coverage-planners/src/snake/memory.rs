@@ -161,26 +161,6 @@ impl SnakeMemory {
     }
 }
 
-/// The words for a movement in a direction.
-pub(super) fn name(direction: Direction) -> &'static str {
-    match direction {
-        Direction::Right => "to the right",
-        Direction::Up => "up",
-        Direction::Left => "to the left",
-        Direction::Down => "down",
-    }
-}
-
-/// The words for a place in a direction.
-pub(super) fn place(direction: Direction) -> &'static str {
-    match direction {
-        Direction::Right => "on the right",
-        Direction::Up => "above",
-        Direction::Left => "on the left",
-        Direction::Down => "below",
-    }
-}
-
 /// The program's test for the top and the left edge: whether line `line` of `lines` is nearer to the first.
 fn is_nearer_to_first_edge(line: i32, lines: i32) -> bool {
     line < lines - line

@@ -19,8 +19,8 @@
 //! The program ends where it calls `exit` or its last call returns. Here it also ends when all cells are visited, and
 //! where a robot could not follow: see [`Ending`].
 
-use super::memory::{BLOCKED, SEEN, SnakeMemory, name};
-use crate::{CoverageJob, CoveragePath, PlanContext, PlanError, Planner, THE_END, TraceStep};
+use super::memory::{BLOCKED, SEEN, SnakeMemory};
+use crate::{CoverageJob, CoveragePath, PlanContext, PlanError, Planner, THE_END, TraceStep, stage::going};
 use robovac_core::grid::{Cell, Direction, Grid};
 use std::fmt;
 
@@ -369,7 +369,7 @@ impl<'a, 'b> Program<'a, 'b> {
 
     fn turn_to_block(&mut self, side: Direction) -> Result<(), Stop> {
         let sides = self.memory.blocks(self.at, self.facing);
-        let note = format!("Left and right equal; the smaller block decides: {}", name(side));
+        let note = format!("Left and right equal; the smaller block decides: {}", going(side));
         self.facing = side;
         self.explain("Smaller block", side, &note);
         if let Some(step) = self.trace.as_mut().and_then(|steps| steps.last_mut()) {

@@ -1,10 +1,13 @@
 //! The planner by the rules of the text.
 
 use super::{
-    memory::{BLOCKED, SEEN, SnakeMemory, name, place},
+    memory::{BLOCKED, SEEN, SnakeMemory},
     walk::{SnakeMove, SnakeRule, SnakeStep, SnakeWalk},
 };
-use crate::{CoverageJob, CoveragePath, PlanContext, PlanError, Planner, TraceStep, stage::NearestGoalBfs};
+use crate::{
+    CoverageJob, CoveragePath, PlanContext, PlanError, Planner, TraceStep,
+    stage::{NearestGoalBfs, going, place},
+};
 use robovac_core::grid::{Cell, Direction};
 
 /// The planner with the rules of the text.
@@ -52,7 +55,7 @@ impl SnakeMemory {
     /// A step by the rules, for the trace.
     fn explain(&self, step: usize, at: Cell, facing: Direction, chosen: SnakeMove) -> TraceStep {
         let SnakeMove { rule, towards, .. } = chosen;
-        let to = name(towards);
+        let to = going(towards);
         let value = |side| match self.value(at.step(side)) {
             BLOCKED => "a wall".to_owned(),
             SEEN => "not cleaned".to_owned(),

@@ -4,6 +4,7 @@ use super::{
     cost::Costs,
     greedy_walk::{WalkRule, greedy_walk},
     shortcut::shortcut,
+    told::{Reasons, tell_walk},
     transit::Transit,
 };
 use crate::{CoverageJob, CoveragePath, PlanContext, PlanError};
@@ -22,6 +23,8 @@ pub(crate) struct BestOf<'j> {
     offered: usize,
     best: Vec<Cell>,
     cost: u64,
+    /// Number of the best walk.
+    winner: usize,
 }
 
 /// Share of the work on a walk that is done before its detours are cut.
@@ -32,7 +35,7 @@ impl<'j> BestOf<'j> {
     pub fn new(job: &'j CoverageJob, tries: usize) -> Self {
         let costs = Costs::of(job);
         let transit = Transit::new(&job.free, costs);
-        Self { job, costs, transit, tries, offered: 0, best: Vec::new(), cost: u64::MAX }
+        Self { job, costs, transit, tries, offered: 0, best: Vec::new(), cost: u64::MAX, winner: 0 }
     }
 
     /// Reports the share of the next walk that is made.
@@ -59,16 +62,22 @@ impl<'j> BestOf<'j> {
         shortcut(self.job, self.costs, &mut self.transit, &mut walk, |share| {
             ctx.checkpoint((offered + MADE + (1.0 - MADE) * share) / tries, best)
         })?;
-        self.offered += 1;
         let cost = self.costs.of_walk(self.job.heading, &walk);
         if cost < self.cost {
-            (self.best, self.cost) = (walk, cost);
+            (self.best, self.cost, self.winner) = (walk, cost, self.offered);
         }
+        self.offered += 1;
         Ok(())
     }
 
-    /// The cheapest walk.
-    pub fn finish(self) -> CoveragePath {
+    /// How many walks were offered before the cheapest.
+    pub fn winner(&self) -> usize {
+        self.winner
+    }
+
+    /// The cheapest walk, made by `reasons`.
+    pub fn finish(self, ctx: &mut PlanContext<'_>, reasons: &mut dyn Reasons) -> CoveragePath {
+        tell_walk(ctx, self.job, &self.best, reasons);
         CoveragePath::walk(self.best)
     }
 }

@@ -1,6 +1,9 @@
 //! Stage: a walk under construction, with the cells left to clean.
 
-use super::nearest_goal_bfs::NearestGoalBfs;
+use super::{
+    nearest_goal_bfs::NearestGoalBfs,
+    told::{Reasons, tell_walk},
+};
 use crate::{CoverageJob, CoveragePath, PlanContext, PlanError};
 use robovac_core::grid::{Cell, Direction, Grid};
 
@@ -113,6 +116,11 @@ impl<'j> CoverageProgress<'j> {
         }
         self.next_report = self.walk.len() + REPORT_EVERY;
         ctx.checkpoint(1.0 - self.left_count as f64 / self.cells as f64, &self.walk)
+    }
+
+    /// Traces the walk, made by `reasons`.
+    pub(crate) fn tell(&self, ctx: &mut PlanContext<'_>, reasons: &mut dyn Reasons) {
+        tell_walk(ctx, self.job, &self.walk, reasons);
     }
 
     /// The walk.

@@ -4,6 +4,7 @@ use super::{
     best_of::{BestOf, MAX_CELLS_FOR_ALL},
     frame::FramedGrid,
     greedy_walk::{FloorLeft, WalkRule},
+    told::Reasons,
 };
 use crate::{CoverageJob, CoveragePath, PlanContext, PlanError};
 use robovac_core::{
@@ -92,6 +93,17 @@ fn transform(free: &Grid<bool>, goal: Cell, cost: &dyn Fn(usize) -> u32, dearest
 struct Descent {
     /// The transform, by the frame's numbers.
     values: Vec<u32>,
+    frame: FramedGrid,
+}
+
+impl Reasons for Descent {
+    fn values(&self, at: Cell, _heading: Direction, open: &[Direction]) -> Vec<u32> {
+        open.iter().map(|&look| self.values[self.frame.index(at.step(look))] / STEP).collect()
+    }
+
+    fn rule(&self, _at: Cell, _heading: Direction, _towards: Direction) -> &'static str {
+        "Farthest from the goal"
+    }
 }
 
 impl WalkRule for Descent {
@@ -172,11 +184,12 @@ pub(crate) fn cover(
         }
     };
     let mut best_of = BestOf::new(job, goals.len());
-    for goal in goals {
-        let mut rule = Descent { values: transform(&job.free, goal, cost, dearest) };
-        best_of.greedy_walk(ctx, &mut rule)?;
+    let descent = |goal| Descent { values: transform(&job.free, goal, cost, dearest), frame };
+    for &goal in &goals {
+        best_of.greedy_walk(ctx, &mut descent(goal))?;
     }
-    Ok(best_of.finish())
+    let mut winner = descent(goals[best_of.winner()]);
+    Ok(best_of.finish(ctx, &mut winner))
 }
 
 /// The first cell of the highest value; `None` if all are 0.
@@ -216,7 +229,7 @@ mod tests {
         let walk = greedy_walk(
             &job,
             &mut Transit::new(&free, Costs::of(&job)),
-            &mut Descent { values: values.clone() },
+            &mut Descent { values: values.clone(), frame },
             &mut |_, _| Ok(()),
         )
         .unwrap();

@@ -202,8 +202,10 @@ pub struct SearchView {
     pub on: bool,
     /// The current decision, or the film's caption; empty for none.
     pub text: String,
-    /// Why it can't be shown in this room; empty if it can.
+    /// Why it can't be shown; empty if it can.
     pub refusal: String,
+    /// Whether it could in a smaller room.
+    pub fits_small: bool,
     /// The film, if there is one and it is shown.
     pub film: Option<FilmView>,
 }

@@ -3,7 +3,7 @@
 use super::protocol::{Reply, Words};
 use std::{
     io::{BufRead, BufReader, Read, Write},
-    process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio},
+    process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus, Stdio},
     sync::{
         Arc, Mutex, PoisonError,
         atomic::{AtomicBool, AtomicU64, Ordering},
@@ -16,6 +16,10 @@ use std::{
 /// Time in which a program answers a step, and in which it starts. An interpreter on a busy machine takes its time.
 const STEP_LIMIT: Duration = Duration::from_secs(1);
 const START_LIMIT: Duration = Duration::from_secs(15);
+/// How many times as long it may take by the clock, where the program's own time can be told: others may be busy here, too.
+const PATIENCE: u32 = 4;
+/// Exit code of a program that has used up its processor time: 128 and the signal's number, as a shell says it.
+const CPU_CODE: i32 = 128 + 24;
 /// Time for a plan.
 const PLAN_LIMIT: Duration = Duration::from_mins(1);
 /// How often the times are looked at.
@@ -149,26 +153,30 @@ impl ProgramProcess {
 
     /// What the program wrote to its error output last, behind `what` happened.
     fn last_words(&mut self, what: &str) -> String {
-        self.end();
+        let status = self.end();
+        if status.is_some_and(is_out_of_time) {
+            return "the program used up its processor time; end its loops, or compute less in each step".to_owned();
+        }
         // Something that it started elsewhere can hold its error output open.
         let errors = self.errors.recv_timeout(FAREWELL).unwrap_or_default();
         let text = Words::of(&errors);
         if text.is_empty() { format!("the program {what}") } else { format!("the program {what}:\n{text}") }
     }
 
-    /// Ends it: kindly at first.
-    fn end(&mut self) {
+    /// Ends it: kindly at first. How it has ended, if by itself.
+    fn end(&mut self) -> Option<ExitStatus> {
         // An end of its input is how it learns that the run is over.
         self.input = None;
         let begin = Instant::now();
         while begin.elapsed() < FAREWELL {
             let ended = self.child.lock().unwrap_or_else(PoisonError::into_inner).try_wait();
             if !matches!(ended, Ok(None)) {
-                break;
+                return ended.ok().flatten();
             }
             thread::sleep(Duration::from_millis(1));
         }
         kill(&self.child);
+        None
     }
 }
 
@@ -191,9 +199,19 @@ impl Watch {
 
     /// Kills the child when it is late, or when the program is to end.
     fn keep(&self, child: &Mutex<Child>, end: &AtomicBool) {
+        let pid = child.lock().unwrap_or_else(PoisonError::into_inner).id();
+        let (mut known, mut asked, mut used) = (0, Duration::ZERO, None);
         while !self.is_over.load(Ordering::Relaxed) {
             let due = self.due.load(Ordering::Relaxed);
-            let is_late = due > 0 && self.began.elapsed().as_millis() as u64 > due;
+            let now = self.began.elapsed();
+            if due != known {
+                (known, asked, used) = (due, now, processor_time(pid));
+            }
+            let limit = Duration::from_millis(due).saturating_sub(asked);
+            let is_due = due > 0 && now.as_millis() as u64 > due;
+            // What it has used itself counts, and the clock for one that sleeps.
+            let own = used.and_then(|used| processor_time(pid).filter(|_| is_due).map(|now| now.saturating_sub(used)));
+            let is_late = is_due && own.is_none_or(|own| own >= limit || now.saturating_sub(asked) > PATIENCE * limit);
             if is_late || end.load(Ordering::Relaxed) {
                 self.was_late.store(is_late, Ordering::Relaxed);
                 kill(child);
@@ -202,6 +220,33 @@ impl Watch {
             thread::park_timeout(LOOK);
         }
     }
+}
+
+/// Processor time of a process and of all that it has started, where the system tells it.
+#[cfg(target_os = "linux")]
+fn processor_time(pid: u32) -> Option<Duration> {
+    // Ticks of 10 ms: the kernel's unit for programs, whatever its own.
+    let stat = std::fs::read_to_string(format!("/proc/{pid}/stat")).ok()?;
+    let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
+    let ticks = |at: usize| fields.get(at)?.parse::<u64>().ok();
+    let own = Duration::from_millis(10 * (ticks(11)? + ticks(12)?));
+    let children = std::fs::read_to_string(format!("/proc/{pid}/task/{pid}/children")).unwrap_or_default();
+    let started = children.split_whitespace().filter_map(|child| processor_time(child.parse().ok()?));
+    Some(started.fold(own, |sum, time| sum + time))
+}
+
+#[cfg(not(target_os = "linux"))]
+fn processor_time(_: u32) -> Option<Duration> {
+    None
+}
+
+/// Whether a program was ended by the limit of its processor time.
+fn is_out_of_time(status: ExitStatus) -> bool {
+    #[cfg(unix)]
+    if std::os::unix::process::ExitStatusExt::signal(&status) == Some(CPU_CODE - 128) {
+        return true;
+    }
+    status.code() == Some(CPU_CODE)
 }
 
 impl Task {

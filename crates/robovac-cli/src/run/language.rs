@@ -2,6 +2,7 @@
 
 use super::runtimes::{JAVASCRIPT, PYTHON};
 use crate::failure::Failure;
+use robovac_core::program::ProgramLanguage;
 use std::{
     fs, io,
     path::{Path, PathBuf},
@@ -13,7 +14,7 @@ pub struct Language {
     words: Vec<String>,
     variables: Vec<(&'static str, PathBuf)>,
     /// Where the runtime is, until the end.
-    _folder: Option<Folder>,
+    folder: Option<Folder>,
 }
 
 /// A folder of its own that goes with the program.
@@ -29,7 +30,7 @@ impl Language {
                 return Err(Failure::usage("--command is empty; name a program, e.g. --command ./client".to_owned()));
             }
             words.push(file);
-            return Ok(Self { words, variables: Vec::new(), _folder: None });
+            return Ok(Self { words, variables: Vec::new(), folder: None });
         }
         let ending = program.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
         match &*ending {
@@ -37,15 +38,15 @@ impl Language {
                 let folder = Folder::with(PYTHON)?;
                 let python = if cfg!(windows) { "python" } else { "python3" };
                 Ok(Self {
-                    words: [python, "-u", "-m", "robovac_program", &file].map(str::to_owned).to_vec(),
+                    words: [python, "-u", "-B", "-m", "robovac_program", &file].map(str::to_owned).to_vec(),
                     variables: vec![("PYTHONPATH", folder.0.join("python"))],
-                    _folder: Some(folder),
+                    folder: Some(folder),
                 })
             }
             "js" | "mjs" => {
                 let folder = Folder::with(JAVASCRIPT)?;
                 let runner = folder.0.join("javascript").join("node.js").to_string_lossy().into_owned();
-                Ok(Self { words: vec!["node".to_owned(), runner, file], variables: Vec::new(), _folder: Some(folder) })
+                Ok(Self { words: vec!["node".to_owned(), runner, file], variables: Vec::new(), folder: Some(folder) })
             }
             _ => Err(Failure::usage(format!(
                 "{file} ends neither in .py nor in .js; say with --command what runs it, e.g. --command ./client"
@@ -53,11 +54,41 @@ impl Language {
         }
     }
 
+    /// For the text of a program, which is kept in a file for as long as this.
+    pub fn of_text(language: ProgramLanguage, source: &str) -> Result<Self, Failure> {
+        let name = match language {
+            ProgramLanguage::Python => "program.py",
+            ProgramLanguage::JavaScript => "program.js",
+        };
+        let mut found = Self::of(Path::new(name), None)?;
+        if let (Some(folder), Some(file)) = (&found.folder, found.words.last_mut()) {
+            let path = folder.0.join(name);
+            fs::write(&path, source).map_err(|error| Failure::io(path.display(), &error))?;
+            *file = path.to_string_lossy().into_owned();
+        }
+        Ok(found)
+    }
+
+    /// The interpreter and its arguments.
+    pub fn words(&self) -> &[String] {
+        &self.words
+    }
+
+    /// Variables of its environment.
+    pub fn variables(&self) -> impl Iterator<Item = (&str, &Path)> {
+        self.variables.iter().map(|(key, value)| (*key, value.as_path()))
+    }
+
+    /// The folder with all that the program needs; none for a command of the user's own.
+    pub fn folder(&self) -> Option<&Path> {
+        self.folder.as_ref().map(|folder| folder.0.as_path())
+    }
+
     /// The command, to be started.
     pub fn command(&self) -> Command {
         let mut words = self.words.iter();
         let mut command = Command::new(words.next().map_or("", String::as_str));
-        command.args(words).envs(self.variables.iter().map(|(key, value)| (key, value)));
+        command.args(words).envs(self.variables());
         command
     }
 }

@@ -20,6 +20,9 @@ pub struct Reply {
     pub right: Option<f64>,
     /// Whether it has nothing left to do.
     pub done: bool,
+    /// For how many steps after the next one the speeds stay as they are, unless contact with a thing or with the floor
+    /// changes before: bumper, cliff sensors, wheel drops. So a motion doesn't need an answer for every step.
+    pub hold: u32,
     /// What it printed.
     pub print: Vec<String>,
     /// Cells of a plan.

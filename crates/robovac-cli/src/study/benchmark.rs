@@ -200,8 +200,11 @@ fn markdown(groups: &[Group], command: &str) -> String {
             columns.push((*rooms, conditions.as_str()));
         }
     }
-    let heads: String = columns.iter().map(|(rooms, conditions)| format!(" {rooms}, {conditions} |")).collect();
-    let mut text = format!("| algorithm |{heads} runs without results |\n|---|{}--:|\n", "--:|".repeat(columns.len()));
+    let mut text = "| algorithm |".to_owned();
+    for (rooms, conditions) in &columns {
+        let _ = write!(text, " {rooms}, {conditions} |");
+    }
+    let _ = writeln!(text, " runs without results |\n|---|{}--:|", "--:|".repeat(columns.len()));
     for name in names {
         let its = || groups.iter().filter(move |group| group.algorithm == name);
         let _ = write!(text, "| `{name}` |");

@@ -3,7 +3,11 @@
 
 use coverage_planners::{PLANNERS, metrics::METRICS};
 use robovac_app::explore::Session;
-use robovac_core::{floor_plan::ROOMS, robot::MODELS};
+use robovac_core::{
+    floor_plan::ROOMS,
+    geometry::{MetricPath, Point},
+    robot::MODELS,
+};
 use robovac_sim::controller::BEHAVIOURS;
 use serde_json::Value;
 use std::{
@@ -191,6 +195,33 @@ fn run_is_the_one_that_the_page_shows() {
     let digest = format!("{:016x}", session.recording().unwrap().run().digest());
     let base = ["--room", "room12ft", "--planner", "boustrophedon", "--slip", "typical", "--seed", "3"];
     assert_eq!(simulated(&[&base[..], &["--max-time", "90"]].concat())["digest"], digest);
+}
+
+#[test]
+fn a_scenario_of_the_page_runs_with_its_own_robot_and_path() {
+    let corners = [[1.0, 1.0], [2.0, 1.0], [2.0, 1.5], [1.0, 1.5]].map(|[x, y]| Point::new(x, y));
+    let path = MetricPath::new(&corners).unwrap();
+    let mut name = String::new();
+    for (link, corners) in [
+        (
+            format!("room=empty&robot=roomba600&own=radius:0.15,tool:0.2,speed:0.25&slip=typical&seed=3&path={path}"),
+            Some(4),
+        ),
+        ("room=empty&behaviour=bounce&p.angle=120&noise.bumper=typical&seed=5".to_owned(), None),
+    ] {
+        let mut session = Session::new();
+        session.restore(&link).unwrap();
+        session.run_ahead(20.0);
+        let digest = format!("{:016x}", session.recording().unwrap().run().digest());
+        name = file("scenario/run.json", session.scenario_json().as_bytes());
+        let report = simulated(&["--map", &name, "--max-time", "20"]);
+        assert_eq!(report["digest"], digest, "{link}");
+        assert_eq!(report["path_corners"].as_u64(), corners, "{link}");
+    }
+    let (code, message) = failure(&["simulate", "--map", &name, "--robot", "dvr1"]);
+    assert!(code == 2 && message.contains("the scenario has these"), "{message}");
+    let (code, message) = failure(&["simulate", "--room", "empty"]);
+    assert!(code == 2 && message.contains("--planner or --behaviour"), "{message}");
 }
 
 #[test]

@@ -88,3 +88,136 @@ fn faults_of_lessons_and_seeds_name_place_and_mend() {
     let (code, _, error) = grade(&[&lesson, &ada, "--seeds-file", &seeds]);
     assert!(code == 2 && error.contains("line 2: \"x\" isn't a seed"), "{error}");
 }
+
+const HOSTILE: &str = "# Hostile\n\n```lesson\nid: hostile\n```\n\n```goal\nid: drive\nin: room=thesis8&robot=roomba600&behaviour=bounce\nchange: program\nruns: 2\nminutes: 1\nneed: median coverage >= 5 %\n```\n";
+
+/// An answer by a program in Python.
+fn by_program(lesson: &str, goal: &str, link: &str, name: &str, source: &str) -> Value {
+    let program = json!({ "name": "p", "language": "python", "kind": "behaviour", "source": source });
+    json!({ "robovac_answer": 1, "lesson": lesson, "name": name, "goals": { goal: { "link": link, "program": program } } })
+}
+
+/// Whether programs of strangers can be kept in here; else what `robovac grade` says must name it, and the mend.
+fn has_walls(errors: &str, code: i32) -> bool {
+    let refused = errors.contains("can't be kept from your files and the network");
+    assert!(
+        !refused || code == 1 && errors.contains("apt install bubblewrap") && errors.contains("--unconfined"),
+        "{errors}"
+    );
+    !refused
+}
+
+// slow: a step and a start without end have a second and 15 s of their own time; memory and processes are refused at once
+#[test]
+fn hostile_programs_fail_with_their_cause_and_the_others_are_graded_all_the_same() {
+    let secret = file("secret.txt", "nobody reads this");
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    listener.set_nonblocking(true).unwrap();
+    let port = listener.local_addr().unwrap().port();
+    let good = "def run(robot):\n    while True:\n        yield robot.forward(9)\n        yield robot.turn(130)\n";
+    let js = "function* run(robot) { for (;;) { yield robot.forward(9); yield robot.turn(130); } }";
+    let answers = [
+        ("loop", "def step(robot):\n    while True: pass\n".to_owned(), "a step took more than 1 s"),
+        ("memory", "def step(robot):\n    kept = bytearray(4 << 30)\n".to_owned(), "line 2: MemoryError"),
+        ("file", format!("def step(robot):\n    open({secret:?}).read()\n"), "line 2: FileNotFoundError"),
+        ("write", "def step(robot):\n    open('/tmp/x', 'w')\n".to_owned(), "line 2: FileNotFoundError"),
+        (
+            "socket",
+            format!("import socket\ndef step(robot):\n    socket.create_connection(('127.0.0.1', {port}))\n"),
+            "line 3: PermissionError",
+        ),
+        ("fork", "import os\ndef step(robot):\n    while True: os.fork()\n".to_owned(), "line 3: PermissionError"),
+        (
+            "shell",
+            "import subprocess\ndef step(robot):\n    subprocess.run(['/bin/ls'])\n".to_owned(),
+            "line 3: PermissionError",
+        ),
+        (
+            "secrets",
+            "import os\ndef step(robot):\n    raise KeyError(str(len(os.environ.get('HOME', ''))))\n".to_owned(),
+            "KeyError: '0'",
+        ),
+        ("good", good.to_owned(), ""),
+    ];
+    let lesson = file("hostile.md", HOSTILE);
+    let link = "room=thesis8&robot=roomba600&behaviour=program";
+    let mut files: Vec<String> = answers
+        .iter()
+        .map(|(name, source, _)| {
+            file(&format!("hostile-{name}.json"), &by_program("hostile", "drive", link, name, source).to_string())
+        })
+        .collect();
+    let mut other = by_program("hostile", "drive", link, "node", js);
+    other["goals"]["drive"]["program"]["language"] = json!("javascript");
+    files.push(file("hostile-node.json", &other.to_string()));
+    let none =
+        json!({ "robovac_answer": 1, "lesson": "hostile", "name": "none", "goals": { "drive": { "link": link } } });
+    files.push(file("hostile-none.json", &none.to_string()));
+    let all: Vec<&str> = std::iter::once(&lesson).chain(&files).map(String::as_str).collect();
+    let (code, text, errors) = grade(&[&all[..], &["--json"]].concat());
+    if !has_walls(&errors, code) {
+        return;
+    }
+    assert_eq!((code, errors.as_str()), (0, "programs run without files, network and other processes (bubblewrap)\n"));
+    let marks: Vec<Value> = serde_json::from_str(&text).unwrap();
+    for ((name, _, cause), mark) in answers.iter().zip(&marks) {
+        let fault = mark["goals"][0]["fault"].as_str().unwrap();
+        assert_eq!((mark["passed"].as_bool(), mark["name"].as_str()), (Some(cause.is_empty()), Some(*name)), "{mark}");
+        assert!(
+            fault.contains(cause) && (cause.is_empty() || fault.starts_with("seed 1: at 0.00 s: ")),
+            "{name}: {fault}"
+        );
+    }
+    assert_eq!(marks[9]["passed"], json!(true), "in JavaScript: {}", marks[9]);
+    assert!(marks[10]["goals"][0]["fault"].as_str().unwrap().contains("has none"), "{}", marks[10]);
+    assert!(listener.accept().is_err(), "somebody has reached the network");
+}
+
+/// The first program of a lesson: what learners start from.
+fn starter(text: &str) -> String {
+    text.split("```code python\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap().to_owned()
+}
+
+/// Programs of the answer files pass, and those that learners start from miss, with `runs` of the lesson's seeds.
+fn programs_pass_and_starters_miss(runs: u64) {
+    let lessons = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../lessons"));
+    let mut seen = 0;
+    for entry in fs::read_dir(lessons.join("answers")).unwrap() {
+        let path = entry.unwrap().path();
+        let mut answer: Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+        if answer["goals"].as_object().unwrap().values().all(|goal| goal["program"].is_null()) {
+            continue;
+        }
+        seen += 1;
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let lesson = lessons.join(format!("{name}.md"));
+        let seeds =
+            file(&format!("{name}-seeds.txt"), &(1..=runs).map(|seed| seed.to_string()).collect::<Vec<_>>().join("\n"));
+        let start = starter(&fs::read_to_string(&lesson).unwrap());
+        let good = file(&format!("{name}-good.json"), &answer.to_string());
+        for goal in answer["goals"].as_object_mut().unwrap().values_mut() {
+            goal["program"]["source"] = json!(start);
+        }
+        let begun = file(&format!("{name}-start.json"), &answer.to_string());
+        let (code, text, errors) =
+            grade(&[&lesson.to_string_lossy(), &good, &begun, "--json", "--unconfined", "--seeds-file", &seeds]);
+        assert_eq!(code, 0, "{errors}");
+        let marks: Vec<Value> = serde_json::from_str(&text).unwrap();
+        assert_eq!(marks[0]["passed"], json!(true), "{name}: {:#}", marks[0]["goals"]);
+        let verdict = &marks[1]["goals"][0]["verdict"];
+        assert_eq!(verdict["passed"], json!(false), "{name}: what learners start from: {verdict:#}");
+    }
+    assert_eq!(seen, 2, "lessons whose goals are reached by programs");
+}
+
+// slow: two runs of ten minutes of two programs in each of two lessons
+#[test]
+fn programs_of_the_lessons_answers_pass_and_those_that_they_start_from_miss() {
+    programs_pass_and_starters_miss(2);
+}
+
+#[test]
+#[ignore = "soak: all runs"]
+fn programs_pass_and_starters_miss_with_all_seeds() {
+    programs_pass_and_starters_miss(10);
+}

@@ -108,7 +108,7 @@ fn faults_of_a_program_are_told() {
     assert!(message.contains("\"no-such-interpreter\" isn't installed"), "{message}");
 }
 
-// slow: a second is the limit of a step
+// slow: a program that sleeps has four seconds for a step
 #[test]
 fn an_endless_step_is_ended_with_all_that_it_started() {
     let pid = file("pid", "");
@@ -205,4 +205,32 @@ fn a_program_that_hangs_is_ended_and_its_robot_stopped_before() {
     // The wheels were stopped 200 ms after the last answer, 800 ms before the program was ended.
     let since = state["time_s"].as_f64().unwrap() - state["last_motion_s"].as_f64().unwrap();
     assert!(since > 0.6, "{since} s: {state}");
+}
+
+#[test]
+fn a_kept_command_saves_questions_and_changes_no_bit() {
+    let package = concat!(env!("CARGO_MANIFEST_DIR"), "/../../programs/python");
+    // The client of `robovac run`; with `offer` as the host's word for what it offers.
+    let client = |name: &str, offer: &str| {
+        let text = format!(
+            "import sys\nsys.path.insert(0, {package:?})\nfrom robovac_program import native\nasked = 0\n\
+             def read():\n    global asked\n    asked += 1\n    return sys.__stdin__.readline().replace('\"holds\"', '\"{offer}\"')\n\
+             def write(text):\n    sys.__stdout__.write(text)\n    sys.__stdout__.flush()\n\
+             try:\n    native.serve(sys.argv[1], read, write)\nfinally:\n    open(sys.argv[0] + '.asked', 'w').write(str(asked))\n"
+        );
+        file(name, &text)
+    };
+    let moves = "def run(robot):\n    while True:\n        yield robot.forward(0.7, 0.4)\n        yield robot.turn(robot.choice([1, -1]) * robot.randint(20, 180))\n        yield robot.arc(0.3, -200)\n        yield robot.wait(0.5)\n        yield robot.forward(-0.2)\n";
+    let program = file("moves.py", moves);
+    for slip in ["none", "harsh"] {
+        let [kept, each] = [("keeps.py", "holds"), ("asks.py", "no")].map(|(name, offer)| {
+            let client = client(name, offer);
+            let more = ["--json", "--minutes", "3", "--slip", slip, "--noise", "harsh"];
+            let report = report(&run(&program, &format!("python3 -B {}", client.display()), &more));
+            let asked: u32 = fs::read_to_string(format!("{}.asked", client.display())).unwrap().parse().unwrap();
+            (report["runs"][0]["digest"].clone(), asked)
+        });
+        assert_eq!(kept.0, each.0, "slip: {slip}");
+        assert!(each.1 > 12_000 && kept.1 < each.1 / 2, "{} of {} questions", kept.1, each.1);
+    }
 }

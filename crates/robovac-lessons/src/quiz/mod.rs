@@ -3,7 +3,10 @@
 mod figures;
 mod room;
 
-use crate::{LessonFault, fields::Fields};
+use crate::{
+    LessonFault,
+    fields::{Fields, decimal},
+};
 use robovac_core::rng::seeded;
 use serde::Serialize;
 
@@ -127,7 +130,7 @@ impl Question {
             Right::Option(index) => answer.parse() == Ok(*index),
             Right::Number(value, tolerance) => {
                 let bare = answer.trim_end_matches(|c: char| !c.is_ascii_digit()).replace(',', ".").replace('−', "-");
-                bare.parse().is_ok_and(|number: f64| (number - value).abs() <= *tolerance)
+                decimal(&bare).is_some_and(|number| (number - value).abs() <= *tolerance)
             }
             Right::Bytes(bytes) => {
                 let parts = answer.split(|c: char| !c.is_ascii_digit()).filter(|part| !part.is_empty());

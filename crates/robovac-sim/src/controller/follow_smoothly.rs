@@ -65,6 +65,23 @@ impl FollowSmoothly {
         })
     }
 
+    /// What drives while the trajectory can't be followed.
+    pub(super) fn path(&self) -> &FollowPath {
+        &self.inner
+    }
+
+    /// The same, to be changed.
+    pub(super) fn path_mut(&mut self) -> &mut FollowPath {
+        &mut self.inner
+    }
+
+    /// Something else drives from now on.
+    pub(super) fn pause(&mut self) {
+        if self.is_tracking {
+            self.leave();
+        }
+    }
+
     /// The knot passed last and the next one.
     fn stretch(&self) -> Option<[Knot; 2]> {
         let knots = self.trajectory.knots();

@@ -8,7 +8,7 @@
 //! goes on where it was lifted. The thesis leaves the search open, as "simple heuristics": ours are those of `dock`.
 
 use super::{
-    Controller, FollowPath, Setup, dock,
+    Controller, FollowPath, Follower, Setup, dock,
     parts::{GO_HOME, LEAVE_HOME},
 };
 use crate::docking::{berth, could_touch};
@@ -28,7 +28,7 @@ const ENOUGH: f64 = 0.02;
 
 /// A follower that recharges.
 pub struct Recharge {
-    follower: FollowPath,
+    follower: Follower,
     floor: Arc<ReachableFloor>,
     /// Pose on the dock, and the place before it from which it is in sight.
     berth: Pose,
@@ -59,8 +59,8 @@ enum Errand {
 
 impl Recharge {
     /// A follower that uses the nearest of `docks`, m; `None` if the robot can't dock, or reaches none.
-    pub fn new(follower: &FollowPath, floor: &Arc<ReachableFloor>, docks: &[Pose], seed: u64) -> Option<Self> {
-        let robot = follower.robot();
+    pub fn new(follower: &Follower, floor: &Arc<ReachableFloor>, docks: &[Pose], seed: u64) -> Option<Self> {
+        let robot = follower.path().robot();
         if !can_dock(robot) {
             return None;
         }
@@ -99,24 +99,24 @@ impl Recharge {
     }
 
     fn go(&self) -> Errand {
-        let here = self.follower.pose().position();
+        let here = self.follower.path().pose().position();
         let mut line = vec![here];
         line.extend(self.way(here, self.before));
         // It ends facing the dock.
         let nearer = self.before + (self.berth.position() - self.before) * 0.5;
         line.push(nearer);
-        Errand::Go(self.follower.onto(line.into()))
+        Errand::Go(self.follower.path().onto(line.into()))
     }
 
     fn dock(&self) -> Errand {
         let params = Params::defaults(dock::INFO.params);
-        Errand::Dock((dock::BUILD)(&Setup { robot: self.follower.robot(), params: &params, seed: self.seed }))
+        Errand::Dock((dock::BUILD)(&Setup { robot: self.follower.path().robot(), params: &params, seed: self.seed }))
     }
 
     fn come_back(&self) -> Errand {
-        let mut line = vec![self.follower.pose().position(), self.before];
+        let mut line = vec![self.follower.path().pose().position(), self.before];
         line.extend(self.way(self.before, self.left));
-        Errand::Return(self.follower.onto(line.into()))
+        Errand::Return(self.follower.path().onto(line.into()))
     }
 
     /// Starts the next errand, if it is time.
@@ -124,7 +124,8 @@ impl Recharge {
         let (share, on_dock) = (sensed.battery.share(), sensed.battery.on_dock);
         if sensed.wheel_drop_left && sensed.wheel_drop_right {
             if matches!(self.errand, Errand::None) {
-                self.left = self.follower.pose().position();
+                self.left = self.follower.path().pose().position();
+                self.follower.pause();
             }
             self.errand = Errand::Lifted;
             return;
@@ -132,14 +133,15 @@ impl Recharge {
         let next = match &self.errand {
             Errand::Lifted => self.dock(),
             Errand::None if share < self.low && !self.follower.is_done() => {
-                self.left = self.follower.pose().position();
+                self.left = self.follower.path().pose().position();
+                self.follower.pause();
                 self.go()
             }
             Errand::Go(trip) if trip.is_done() => self.dock(),
             Errand::Dock(dock) if dock.is_done() && on_dock => {
                 // An estimate that can be right is kept: it is more accurate than the contacts.
-                if !could_touch(self.berth, self.follower.pose()) {
-                    self.follower.relocate(self.berth);
+                if !could_touch(self.berth, self.follower.path().pose()) {
+                    self.follower.path_mut().relocate(self.berth);
                 }
                 let until = if share < self.low + ENOUGH { self.full } else { 0.0 };
                 Errand::Charge(until)
@@ -149,7 +151,7 @@ impl Recharge {
             // Charge is reported in whole mAh.
             Errand::Charge(until) if share >= until - 0.001 => self.come_back(),
             Errand::Return(trip) if trip.is_done() => {
-                self.follower.resume();
+                self.follower.path_mut().resume();
                 Errand::None
             }
             _ => return,
@@ -175,7 +177,7 @@ impl Controller for Recharge {
     fn step(&mut self, sensed: &SensorReadings, dt_s: f64) -> Drive {
         self.decide(sensed);
         if !matches!(self.errand, Errand::None) {
-            self.follower.watch(sensed);
+            self.follower.path_mut().watch(sensed);
         }
         match &mut self.errand {
             Errand::None => self.follower.step(sensed, dt_s),

@@ -1,17 +1,19 @@
 //! Executes the runs.
 
 use crate::{
-    Conditions, STEP_S,
+    Conditions, Run, STEP_S,
     experiment::{
         Algorithm, Entrant, TrialError,
-        planning::{Driven, PlanRequest, Planned, RoomSetup},
+        planning::{Driven, PlanAnswer, PlanRequest, Planned, RoomSetup},
     },
+    program::{CommandLog, Logged, SharedLog, check_walk},
 };
-use coverage_planners::Observer;
+use coverage_planners::{CoveragePath, Observer};
 use robovac_core::{
     coverage::{Boundary, BoundaryTracker, FloorError},
     floor_plan::FloorPlan,
     geometry::Pose,
+    grid::Cell,
     robot::{OdometryModel, RobotModel},
 };
 use std::{
@@ -74,6 +76,11 @@ impl Lab {
         &self.prepared
     }
 
+    /// The settings besides room and robot.
+    pub fn terms(&self) -> Terms {
+        self.terms
+    }
+
     /// Plans for an entrant, if it is a planner and hasn't planned yet. To be called before its runs.
     pub fn plan(&self, entrant: &Entrant, observer: Option<Observer<'_>>) -> Result<(), TrialError> {
         let Algorithm::Planner(planner) = entrant.algorithm else { return Ok(()) };
@@ -124,7 +131,28 @@ impl Lab {
             let boundary = self.boundary.get_or_init(|| Arc::new(Boundary::new(floor, robot)));
             return Some(RunOutcome::of_exploring(run, robot, seed, *duration_s, BoundaryTracker::new(boundary)));
         }
-        Some(RunOutcome::of(run, robot, seed, *duration_s))
+        Some(self.outcome(run, seed))
+    }
+
+    /// Repeats the run of a user's program that made `log` with that seed. One whose log ends too early ends there.
+    pub fn repeat(&self, log: CommandLog, seed: u64) -> RunOutcome {
+        let setup = self.prepared.setup(self.terms.conditions, seed);
+        self.outcome(Run::new(&setup, Box::new(Logged::new(SharedLog::new(log)))), seed)
+    }
+
+    /// Runs along a walk that a user's program has planned. Errors are for users.
+    pub fn follow(&self, seeds: &[u64], cells: Vec<Cell>) -> Result<Vec<RunOutcome>, String> {
+        let room = &self.prepared;
+        check_walk(&room.job, &cells).map_err(|fault| format!("the plan can't be driven: {fault}"))?;
+        let answer = PlanAnswer { path: CoveragePath::walk(cells), seconds: 0.0, proof: None, trace: Vec::new() };
+        let planned = Planned::new(room, &answer).map_err(|error| error.to_string())?;
+        let planned = if self.terms.smooth { planned.rounded(room).map_err(|e| e.to_string())? } else { planned };
+        let Terms { conditions, odometry, .. } = self.terms;
+        Ok(seeds.iter().map(|&seed| self.outcome(planned.run(room, conditions, odometry, seed), seed)).collect())
+    }
+
+    fn outcome(&self, run: Run, seed: u64) -> RunOutcome {
+        RunOutcome::of(run, &self.prepared.robot, seed, self.terms.duration_s)
     }
 }
 

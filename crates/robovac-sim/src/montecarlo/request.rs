@@ -37,13 +37,23 @@ impl RunsRequest {
     /// The lab for the runs. Errors are for users.
     pub fn lab(&self) -> Result<Lab, String> {
         let plan = plan_of(self.room.as_deref(), self.scenario.as_deref())?;
+        let settings = self.settings()?;
+        let Settings { conditions, odometry, smooth, cell_size, start, .. } = settings;
+        let terms = Terms { conditions, odometry, smooth, duration_s: self.duration_s, plan_seed: self.plan_seed };
+        Lab::new(&plan, &settings.robot_model(), cell_size, start, terms).map_err(|e| e.to_string())
+    }
+
+    /// Side of the planning cells, m. Errors are for users.
+    pub fn cell_size(&self) -> Result<f64, String> {
+        Ok(self.settings()?.cell_size)
+    }
+
+    fn settings(&self) -> Result<Settings, String> {
         let mut settings = Settings::new();
         for (key, value) in self.settings.split('&').filter_map(|pair| pair.split_once('=')) {
             settings.take_link(key, value).map_err(|e| e.to_string())?;
         }
-        let Settings { conditions, odometry, smooth, cell_size, start, .. } = settings;
-        let terms = Terms { conditions, odometry, smooth, duration_s: self.duration_s, plan_seed: self.plan_seed };
-        Lab::new(&plan, &settings.robot_model(), cell_size, start, terms).map_err(|e| e.to_string())
+        Ok(settings)
     }
 
     /// Makes the runs in `lab`. Errors are for users.

@@ -22,7 +22,6 @@ pub const PLANNER_PROGRAM: PlannerInfo = PlannerInfo {
         deterministic: false,
         fast: false,
         in_metres: false,
-        traces: false,
         search: Search::None,
     },
     params: &[],

@@ -5,7 +5,7 @@ use super::{
     layout::{RobotFacts, readings_json, wheel_command},
 };
 use crate::{Conditions, Input, Run, experiment::RoomSetup};
-use robovac_core::robot::RobotModel;
+use robovac_core::robot::{RobotModel, SensorReadings};
 
 /// Most steps until a robot that got no more commands is at rest.
 const COAST: u32 = 400;
@@ -113,18 +113,46 @@ impl Lockstep {
     pub fn steps(&mut self, wheels_mm_s: [f64; 2], most: u32) -> u32 {
         let command = wheels_mm_s.map(|speed| wheel_command(&self.robot, speed));
         let mut taken = 0;
-        while taken < most && self.log.get().end().is_none() {
-            self.apply_inputs();
-            if self.run.is_finished() {
-                break;
-            }
-            self.log.get_mut().push(command);
-            self.run.step();
-            self.senses.take(self.run.sensors());
+        while taken < most && self.take(command) {
             taken += 1;
         }
+        self.tell(command);
+        taken
+    }
+
+    /// A step; false once the run is over.
+    fn take(&mut self, command: [i16; 2]) -> bool {
+        if self.log.get().end().is_some() {
+            return false;
+        }
+        self.apply_inputs();
+        if self.run.is_finished() {
+            return false;
+        }
+        self.log.get_mut().push(command);
+        self.run.step();
+        self.senses.take(self.run.sensors());
+        true
+    }
+
+    /// Writes the readings.
+    fn tell(&mut self, command: [i16; 2]) {
         self.senses.command(command);
         self.senses.write(self.run.sensors());
+    }
+
+    /// The same, until contact with a thing or with the floor changes: bumper, cliff sensors, wheel drops.
+    pub fn hold(&mut self, wheels_mm_s: [f64; 2], most: u32) -> u32 {
+        let felt = |run: &Run| {
+            let SensorReadings { bump_left, bump_right, wheel_drop_left, wheel_drop_right, cliff, .. } = *run.sensors();
+            ([bump_left, bump_right, wheel_drop_left, wheel_drop_right], cliff)
+        };
+        let command = wheels_mm_s.map(|speed| wheel_command(&self.robot, speed));
+        let (before, mut taken) = (felt(&self.run), 0);
+        while taken < most && felt(&self.run) == before && self.take(command) {
+            taken += 1;
+        }
+        self.tell(command);
         taken
     }
 
@@ -139,8 +167,7 @@ impl Lockstep {
             self.run.step();
             self.senses.take(self.run.sensors());
         }
-        self.senses.command([0; 2]);
-        self.senses.write(self.run.sensors());
+        self.tell([0; 2]);
     }
 
     /// Replaces a person's inputs. Those before the present step must be the same: go back first.

@@ -1,7 +1,6 @@
 //! The change of a walk by one improvement.
 
 use robovac_core::grid::{Cell, Direction};
-use std::collections::{BTreeMap, BTreeSet};
 
 /// The difference of two walks, regardless of their direction.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -23,13 +22,9 @@ impl WalkDiff {
     pub fn between(former: &[Cell], latter: &[Cell]) -> Self {
         let (mut before, mut after) = (passages(former), passages(latter));
         let (mut before_steps, mut after_steps) = (edges(former), edges(latter));
-        let ways = before.keys().chain(after.keys());
-        let changed = ways.filter(|way| before.get(way) != after.get(way));
-        let mut cells = BTreeSet::new();
-        cells.extend(changed.map(|(cell, _)| (cell.y, cell.x)));
-        let cells = cells.into_iter().map(|(y, x)| Cell::new(x, y)).collect();
+        let changed = Bag::of(before.unlike(&after).chain(after.unlike(&before)).map(|passage| passage >> 8));
         Self {
-            cells,
+            cells: changed.0.iter().map(|&(cell, _)| cell_of(cell)).collect(),
             parts: pieces(former, &mut after_steps, &mut after).0,
             links: pieces(latter, &mut before_steps, &mut before).1,
             steps: steps(former) - steps(latter),
@@ -38,52 +33,79 @@ impl WalkDiff {
     }
 }
 
-/// A step, from the lesser cell to the greater.
-type WalkEdge = (Cell, Cell);
-/// How a cell is passed: the sides that the walk comes from and leaves by, in either order, or just one at its ends.
-type Passage = (Cell, [Option<Direction>; 2]);
-/// A multiset.
-type Bag<T> = BTreeMap<T, usize>;
+/// A multiset. Trees of several types would be more code in the page than the rest of the film.
+struct Bag(Vec<(u64, usize)>);
 
-fn edge(a: Cell, b: Cell) -> WalkEdge {
-    (a.min(b), a.max(b))
+impl Bag {
+    fn of(things: impl Iterator<Item = u64>) -> Self {
+        let mut bag = Self(Vec::new());
+        for thing in things {
+            match bag.find(thing) {
+                Ok(at) => bag.0[at].1 += 1,
+                Err(at) => bag.0.insert(at, (thing, 1)),
+            }
+        }
+        bag
+    }
+
+    fn find(&self, thing: u64) -> Result<usize, usize> {
+        self.0.binary_search_by_key(&thing, |&(other, _)| other)
+    }
+
+    /// Removes one of a thing; returns whether there was one.
+    fn take(&mut self, thing: u64) -> bool {
+        let left = self.find(thing).ok().map(|at| &mut self.0[at].1).filter(|count| **count > 0);
+        left.map(|count| *count -= 1).is_some()
+    }
+
+    /// What another bag has more or less often.
+    fn unlike<'b>(&'b self, other: &'b Self) -> impl Iterator<Item = u64> + 'b {
+        let has = move |thing, count| other.find(thing).is_ok_and(|at| other.0[at].1 == count);
+        self.0.iter().filter(move |&&(thing, count)| !has(thing, count)).map(|&(thing, _)| thing)
+    }
 }
 
-fn passage(walk: &[Cell], index: usize) -> Passage {
-    let side = |other: Option<&Cell>| walk[index].direction_to(*other?);
+/// A cell of a room that is filmed, as a number of 32 bits.
+fn number(cell: Cell) -> u64 {
+    u64::from(cell.y as u16) << 16 | u64::from(cell.x as u16)
+}
+
+/// The cell of a number.
+fn cell_of(number: u64) -> Cell {
+    Cell::new(i32::from(number as u16), i32::from((number >> 16) as u16))
+}
+
+/// A step in either direction.
+fn edge(a: Cell, b: Cell) -> u64 {
+    let (a, b) = (number(a), number(b));
+    a.min(b) << 32 | a.max(b)
+}
+
+/// How a cell is passed: the sides that the walk comes from and leaves by, in either order, or just one at its ends.
+fn passage(walk: &[Cell], index: usize) -> u64 {
+    let side = |other: Option<&Cell>| {
+        other.and_then(|&other| walk[index].direction_to(other)).map_or(0, |direction| 1 + direction as u64)
+    };
     let before = side(index.checked_sub(1).and_then(|before| walk.get(before)));
     let after = side(walk.get(index + 1));
-    (walk[index], [before.min(after), before.max(after)])
+    number(walk[index]) << 8 | before.min(after) << 4 | before.max(after)
 }
 
-fn bag<T: Ord>(things: impl Iterator<Item = T>) -> Bag<T> {
-    let mut bag = Bag::new();
-    for thing in things {
-        *bag.entry(thing).or_default() += 1;
-    }
-    bag
+fn edges(walk: &[Cell]) -> Bag {
+    Bag::of(walk.windows(2).map(|pair| edge(pair[0], pair[1])))
 }
 
-fn edges(walk: &[Cell]) -> Bag<WalkEdge> {
-    bag(walk.windows(2).map(|pair| edge(pair[0], pair[1])))
-}
-
-fn passages(walk: &[Cell]) -> Bag<Passage> {
-    bag((0..walk.len()).map(|index| passage(walk, index)))
-}
-
-/// Removes one element from the bag; returns whether there was one.
-fn take<T: Ord>(bag: &mut Bag<T>, thing: &T) -> bool {
-    bag.get_mut(thing).filter(|count| **count > 0).map(|count| *count -= 1).is_some()
+fn passages(walk: &[Cell]) -> Bag {
+    Bag::of((0..walk.len()).map(|index| passage(walk, index)))
 }
 
 /// Cuts a walk into pieces that another walk shares, and the others.
-fn pieces(walk: &[Cell], steps: &mut Bag<WalkEdge>, ways: &mut Bag<Passage>) -> (Vec<Vec<Cell>>, Vec<Vec<Cell>>) {
+fn pieces(walk: &[Cell], steps: &mut Bag, ways: &mut Bag) -> (Vec<Vec<Cell>>, Vec<Vec<Cell>>) {
     let (mut kept, mut torn): (Vec<Vec<Cell>>, Vec<Vec<Cell>>) = (Vec::new(), Vec::new());
     let mut was_kept = None;
     for (index, pair) in walk.windows(2).enumerate() {
-        let is_kept = take(steps, &edge(pair[0], pair[1]));
-        let goes_on = was_kept == Some(is_kept) && (!is_kept || take(ways, &passage(walk, index)));
+        let is_kept = steps.take(edge(pair[0], pair[1]));
+        let goes_on = was_kept == Some(is_kept) && (!is_kept || ways.take(passage(walk, index)));
         let pieces = if is_kept { &mut kept } else { &mut torn };
         match pieces.last_mut().filter(|_| goes_on) {
             Some(piece) => piece.push(pair[1]),

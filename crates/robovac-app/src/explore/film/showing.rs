@@ -152,11 +152,12 @@ fn won(former: &FilmFrame, latter: &FilmFrame) -> f64 {
 fn first(frame: &FilmFrame, (number, all): (usize, usize), is_chosen: bool, planning_grid: &PlanningGrid) -> Picture {
     let FilmFrame { walk, planner, .. } = frame;
     let (steps, turns) = (amount(steps(walk), "step"), amount(turns(walk), "turn"));
+    let which = if all == 1 { "First walk".to_owned() } else { format!("Construction, {number} of {all}") };
     let chosen = if is_chosen { " The search starts from it." } else { "" };
     Picture {
         lines: vec![(FilmInk::Walk, planning_grid.anchors(walk))],
         tinted: Vec::new(),
-        text: format!("Construction, {number} of {all}: {planner} needs {steps} and {turns}.{chosen}"),
+        text: format!("{which}: {planner} needs {steps} and {turns}.{chosen}"),
     }
 }
 

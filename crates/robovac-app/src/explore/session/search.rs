@@ -5,13 +5,17 @@ use crate::explore::{
     Picture, PlanSearch, SessionState, Showing,
     view::{FilmView, SearchView},
 };
-use coverage_planners::{MOST_FILMED_CELLS, TraceStep};
+use coverage_planners::{MOST_FILMED_CELLS, PlannerInfo, ShownSearch, TraceStep};
 use robovac_sim::experiment::planning::MOST_SEARCH_CELLS;
 
 impl Session {
     /// Shows or hides the planner's search. Time pauses when a film begins.
     pub fn show_search(&mut self, on: bool) {
         self.shows_search = on;
+        // Nobody reads decisions in haste.
+        if on && self.shown_search() == Some(ShownSearch::Decisions) {
+            self.settings.speed = 1.0;
+        }
         if let Some(film) = &mut self.film {
             film.rewind();
             film.hold(self.holds_films);
@@ -67,12 +71,13 @@ impl Session {
 
     /// The search as the page shows it.
     pub(super) fn search_view(&self) -> SearchView {
-        let refusal = self.search_refusal();
+        let (refusal, fits_small) = self.search_refusal();
         SearchView {
             offered: self.offers_search(),
             on: self.shows_search && refusal.is_empty(),
             text: self.search_text(),
             refusal,
+            fits_small,
             film: self.film_view(),
         }
     }
@@ -93,24 +98,30 @@ impl Session {
         matches!(self.state(), SessionState::Playing | SessionState::Seeking)
     }
 
-    /// Whether the planner traces its decisions.
-    pub fn offers_search(&self) -> bool {
-        let planner = self.settings.algorithm.planner().filter(|_| self.settings.path.is_none());
-        planner.is_some_and(|planner| planner.claims.traces || planner.is_anytime())
+    /// What the planner shows of its search; `None` without one of ours.
+    fn shown_search(&self) -> Option<ShownSearch> {
+        let algorithm = self.settings.algorithm;
+        let planner = algorithm.planner().filter(|_| self.settings.path.is_none() && !algorithm.is_program());
+        planner.map(PlannerInfo::shown_search)
     }
 
-    /// Why the search can't be shown in this room; empty if it can.
-    fn search_refusal(&self) -> String {
-        let (Some(planner), Some(prepared)) = (self.settings.algorithm.planner(), &self.prepared) else {
-            return String::new();
+    /// Whether there is a search to show.
+    pub fn offers_search(&self) -> bool {
+        self.shown_search().is_some()
+    }
+
+    /// Why the search can't be shown, and whether it could in a smaller room; empty if it can.
+    fn search_refusal(&self) -> (String, bool) {
+        let (most, shown) = match self.shown_search() {
+            Some(ShownSearch::Nothing(why)) => return (why.to_owned(), false),
+            Some(ShownSearch::Film) => (MOST_FILMED_CELLS, "filmed"),
+            _ => (MOST_SEARCH_CELLS, "shown"),
         };
-        let (most, shown) =
-            if planner.is_anytime() { (MOST_FILMED_CELLS, "filmed") } else { (MOST_SEARCH_CELLS, "shown") };
-        let cells = prepared.job.cells();
+        let cells = self.prepared.as_ref().map_or(0, |prepared| prepared.job.cells());
         if !self.offers_search() || cells <= most {
-            return String::new();
+            return (String::new(), false);
         }
-        format!("The search is {shown} only in rooms of up to {most} planning cells; this one has {cells}.")
+        (format!("The search is {shown} only in rooms of up to {most} planning cells; this one has {cells}."), true)
     }
 
     /// The decisions of the plan, if the planner traces them.
@@ -133,7 +144,7 @@ impl Session {
                 "The film of the search is hidden while the robot drives. Pause to watch it.".to_owned()
             }
             (Some(_), _) if self.is_driving() => String::new(),
-            (Some(film), _) => film.text(planned.proof),
+            (Some(film), _) => film.text(planned.proof.or(planned.compared)),
             (None, Some(step)) => format!("{}.", step.note),
             (None, None) if self.state() == SessionState::Finished => match &self.search {
                 Some(search) => search.ending().map_or_else(

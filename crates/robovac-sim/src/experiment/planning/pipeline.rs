@@ -2,13 +2,11 @@
 
 use crate::{
     Conditions, Run, RunSetup, World,
-    controller::{
-        self, BehaviourInfo, Behaviours, Controller, FollowPath, FollowSmoothly, Recharge, Setup, safe_speed,
-    },
+    controller::{self, BehaviourInfo, Behaviours, FollowPath, FollowSmoothly, Follower, Recharge, Setup, safe_speed},
 };
 use coverage_planners::{
     Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
-    PlannerInfo, Proof, TraceStep,
+    PlannerInfo, Proof, ShownSearch, TraceStep,
     metrics::{DriveMetrics, MetricExcess, PlanNumbers, SweepBound, WalkMetrics},
     smooth::{SmoothError, SmoothPath, SmoothSetup, limits_of, smooth},
 };
@@ -146,24 +144,21 @@ impl RoomSetup {
         RunSetup { floor: Arc::clone(floor), world: Arc::clone(world), robot: robot.clone(), conditions, seed }
     }
 
-    /// A run along `line` (corners, m) by dead reckoning. A robot that can dock goes to its dock when the battery is low,
-    /// and goes on where it stopped. Without a dock empty batteries are replaced, as plans are compared by the floor that
-    /// they clean, with energy as a separate number.
+    /// A run along `line` (corners, m), with a stop at each; see [`RoomSetup::run_driven`].
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
-        let follower = self.follower_in_room(line, odometry);
-        match Recharge::new(&follower, &self.floor, &self.world.docks, seed) {
-            Some(recharge) => Run::new(&self.setup(conditions, seed), Box::new(recharge)),
-            None => self.run_on(Box::new(follower), conditions, seed),
-        }
+        self.run_driven(&Driven { line: Arc::clone(line), smooth: None }, conditions, odometry, seed)
     }
 
-    /// The same with corners rounded, if they are; then empty batteries are replaced.
+    /// A run by dead reckoning. A robot that can dock goes to its dock when the battery is low, and goes on where it stopped.
+    /// Without a dock empty batteries are replaced, as plans are compared by the floor that they clean, with energy as a
+    /// separate number.
     pub fn run_driven(&self, driven: &Driven, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
-        if driven.smooth.is_none() {
-            return self.run_along(&driven.line, conditions, odometry, seed);
+        let follower = driven.follower(&self.robot, self.follower_in_room(&driven.line, odometry));
+        if let Some(recharge) = Recharge::new(&follower, &self.floor, &self.world.docks, seed) {
+            return Run::new(&self.setup(conditions, seed), Box::new(recharge));
         }
-        let follower = self.follower_in_room(&driven.line, odometry);
-        self.run_on(driven.controller(&self.robot, follower), conditions, seed)
+        let conditions = Conditions { spare_batteries: true, ..conditions };
+        Run::new(&self.setup(conditions, seed), Box::new(follower))
     }
 
     /// The follower of `line`, with what it has to know of the room.
@@ -173,11 +168,6 @@ impl RoomSetup {
         let is_careful = !self.is_flat() && (self.floor.turns || !self.floor.is_for_path);
         let follower = if is_careful { follower.carefully() } else { follower };
         if self.floor.is_for_path { follower.knowing(&self.floor) } else { follower }
-    }
-
-    /// A run whose empty batteries are replaced.
-    fn run_on(&self, controller: Box<dyn Controller>, conditions: Conditions, seed: u64) -> Run {
-        Run::new(&self.setup(Conditions { spare_batteries: true, ..conditions }, seed), controller)
     }
 
     fn is_flat(&self) -> bool {
@@ -233,21 +223,18 @@ pub struct Driven {
 }
 
 impl Driven {
-    /// What drives it: `follower`, which follows the line, or its trajectory if there is one and `robot` can.
-    pub fn controller(&self, robot: &RobotModel, follower: FollowPath) -> Box<dyn Controller> {
-        let smooth = self
-            .smooth
-            .as_ref()
-            .and_then(|trajectory| FollowSmoothly::new(robot, follower.clone(), Arc::clone(trajectory)));
-        smooth.map_or_else(|| Box::new(follower) as Box<dyn Controller>, |smooth| Box::new(smooth))
+    /// What drives it: `path`, which follows the line, or its trajectory if there is one and `robot` can.
+    pub fn follower(&self, robot: &RobotModel, path: FollowPath) -> Follower {
+        let smooth = self.smooth.as_ref();
+        let smooth = smooth.and_then(|trajectory| FollowSmoothly::new(robot, path.clone(), Arc::clone(trajectory)));
+        smooth.map_or(Follower::Stopping(path), Follower::Smooth)
     }
 }
 
 impl PlanRequest {
-    /// A film of the search, which takes the planner's reports; `None` for planners that don't improve a walk, and for
-    /// rooms of more than [`MOST_FILMED_CELLS`].
+    /// A film of the search, which takes the planner's reports; `None` for planners that aren't filmed, and for rooms of more than [`MOST_FILMED_CELLS`].
     pub fn film(&self) -> Option<Film> {
-        let is_filmed = self.planner.is_anytime() && self.job.cells() <= MOST_FILMED_CELLS;
+        let is_filmed = self.planner.shown_search() == ShownSearch::Film && self.job.cells() <= MOST_FILMED_CELLS;
         is_filmed.then(|| Film::of(self.planner, &self.params, &self.job))
     }
 
@@ -260,7 +247,7 @@ impl PlanRequest {
         };
         let mut trace = Vec::new();
         let mut tell = |step| trace.push(step);
-        if self.planner.claims.traces && self.job.cells() <= MOST_SEARCH_CELLS {
+        if self.planner.shown_search() == ShownSearch::Decisions && self.job.cells() <= MOST_SEARCH_CELLS {
             ctx = ctx.traced(&mut tell);
         }
         let began = clock();

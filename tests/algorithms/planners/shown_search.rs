@@ -1,0 +1,62 @@
+//! What planners show of their search.
+
+use super::support::{EIGHT, drawn};
+use coverage_planners::{CoverageJob, PLANNERS, PlanContext, PlannerInfo, ProgressReport, ShownSearch, TraceStep};
+use robovac_core::{
+    grid::{Cell, Direction},
+    registry::Params,
+};
+use robovac_sim::experiment::planning::PlanRequest;
+use std::ops::ControlFlow;
+
+fn request(planner: &'static PlannerInfo) -> PlanRequest {
+    let job = CoverageJob::new(&drawn(EIGHT), Cell::new(0, 7), Direction::Right).expect("the start is free");
+    PlanRequest { id: 1, planner, params: Params::defaults(planner.params), seed: 1, job }
+}
+
+#[test]
+fn every_planner_shows_its_search_or_says_why_not() {
+    for &info in PLANNERS {
+        match info.shown_search() {
+            ShownSearch::Nothing(why) => assert!(info.claims.in_metres && why.ends_with('.'), "{}: {why}", info.id),
+            ShownSearch::Decisions => tells_its_decisions(info),
+            ShownSearch::Film => is_filmed(info),
+        }
+    }
+}
+
+fn tells_its_decisions(info: &'static PlannerInfo) {
+    let request = request(info);
+    let mut steps: Vec<TraceStep> = Vec::new();
+    let mut tell = |step| steps.push(step);
+    let walk = info
+        .build(&request.params)
+        .plan(&request.job, &mut PlanContext::new(1).traced(&mut tell))
+        .expect("nobody cancels")
+        .cells;
+    assert!(!steps.is_empty() && steps.is_sorted_by_key(|step| step.step), "{}", info.id);
+    assert!(steps.iter().any(|step| step.marks.len() > 1), "{} never has a choice", info.id);
+    for step in steps {
+        assert_eq!(walk[step.step], step.at, "{}: {step:?}", info.id);
+        assert!(!step.rule.is_empty() && !step.note.is_empty(), "{}: {step:?}", info.id);
+        assert!(step.marks.iter().all(|&(cell, _)| request.job.free.is_set(cell)), "{}: {step:?}", info.id);
+    }
+}
+
+fn is_filmed(info: &'static PlannerInfo) {
+    let request = request(info);
+    let mut film = request.film().expect("the room is small");
+    let mut observe = |report: ProgressReport<'_>| {
+        film.take(&report);
+        ControlFlow::Continue(())
+    };
+    let answer = request.serve(|| 0.0, Some(&mut observe)).expect("nobody cancels");
+    film.take(&ProgressReport { done: 1.0, walk: &answer.path.cells, line: &[], proof: answer.proof });
+    let frames = film.take_frames();
+    let (firsts, search): (Vec<_>, Vec<_>) = frames.iter().partition(|frame| frame.proof.is_none());
+    assert!(firsts.iter().any(|first| !first.planner.is_empty()), "{}", info.id);
+    assert_eq!(search.last().expect("a walk with a proof").walk, answer.path.cells, "{}", info.id);
+    for frame in search {
+        assert!(frame.proof.is_some_and(|proof| proof.bound <= proof.cost), "{}: {frame:?}", info.id);
+    }
+}
