@@ -3,6 +3,7 @@
 import { byId, changed, make, setAttribute, setHidden, setText } from "../dom.js";
 import { swatch } from "./entrants.js";
 import { clock, metres, percent } from "../format.js";
+import { complain, textOf } from "../messages.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { fitSize } from "../shared/pan-zoom.js";
 import { startRange } from "../shared/range.js";
