@@ -103,6 +103,8 @@ test("scrubbing back shows variables, prints and the line of that time", async (
   const ticks = () => page.locator("#program-variables tr", { hasText: "ticks" }).locator("td").textContent();
   const step = async () => Number((await page.locator("#program-moment").textContent()).replace(/.*step |,/g, ""));
   await app.poll(async () => [Number(await ticks()), await step()], ([ticks, step]) => ticks === step && step >= 200, "the variables of this time");
+  // The list follows a little later, and moves its lines when it does.
+  await app.still(() => page.locator("#events").textContent());
   await page.getByRole("button", { name: /tick 100$/ }).click();
   await app.poll(ticks, (value) => Number(value) <= 101, "the variables of an earlier time");
   await page.locator(".cm-running").waitFor();
