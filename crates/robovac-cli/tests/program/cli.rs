@@ -207,7 +207,7 @@ fn a_scenario_of_the_page_runs_with_its_own_robot_and_path() {
             format!("room=empty&robot=roomba600&own=radius:0.15,tool:0.2,speed:0.25&slip=typical&seed=3&path={path}"),
             Some(4),
         ),
-        ("room=empty&behaviour=bounce&p.angle=120&noise.bumper=typical&seed=5".to_owned(), None),
+        ("room=empty&behaviour=bounce&p.least=60&noise.bumper=typical&seed=5".to_owned(), None),
     ] {
         let mut session = Session::new();
         session.restore(&link).unwrap();
