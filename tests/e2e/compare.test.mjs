@@ -409,14 +409,15 @@ test("a room of one's own is compared in", async (t) => {
   await page.locator("#tab-compare").click();
   await page.locator("#view-numbers").click();
   await tried(page, 4);
-  const open = await table(page);
+  const isFilled = ({ rows }) => rows.length === 4 && rows.every(({ cells }) => cells.every((cell) => cell !== "–"));
+  const open = await app.poll(() => table(page), isFilled);
   await page.locator("#tab-explore").click();
   await app.tool("wall");
   await app.drag([0.5, 0.1], [0.5, 0.6]);
   await page.locator("#tab-compare").click();
   await app.poll(() => table(page), ({ rows }) => rows.some(({ cells }, row) => cells[0] !== "–" && cells.join() !== open.rows[row]?.cells.join()));
   await tried(page, 4);
-  const drawn = await app.poll(() => table(page), ({ rows }) => rows.length === 4 && rows.every(({ cells }) => cells.every((cell) => cell !== "–")));
+  const drawn = await app.poll(() => table(page), isFilled);
   const [before, now] = [open, drawn].map((shown) => column(shown, "Length"));
   assert.ok(now.every((length, row) => length < before[row]), `${now} m, before ${before} m: the wall stands on floor`);
   await page.locator("#view-race").click();
