@@ -12,6 +12,8 @@ export function startTips(app) {
   let owner = null;
 
   let leaving = 0;
+  /** Counts what was shown: what is looked up for one is of no use to the next. */
+  let turn = 0;
   /** Opens the lesson of what is shown. @type {(() => void) | undefined} */
   let lesson;
 
@@ -32,6 +34,7 @@ export function startTips(app) {
     const text = next?.getAttribute("data-tip");
     if (!next || !text) return;
     owner = next;
+    turn++;
     tip.textContent = text;
     // Elements outside an open dialog are behind it.
     (next.closest("dialog") ?? document.body).append(tip);
@@ -43,9 +46,10 @@ export function startTips(app) {
 
   /** Adds the lesson that explains it. @param {Element} next */
   const leadOn = async (next) => {
+    const mine = turn;
     const { lessonOf } = await import("./learn/explains.js");
     const found = await lessonOf(next).catch(() => undefined);
-    if (!found || owner !== next) return;
+    if (!found || owner !== next || turn !== mine) return;
     lesson = () => {
       hide();
       import("./learn/enter.js").then(({ enterLearn }) => enterLearn(app, found.id)).catch(console.warn);
@@ -72,6 +76,7 @@ export function startTips(app) {
     else show(target);
   });
   document.addEventListener("focusin", (event) => {
+    if (event.target instanceof Node && tip.contains(event.target)) return;
     if (event.target instanceof Element && event.target.matches(":focus-visible")) show(event.target);
     // A click gives a term the focus without a mark, and is no reason to take its own definition away.
     else if (!(event.target instanceof Node && owner?.contains(event.target))) hide();

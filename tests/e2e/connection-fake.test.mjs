@@ -181,12 +181,14 @@ test("a bridge: connects, drives, and is tried again when it is lost", { skip },
 test("where there are no serial ports, it is said why and what works instead", async (t) => {
   const { desk, context, server } = await openDesk(t, { allow: [/blocked|insecure|Mixed Content/] });
   assert.deepEqual(await desk.tab.evaluate(() => window.support()), { serial: true, usb: false, socket: true, why: "", instead: "" });
-  // The same page under other addresses.
+  // The same page under other addresses, and in browsers that have no permission for one's own network.
+  let isOlder = false;
   await context.route(/^https?:\/\/desk\.test\//, async (route) => {
     const { pathname, search } = new URL(route.request().url());
     const response = await route.fetch({ url: new URL(pathname, server.url).href });
     const policy = search === "?forbidden" ? { "permissions-policy": "serial=()" } : {};
-    await route.fulfill({ response, headers: { ...response.headers(), ...policy } });
+    const body = isOlder && pathname.endsWith("/local-network.js") ? `${await response.text()};navigator.permissions.query = () => Promise.reject(new TypeError());` : undefined;
+    await route.fulfill({ response, body, headers: { ...response.headers(), ...policy } });
   });
   const failuresAt = async (address, target) => {
     await desk.tab.goto(address);
@@ -198,6 +200,9 @@ test("where there are no serial ports, it is said why and what works instead", a
   assert.deepEqual(kinds, ["insecure"]);
   assert.match(why, /https:/);
   assert.match(instead, /virtual robot/);
+  [kinds] = await failuresAt("https://desk.test/desk.html", { kind: "socket", url: "ws://192.168.1.50/" });
+  assert.deepEqual(kinds, ["denied"]);
+  isOlder = true;
   [kinds] = await failuresAt("https://desk.test/desk.html", { kind: "socket", url: "ws://192.168.1.50/" });
   assert.deepEqual(kinds, ["mixed"]);
   [kinds, { why }] = await failuresAt("https://desk.test/desk.html?forbidden", { kind: "serial" });

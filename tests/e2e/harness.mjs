@@ -35,7 +35,7 @@ async function openWindow({ mount, isNew, init, ...asked }) {
   if (serviceWorkers !== "allow") await withoutServiceWorkers(context);
   if (init) await context.addInitScript(init);
   const window = { server, context, options, allow: [], problems: [] };
-  const note = (message) => window.allow.some((pattern) => pattern.test(message)) || window.problems.push(message);
+  const note = (message) => window.isLeft || window.allow.some((pattern) => pattern.test(message)) || window.problems.push(message);
   // On the context rather than the page: this includes workers and pages that the page opens.
   context.on("console", (message) => {
     if (message.type() === "error") note(`console: ${message.text()} (${message.location().url})`);
@@ -54,7 +54,10 @@ async function openWindow({ mount, isNew, init, ...asked }) {
 }
 
 /** Makes a window as it was when it was new, but for what is compiled and cached. */
-async function tidy({ server, context, options, page }) {
+async function tidy(window) {
+  const { server, context, options, page } = window;
+  // What the page was still loading comes too late, and Chromium says so in the name of the empty page.
+  window.isLeft = true;
   for (const other of context.pages()) if (other !== page) await other.close();
   await page.unrouteAll({ behavior: "ignoreErrors" });
   await page.goto("about:blank");
@@ -65,6 +68,7 @@ async function tidy({ server, context, options, page }) {
   await page.setViewportSize(options.viewport);
   await page.emulateMedia({ colorScheme: options.colorScheme ?? "light", reducedMotion: options.reducedMotion ?? "no-preference" });
   server.requests.length = 0;
+  window.isLeft = false;
 }
 
 /**

@@ -269,7 +269,7 @@ test("a definition leads to the lesson that explains it, by pointer and by key",
   await page.keyboard.press("Tab");
   await page.locator("#tip").getByRole("button", { name: /Explained in lesson 7/ }).waitFor();
   await page.keyboard.press("F1");
-  await page.locator("#learn").getByRole("heading", { name: "Lost" }).waitFor();
+  await page.locator("#learn").getByRole("heading", { name: "Lost", exact: true }).waitFor();
   await page.locator("#numbers").getByRole("button", { name: "Coverage" }).hover();
   await page.locator("#tip").getByRole("button", { name: /Explained in lesson 1/ }).click();
   await page.locator("#learn").getByRole("heading", { name: "Who wins?" }).waitFor();

@@ -99,7 +99,7 @@ test("Help tells version, licence and whose algorithms these are; links to the p
   const { page, server, screenshot } = await openApp(t, { viewport: { width: 1440, height: 900 } });
   await page.keyboard.press("?");
   await page.locator("#help-about-title").scrollIntoViewIfNeeded();
-  assert.match(await page.locator(".about p").innerText(), /Playground \d+\.\d+\.\d+, build [0-9a-f]{12}\. Source code under the MIT licence/);
+  assert.match(await page.locator(".about p").innerText(), /Playground \d+\.\d+\.\d+, build [0-9a-f]{12}\. (Source code|Free software) under the MIT licence/);
   await page.locator(".about summary").click();
   await screenshot("about");
   assert.equal(await page.locator("#authors li").count(), await page.locator("#algorithm option").count());

@@ -52,7 +52,8 @@ export async function startLater(app) {
       () => import("./own-rooms.js").then(({ startMenu }) => startMenu(app)),
     ),
     later(
-      ({ search }) => search.fits_small,
+      // Before the first input, nobody looks for it.
+      () => false,
       () => import("./small-room.js").then(({ startSmallRoom }) => startSmallRoom(app)),
     ),
     later(
