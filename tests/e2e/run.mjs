@@ -1,5 +1,6 @@
 // Runs tests/e2e/*.test.mjs, or those whose file name contains one of the arguments: node tests/e2e/run.mjs [word...]
-// SLOWEST=20 lists the 20 tests that took longest, PICTURES=1 has all pictures taken that tests offer, in target/e2e.
+// ONLY="the page hangs" runs those tests alone whose name contains that, SLOWEST=20 lists the 20 tests that took longest,
+// PICTURES=1 has all pictures taken that tests offer, in target/e2e.
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
@@ -31,6 +32,8 @@ const isUrgent = (file) => /^connection(-bridge|-fake|-program|-serial|-stop|-us
 const isAlone = (file) => /^connection-(bridge|stop|window)\.test/.test(path.basename(file));
 /** That a robot stops in time has to hold at the first try. */
 const hasOneTry = (file) => /^connection-(bridge|stop)\.test/.test(path.basename(file));
+/** Of each file, the tests with these names; the ends of files are always among them. */
+const testNamePatterns = process.env.ONLY ? [process.env.ONLY, "^end of "] : undefined;
 const timeout = 900_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10);
 /** How long every test took that has run, in ms, and what it is called. */
 const took = [];
@@ -56,7 +59,7 @@ async function runAll(files, lanes) {
   if (files.length === 0) return failed;
   const taken = fs.mkdtempSync(path.join(os.tmpdir(), "robovac-e2e-"));
   Object.assign(process.env, { E2E_FILES: JSON.stringify(files), E2E_TAKEN: taken });
-  const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, "lane.mjs")), concurrency: lanes, timeout })
+  const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, "lane.mjs")), concurrency: lanes, timeout, testNamePatterns })
     .on("test:pass", note)
     .on("test:fail", (test) => {
       note(test);
