@@ -119,7 +119,8 @@ fn a_robot_without_counts_drives_by_distance_and_angle() {
         assert!(wire.link.request(wire.now, Request::Calibrate { what: Calibration::Nudge }).is_err());
         wire.arm();
         let start = wire.pose();
-        let line: Arc<[Point]> = [(3.0, 2.5), (4.5, 2.5), (4.5, 3.5), (3.0, 3.5)].into_iter().map(|(x, y)| Point::new(x, y)).collect();
+        let line: Arc<[Point]> =
+            [(3.0, 2.5), (4.5, 2.5), (4.5, 3.5), (3.0, 3.5)].into_iter().map(|(x, y)| Point::new(x, y)).collect();
         let follower = FollowPath::new(&wire.link.calibrated(&roomba()), wire.link.odometry(), start, line);
         wire.link.ride(wire.now, "Line", Box::new(follower), start, false).unwrap();
         wire.pass_until(60.0, |wire| wire.view().ride.unwrap().done);

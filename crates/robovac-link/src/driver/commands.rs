@@ -1,8 +1,6 @@
 //! Commands sent to the robot.
 
-use super::{
-    Actuators, ConnectionPhase, Driver, Finding, Happening, STOP, Step, happened,
-};
+use super::{Actuators, ConnectionPhase, Driver, Finding, Happening, STOP, Step, happened};
 use robovac_core::robot::Drive;
 use roomba_oi::{Command, CommandDecoder, CommandRefusal, MAX_WRITTEN, Mode, Motors};
 

@@ -90,7 +90,8 @@ impl Driver {
                         self.diagnosis.tries += 1;
                         self.subscribe(now);
                     } else if !self.is_older && CREATE_1.fits(self.baud) {
-                        self.diagnosis.note("It sends no sensor data of a Create 2: asking for those of a Create 1.".to_owned());
+                        self.diagnosis
+                            .note("It sends no sensor data of a Create 2: asking for those of a Create 1.".to_owned());
                         self.begin_stream(now, true);
                     } else {
                         self.diagnosis.finding = Finding::NoStream;

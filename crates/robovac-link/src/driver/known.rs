@@ -1,8 +1,6 @@
 //! Known properties of a robot and its line.
 
-use super::{
-    ConnectionPhase, Diagnosis, Driver, Happening, LinkStats, WheelCommand, distance_angle_poll::frame_bytes,
-};
+use super::{ConnectionPhase, Diagnosis, Driver, Happening, LinkStats, WheelCommand, distance_angle_poll::frame_bytes};
 use roomba_oi::{Packet, PacketId, PacketSet, Readings, StreamCounts, slot_bytes};
 
 impl Driver {
