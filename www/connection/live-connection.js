@@ -32,7 +32,10 @@ export class LiveConnection {
    * @param {(message: import("./types").FromConnection, transfer?: Transferable[]) => void} tell
    */
   constructor(connection, mirror, holder, tell) {
-    [this.#connection, this.#mirror, this.#holder, this.#tell] = [connection, mirror, holder, tell];
+    this.#connection = connection;
+    this.#mirror = mirror;
+    this.#holder = holder;
+    this.#tell = tell;
   }
 
   /** An error of the program ended it; nothing is sent any more. */
@@ -124,8 +127,7 @@ export class LiveConnection {
     if (this.#isBroken) return;
     this.#line?.write(STOP);
     console.error(error);
-    const said = error instanceof Error ? error.message : String(error);
-    this.#end(`An error in this program ended the connection (${said}). A stop command was sent.`, "Check that the robot has stopped, then connect again.");
+    this.#end(`An error in this program ended the connection (${error instanceof Error ? error.message : error}). A stop command was sent.`, "Check that the robot has stopped, then connect again.");
     void this.#line?.close();
   }
 
