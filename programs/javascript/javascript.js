@@ -21,7 +21,7 @@ export function whole(speed, topSpeed) {
 
 /** @param {Options} options @returns {Program} */
 export function loadJavaScript(options) {
-  const { source, name = "program.js", facts, seed, layout, parser, traced = false, budget = Infinity, breakpoints = [], evaluate = (0, eval) } = options;
+  const { source, name = "program.js", facts, seed, layout, parser, traced = false, budget = Infinity, breakpoints = [], evaluate = eval } = options;
   const robot = makeRobot(facts, seed, layout, options.Robot);
   /** @type {Record<string, unknown>[]} */
   const output = [];
