@@ -344,13 +344,10 @@ impl Walker<'_> {
 
     /// Floor that isn't swept, and a piece near it: a corner of it, a new corner, a spur or a short lane.
     fn reach_for_floor(&mut self) -> Option<Edit> {
-        let count = self.path.raster.floor().len();
-        let floor = (0..60).find_map(|_| {
-            let pick = self.below(count);
-            let index = self.path.raster.floor()[pick];
-            self.path.raster.is_unswept(index).then_some(index)
+        let goal = (0..60).find_map(|_| {
+            let (word, sample) = (self.rng.random(), self.rng.random());
+            self.path.raster.unswept_at(word, sample)
         })?;
-        let goal = self.path.raster.sample(floor as usize);
         let choice = self.below(3);
         let mut near: Option<(f64, usize, Point)> = None;
         for &piece in self.nearby.around(goal) {
