@@ -1,6 +1,6 @@
 // Runs tests/e2e/*.test.mjs, or those whose file name contains one of the arguments: node tests/e2e/run.mjs [word...]
 // KEEP_PASSED=1 leaves out those that passed with the same page, tools and tests, to the byte; ALL=1 does not, after all.
-// ONLY="the page hangs" runs those tests alone whose name contains that.
+// ONLY="the page hangs" runs those tests alone whose name contains that, and keeps nothing of it.
 // SLOWEST=20 lists the 20 tests that took longest, PICTURES=1 has all pictures taken that tests offer, in target/e2e.
 import fs from "node:fs";
 import os from "node:os";
@@ -28,7 +28,7 @@ function fail(message) {
 if (!fs.existsSync(path.join(here, "../../dist/index.html"))) fail("dist/ is missing: run ./dev build first");
 if (all.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/e2e/*.test.mjs"}`);
 
-const passed = process.env.KEEP_PASSED && !process.env.ALL ? new Passed() : undefined;
+const passed = process.env.KEEP_PASSED && !process.env.ALL && !process.env.ONLY ? new Passed() : undefined;
 const files = all.filter((file) => !passed?.has(file));
 if (files.length < all.length) console.log(`${all.length - files.length} of ${all.length} files passed before with all that they test unchanged, and are left out; ALL=1 runs them`);
 
