@@ -103,7 +103,6 @@ impl Connection {
                 in_control()?;
                 self.nothing_asked()?;
                 self.end_ride("Another action started.");
-                self.page.heard(now);
                 self.driver.drive_by_power(now, right, left).map_err(invalid)?;
             }
             Request::Clock { day, hour, minute } => {
