@@ -49,11 +49,11 @@ pub(super) struct Subscriptions {
     pub tells_speeds: bool,
 }
 
-/// The packets of a Create 1: the last that drivers of it request are 26 and 35. Group 1 has those up to 16, group 3 those from 21 on.
-/// A Roomba 980 sent these over its own USB port (create_robot, issue 106).
+/// The packets of a Create 1: the last that drivers of it request are 26 and 35. Group 1 has those up to 16, group 3 those
+/// from 21 on. A Roomba 980 sent these over its own USB port (create_robot, issue 106). Buttons can wait for the next frame.
 pub(super) const CREATE_1: Subscriptions = {
     const OWN: &[u8] = &[1, 17, 18, 3, 35];
-    Subscriptions { usual: OWN, without: OWN, with: &[1, 17, 18, 3, 35, 19, 20], tells_speeds: false }
+    Subscriptions { usual: OWN, without: OWN, with: &[1, 17, 3, 35, 19, 20], tells_speeds: false }
 };
 
 impl Subscriptions {
@@ -85,7 +85,7 @@ fn subscriptions(baud: u32) -> Subscriptions {
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Default)]
 pub(super) struct DistanceAnglePoll {
-    /// By the user, and by the user or because nothing else tells the way.
+    /// Wanted by the user, and wanted at all: by the user, or because nothing else tells the way.
     is_chosen: bool,
     pub is_wanted: bool,
     /// It was in use on this line, so frames of either subscription can arrive.
