@@ -104,10 +104,8 @@ fn a_slow_robot_is_found_at_19200_with_what_fits_into_its_slot() {
 fn a_robot_without_counts_drives_by_distance_and_angle() {
     let create = personality("create1").unwrap();
     let own_usb = Personality { default_baud: 115_200, baud: 115_200, ..create.clone() };
-    for (who, is_own_usb, wheel_base) in [(create, false, 0.235), (&own_usb, true, 0.258)] {
-        let mut setup = setup_in(&hall(), Conditions::default(), 1);
-        setup.robot.wheel_base = wheel_base;
-        let mut wire = Wire::with(&setup, who);
+    for (who, is_own_usb) in [(create, false), (&own_usb, true)] {
+        let mut wire = Wire::with(&setup_in(&hall(), Conditions::default(), 1), who);
         let (kind, state) = (TransportKind::Serial, TransportState::Open);
         let can_baud = !is_own_usb;
         wire.link.set_transport(TransportView { kind, state, is_own_usb, can_baud, ..Default::default() });
