@@ -110,7 +110,11 @@ impl Recharge {
 
     fn dock(&self) -> RechargeState {
         let params = Params::defaults(dock::INFO.params);
-        RechargeState::Dock((dock::BUILD)(&Setup { robot: self.follower.path().robot(), params: &params, seed: self.seed }))
+        RechargeState::Dock((dock::BUILD)(&Setup {
+            robot: self.follower.path().robot(),
+            params: &params,
+            seed: self.seed,
+        }))
     }
 
     fn come_back(&self) -> RechargeState {
