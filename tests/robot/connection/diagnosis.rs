@@ -99,7 +99,7 @@ fn a_slow_robot_is_found_at_19200_with_what_fits_into_its_slot() {
     assert!(wire.is_rolling());
 }
 
-/// Of the packets of a Create 1, at its rate, and at the only rate of a Roomba 900's own USB port (create_robot, issue 106).
+/// Of the packets of a Create 1, at its rate, and at the only rate of a Roomba 900's own USB port (`create_robot`, issue 106).
 #[test]
 fn a_robot_without_counts_drives_by_distance_and_angle() {
     let create = personality("create1").unwrap();

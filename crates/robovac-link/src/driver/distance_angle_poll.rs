@@ -50,7 +50,7 @@ pub(super) struct Subscriptions {
 }
 
 /// The packets of a Create 1: the last that drivers of it request are 26 and 35. Group 1 has those up to 16, group 3 those
-/// from 21 on. A Roomba 980 sent these over its own USB port (create_robot, issue 106). Buttons can wait for the next frame.
+/// from 21 on. A Roomba 980 sent these over its own USB port (`create_robot`, issue 106). Buttons can wait for the next frame.
 pub(super) const CREATE_1: Subscriptions = {
     const OWN: &[u8] = &[1, 17, 18, 3, 35];
     Subscriptions { usual: OWN, without: OWN, with: &[1, 17, 3, 35, 19, 20], tells_speeds: false }
