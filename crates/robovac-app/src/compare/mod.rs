@@ -5,9 +5,12 @@
 
 mod base;
 mod comparison;
+mod entrants;
 mod export;
+mod kept_paths;
 mod program_runs;
 mod race;
+mod race_log;
 mod rooms;
 mod study;
 mod study_view;

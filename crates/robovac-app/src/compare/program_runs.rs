@@ -119,7 +119,7 @@ mod tests {
         comparison.restore("vs=&behaviours=bounce").unwrap();
         let program = number(comparison.entrants(), ProgramKind::Behaviour);
         assert_eq!(comparison.copy_number(program), 1);
-        comparison.choose_entrant(program, true);
+        comparison.choose(program, true);
         let job = comparison.take_race_job().unwrap();
         assert!(comparison.take_race_job().is_none(), "once");
         let race = comparison.race_mut().unwrap();
@@ -153,7 +153,7 @@ mod tests {
         comparison.take(&session(ProgramKind::Planner));
         comparison.restore("vs=").unwrap();
         let program = number(comparison.entrants(), ProgramKind::Planner);
-        comparison.choose_entrant(program, true);
+        comparison.choose(program, true);
         let request = comparison.take_trial().unwrap();
         assert!(request.job.is_some());
         let arena = request.arena().unwrap();

@@ -8,13 +8,15 @@
 mod export;
 mod lab;
 mod outcome;
+mod program_run;
 mod quantile;
 mod request;
 mod summary;
 
 pub use export::{EntrantRuns, StudyHeader, to_csv, to_json};
 pub use lab::{Lab, Terms};
-pub use outcome::{GOALS, RunOutcome, SAMPLES};
+pub use outcome::{GOALS, OutcomeMeter, RunOutcome, SAMPLES};
+pub use program_run::ProgramRun;
 pub use quantile::quantile;
 pub use request::RunsRequest;
 pub use summary::{Band, RunTally, Summary, TimeTo};
