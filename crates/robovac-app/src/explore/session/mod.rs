@@ -8,7 +8,7 @@ mod saved;
 mod search;
 mod snapshot;
 
-pub use self::saved::LoadError;
+pub use self::saved::{LinkOutline, LoadError};
 
 use self::program::ProgramRun;
 pub(super) use self::saved::known_room;
