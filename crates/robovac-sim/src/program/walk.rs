@@ -43,7 +43,7 @@ pub enum WalkFault {
         cell: Cell,
     },
     /// A cell that isn't beside the one before.
-    #[error("step {step} jumps from {from} to {to}; go to a cell on the left, right, above or below")]
+    #[error("step {step} jumps from {from} to {to}; move to a neighbouring cell: left, right, up or down")]
     Jump {
         /// Number of the step.
         step: usize,
