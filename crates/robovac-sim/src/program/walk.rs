@@ -130,7 +130,7 @@ mod tests {
         );
         assert_eq!(
             verdict(&[(0, 0), (2, 0)]),
-            "step 1 jumps from (0, 0) to (2, 0); go to a cell on the left, right, above or below"
+            "step 1 jumps from (0, 0) to (2, 0); move to a neighbouring cell: left, right, up or down"
         );
         assert!(verdict(&[(i32::MAX, i32::MIN)]).starts_with("step 0 leaves the grid"));
     }
