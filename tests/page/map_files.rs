@@ -352,7 +352,7 @@ mod formats {
             (with_image(b"P5 3 2 0\nabcdef"), "\"map.pgm\" is damaged: "),
             (with_image(b"P5 -3 2 255\nabcdef"), "\"map.pgm\" is damaged: "),
             (with_image(b"P9 3 2 255\nabcdef"), "\"map.pgm\" is text of an unknown format: choose"),
-            (with_image(b"P7\nWIDTH 3\n"), "\"map.pgm\" is a PAM image: save it as PNG. Taken"),
+            (with_image(b"P7\nWIDTH 3\n"), "\"map.pgm\" is a PAM image: save it as PNG. Accepted formats"),
             (with_image(b""), "\"map.pgm\" is empty; choose another file"),
             (with_image(&png), "\"map.pgm\" is a file of an unknown format: choose"),
         ]);

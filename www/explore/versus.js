@@ -1,5 +1,5 @@
 // @ts-check
-// You against the algorithm: in the same room from the same start, who has swept more after the same time?
+// You against the algorithm: in the same room from the same start, who sweeps more in the same time?
 import { fill, make, setText } from "../dom.js";
 import { clock, percent } from "../format.js";
 import { act, send } from "./games.js";
