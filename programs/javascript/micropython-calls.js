@@ -1,7 +1,7 @@
 // @ts-check
 // What MicroPython asks of the system around it: a read-only folder of files, a place to print, memory, the robot's clock.
 
-/** Errors of POSIX that it is told. */
+/** POSIX errors that it gets. */
 const NO_FILE = -44;
 export const NO_SUCH_CALL = -52;
 const BAD_FILE = 8;

@@ -7,7 +7,7 @@ import { SourceError, number, shown } from "./words.js";
 /** A motion is started in the step that yields it, and asked at every further step: undefined while it goes on, then true
  * if it has reached its aim and false if not. @typedef {{name: string, start(robot: Robot): void, step(robot: Robot): boolean | undefined,
  * hold?(robot: Robot): number, skip?(steps: number): void}} Motion `hold` is the number of further steps in which it surely
- * commands the same, unless the robot gets blocked; `skip` is told when they went by. */
+ * commands the same, unless the robot gets blocked; `skip` is called when they have passed. */
 
 export const RADIANS = 0.017453292519943295;
 /** Slowest wheel speed at which a motion ends, m/s. */

@@ -287,13 +287,13 @@ mod formats {
             (text(" \n"), "\"a.txt\" is empty; choose another file"),
             (
                 text("Dear diary"),
-                "\"a.txt\" is text of an unknown format: choose another file. Taken are drawings (DXF,",
+                "\"a.txt\" is text of an unknown format: choose another file. Accepted formats: drawings (DXF,",
             ),
             (message(&[file("a.png", b"%PDF-1.7\n")]), "\"a.png\" is a PDF document: export its page as SVG"),
             (message(&[file("a.jpg", b"\0\0\0\x18ftypheic")]), "\"a.jpg\" is a HEIC photograph: export it as JPEG"),
             (
                 message(&[file("a.zip", b"PK\x03\x04")]),
-                "\"a.zip\" is a ZIP archive: unpack it and choose the floor plan inside. Taken are drawings (DXF,",
+                "\"a.zip\" is a ZIP archive: unpack it and choose the floor plan inside. Accepted formats: drawings (DXF,",
             ),
             (message(&[file("a", b"\x00\xff\x01")]), "\"a\" is a file of an unknown format"),
             (text("..\n.x"), "\"a.txt\", line 2, column 2: 'x' is not allowed in a text map; use # for walls"),
@@ -352,7 +352,7 @@ mod formats {
             (with_image(b"P5 3 2 0\nabcdef"), "\"map.pgm\" is damaged: "),
             (with_image(b"P5 -3 2 255\nabcdef"), "\"map.pgm\" is damaged: "),
             (with_image(b"P9 3 2 255\nabcdef"), "\"map.pgm\" is text of an unknown format: choose"),
-            (with_image(b"P7\nWIDTH 3\n"), "\"map.pgm\" is a PAM image: save it as PNG. Taken"),
+            (with_image(b"P7\nWIDTH 3\n"), "\"map.pgm\" is a PAM image: save it as PNG. Accepted formats"),
             (with_image(b""), "\"map.pgm\" is empty; choose another file"),
             (with_image(&png), "\"map.pgm\" is a file of an unknown format: choose"),
         ]);

@@ -86,7 +86,7 @@ function showBench({ act, view }) {
     const { title = "", mark } = view.entrants[entrant] ?? {};
     return make("button", { type: "button", onclick: () => act((c) => c.set_racing(entrant, true)) }, swatch(mark), title);
   });
-  const tip = "Nine robots race at most. Who joins as the tenth takes the place of the last one.";
+  const tip = "At most nine robots race. A tenth replaces the last one.";
   byId("bench").replaceChildren(...(names.length > 0 ? [make("span", { className: "note", "data-tip": tip }, "Join the race:"), ...names] : []));
 }
 

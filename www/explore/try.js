@@ -13,7 +13,7 @@ const follow = (link) => void (location.hash = link);
 /** @type {[title: string, what: string, how: (app: App) => unknown][]} */
 const IDEAS = [
   ["Random walk against lanes", "Which one cleans the living room first?", () => follow("room=living&tab=compare&vs=boustrophedon&behaviours=random_walk")],
-  ["You against the algorithm", "Drive by hand. Who sweeps more in the same time?", (app) => import("./games.js").then(({ offerVersus }) => offerVersus(app))],
+  ["You against the algorithm", "Drive by hand: can you sweep more in the same time?", (app) => import("./games.js").then(({ offerVersus }) => offerVersus(app))],
   ["Break it", "Draw the room that this planner does worst in.", (app) => import("./games.js").then(({ offerWorst }) => offerWorst(app))],
   ["A cat in the way", "A robot that only has its bumper meets the cat.", () => follow("room=living&behaviour=random_walk&speed=4")],
   ["Kidnap the robot", "Put it down elsewhere. Does it notice?", (app) => lift(app)],

@@ -1,5 +1,5 @@
 // @ts-check
-// You against the algorithm: in the same room from the same start, who has swept more after the same time?
+// You against the algorithm: in the same room from the same start, who sweeps more in the same time?
 import { fill, make, setText } from "../dom.js";
 import { clock, percent } from "../format.js";
 import { act, send } from "./games.js";
@@ -48,7 +48,7 @@ export function startVersus(app, card) {
     time.value = String(terms.seconds);
     card.show(
       "You against the algorithm",
-      make("p", {}, "In this room, from the same start: who has swept more when the time is over?"),
+      make("p", {}, "Same room, same start: who sweeps more before time runs out?"),
       make("div", { className: "choices" }, labelled("Against", rival), labelled("Time", time, "field short"), act("Start", () => begin({ rival: rival.value, seconds: Number(time.value), beat: null }), "primary")),
     );
   }

@@ -15,7 +15,7 @@ import { complain, toast } from "../messages.js";
 
 const DATABASE = "robovac-drafts";
 /** Has "files" and "choices" of one floor plan. */
-const BOARD = "board";
+const STORE = "board";
 const ASIDE = "aside";
 /** Version of the format; changes when earlier data can no longer be read. */
 const FORMAT = 1;
@@ -56,7 +56,7 @@ export function startKeeping(it) {
     [files, choices] = [client.files, now];
     try {
       const contents = isNew ? await Promise.all(files.map(async (file) => ({ name: file.name, bytes: await file.arrayBuffer() }))) : [];
-      const board = await store(BOARD);
+      const board = await store(STORE);
       const puts = [done(board.put(choicesOf(view), "choices"))];
       if (isNew) puts.push(done(board.put({ format: FORMAT, files: contents }, "files")));
       await Promise.all(puts);
@@ -102,7 +102,7 @@ export function startKeeping(it) {
   /** Restores the stored data, unless another file was opened meanwhile. @param {() => boolean} isFree */
   const bring = async (isFree) => {
     try {
-      const board = await store(BOARD);
+      const board = await store(STORE);
       const [kept, chosen] = await Promise.all(["files", "choices"].map((key) => done(board.get(key))));
       if (kept && isFree()) await layOut(kept, chosen);
       await showAside();
@@ -144,7 +144,7 @@ export function startKeeping(it) {
       clearTimeout(rest);
       rest = setTimeout(() => void save(), REST_MS);
     },
-    /** The board broke; whether that was by what was being brought back, which is told. @param {string} message */
+    /** The session ended by an error; says whether the restored files caused it, and reports that. @param {string} message */
     broke(message) {
       if (!coming) return false;
       const { files: kept, choices: chosen } = coming;
@@ -168,7 +168,7 @@ function filesOf(what) {
 function openDatabase() {
   const request = indexedDB.open(DATABASE, 1);
   request.onupgradeneeded = () => {
-    request.result.createObjectStore(BOARD);
+    request.result.createObjectStore(STORE);
     request.result.createObjectStore(ASIDE, { autoIncrement: true });
   };
   return done(request);

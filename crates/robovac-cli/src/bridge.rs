@@ -118,7 +118,7 @@ fn cannot_listen(address: &str, error: &io::Error) -> Failure {
 fn new_token() -> Result<String, Failure> {
     let mut bytes = [0; 8];
     getrandom::fill(&mut bytes)
-        .map_err(|e| Failure::usage(format!("can't make up a token: {e}; give one with --token")))?;
+        .map_err(|e| Failure::usage(format!("can't generate a token: {e}; give one with --token")))?;
     Ok(format!("{:016x}", u64::from_le_bytes(bytes)))
 }
 
@@ -275,7 +275,7 @@ impl Host<'_> {
                 } else if bridge.joined(client, now_ms, &mut wires) == Err(Full) {
                     wires.close(
                         client,
-                        &format!("it has {MAX_CLIENTS} clients, and takes no more. Close a page that watches"),
+                        &format!("all {MAX_CLIENTS} connections are in use; close a page that only watches"),
                     );
                 }
             }

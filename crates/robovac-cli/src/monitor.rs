@@ -195,7 +195,7 @@ fn told_of(line: &Traffic) -> String {
 fn list() -> Result<String, Failure> {
     let ports = serialport::available_ports().map_err(|e| Failure::usage(format!("can't list serial ports: {e}")))?;
     if ports.is_empty() && stderr().is_terminal() {
-        say("No serial port found. Is the cable plugged in?");
+        say("No serial port found. Check that the cable is plugged in.");
     }
     Ok(ports.into_iter().map(|port| port.port_name + "\n").collect())
 }

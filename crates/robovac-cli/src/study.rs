@@ -102,7 +102,7 @@ fn merge(opened: &Opened, shards: &Shards, out: &Path) -> Result<String, Failure
     if let Some(missing) = (0..count).find(|&shard| !shards.has(shard)) {
         let left = (missing..count).filter(|&shard| !shards.has(shard)).count();
         return Err(Failure::usage(format!(
-            "{left} of {count} shards are missing; run \"robovac study\" without --shard, or the parts that are left"
+            "{left} of {count} shards are missing; run \"robovac study\" without --shard, or run the missing parts"
         )));
     }
     table::write(opened, shards, out)?;

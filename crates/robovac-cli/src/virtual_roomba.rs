@@ -240,7 +240,7 @@ impl Host {
         if self.was != Some(is) {
             self.was = Some(is);
             let (moves, WheelState { left, right }) = (if is.1 { "turning" } else { "at rest" }, asked);
-            self.diary.note(time_s, format_args!("wheels asked left {left:.0} right {right:.0} mm/s, {moves}"));
+            self.diary.note(time_s, format_args!("wheels commanded left {left:.0} right {right:.0} mm/s, {moves}"));
         }
     }
 

@@ -121,7 +121,7 @@ impl Fields {
         let what = if self.known.contains(&field.key.as_str()) {
             format!("the block \"{}\" has a second line \"{}\"", self.kind, field.key)
         } else {
-            format!("the block \"{}\" knows no \"{}\"", self.kind, field.key)
+            format!("the block \"{}\" has no key \"{}\"", self.kind, field.key)
         };
         let mut known = self.known.clone();
         known.sort_unstable();

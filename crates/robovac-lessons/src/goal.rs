@@ -211,7 +211,7 @@ fn changes(field: &Field) -> Result<Vec<String>, LessonFault> {
         None => Ok(names),
         Some(name) => {
             let mend = format!("use some of: {}", CHANGES.map(|(known, _)| known).join(", "));
-            Err(LessonFault::new(field.line, format!("\"change\" knows no \"{name}\""), mend))
+            Err(LessonFault::new(field.line, format!("\"change\" can't change \"{name}\""), mend))
         }
     }
 }

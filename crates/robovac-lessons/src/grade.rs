@@ -135,7 +135,7 @@ impl GradedAnswer {
                 if let Some(given) = given {
                     let (_, ignored) = goal.settings(&given.link);
                     remarks.extend(ignored.iter().map(|key| {
-                        format!("{}: \"{key}\" may not be changed and was left as the task has it", goal.id)
+                        format!("{}: \"{key}\" may not be changed; the value of the exercise was used", goal.id)
                     }));
                 }
                 match result {

@@ -267,7 +267,7 @@ mod tests {
         }
         assert!(
             fault("# T\n```do\nlabel: a\nlable: b\n```")
-                .starts_with("line 4: the block \"do\" knows no \"lable\"; it takes: label, link")
+                .starts_with("line 4: the block \"do\" has no key \"lable\"; it takes: label, link")
         );
         assert!(
             fault("# T\n```predict\nquestion: a\noption: b\noption: c\nanswer: 3\n```")

@@ -128,7 +128,7 @@ export class Robot {
   /** Whether it is commanded to stand still, and does. */
   isAtRest() {
     const { words } = this.#lines().findLast(({ kind }) => kind === "wheels") ?? { words: [] };
-    return /^asked left -?0 right -?0 mm\/s, at rest$/.test(words.join(" "));
+    return /^commanded left -?0 right -?0 mm\/s, at rest$/.test(words.join(" "));
   }
 }
 

@@ -60,7 +60,7 @@ impl Programs {
     /// Gets the program of a job ready. Errors are for users.
     pub fn pupil(job: &Job) -> Result<Pupil, String> {
         let Program { language, source, .. } =
-            job.program.as_ref().ok_or("the answer says that a program drives, and has none")?;
+            job.program.as_ref().ok_or("the answer names a program but contains none")?;
         let language = Language::of_text(*language, source).map_err(|error| error.to_string())?;
         Ok(Pupil { language, has_failed: AtomicBool::new(false), is_alone: AtomicBool::new(false) })
     }
@@ -120,8 +120,8 @@ impl Programs {
                 let cells = plan(&mut process, &room, &mut prints)?;
                 lab.follow(&[seed], cells)?.pop().ok_or_else(|| "there is no run".to_owned())
             }
-            (Ready::Plans, true) => Err("the program plans, and the answer says that it drives".to_owned()),
-            (_, false) => Err("the program drives, and the answer says that it plans".to_owned()),
+            (Ready::Plans, true) => Err("the program is a planner, but the answer names a behaviour".to_owned()),
+            (_, false) => Err("the program is a behaviour, but the answer names a planner".to_owned()),
             (ready, true) => {
                 let mut run = ProgramRun::new(lab, seed);
                 if ready == Ready::DrivesFramed {

@@ -317,10 +317,10 @@ fn walls_and_drop_offs_are_where_they_were_put_and_the_log_tells_when() {
         let line = lines.iter().find(|line| line[2].starts_with(what)).unwrap_or_else(|| panic!("{what}: {text}"));
         [line[0].parse().unwrap(), line[1].parse().unwrap()]
     };
-    let (told, turning) = (time("command 137 1 44 128 0"), time("wheels asked left 300 right 300 mm/s, turning"));
+    let (told, turning) = (time("command 137 1 44 128 0"), time("wheels commanded left 300 right 300 mm/s, turning"));
     assert!(told[0] <= turning[0] && turning[0] - told[0] < 0.5, "{text}");
     assert!((turning[1] - told[1] - 1000.0 * (turning[0] - told[0])).abs() < 0.2, "{text}");
-    assert!(lines.last().unwrap()[2].ends_with("asked left 0 right 0 mm/s, at rest"), "{text}");
+    assert!(lines.last().unwrap()[2].ends_with("commanded left 0 right 0 mm/s, at rest"), "{text}");
 
     let mut program = Program::start("wall", &["--wall-at", "0.5"]);
     program.ready();

@@ -25,9 +25,9 @@ const SEEN: u8 = 32;
 
 /// FREE cells at heading 0, and where the body can move between their centres.
 ///
-/// That the body fits in two neighbouring cells doesn't tell that the way between them is free: something narrower than
-/// a cell can be in between. So the steps are computed like the cells, for what the body covers on the way (Minkowski
-/// sums of the obstacles and the outline drawn out by a cell).
+/// A body that fits in two neighbouring cells may still touch something narrow between them. So the steps are computed
+/// like the cells, for what the body covers on the way (Minkowski sums of the obstacles and the outline drawn out by a
+/// cell).
 ///
 /// If all four sides of a square between four centres are free, so is the square: an obstacle grown by the body is
 /// connected and wider than a cell, so it can't be inside without crossing a side.

@@ -92,7 +92,7 @@ impl Finding {
             Self::Silence => {
                 "Press CLEAN once on the robot to wake it; this page then continues automatically. If it starts \
                  cleaning, press again. Still no answer? Check that the plug is fully inserted and the battery is in. If \
-                 it beeps when this page connects, its answer doesn't get through: see Cable and wiring, No telemetry."
+                 it beeps when this page connects, its answer is lost on the way: see Cable and wiring, No telemetry."
             }
             Self::Charging => {
                 "Wait a moment. If nothing happens, take the robot off its dock and press CLEAN once: some robots fall \

@@ -50,7 +50,7 @@ pub enum TwinError {
     },
     /// Nothing in it tells a figure.
     #[error(
-        "nothing in this recording tells a twin's figures: no command drove the robot, it never turned twice on the spot \
+        "this recording doesn't determine any figure of a twin: no command drove the robot, it never turned twice on the spot \
          beside a wall, met no wall head-on, and nothing was calibrated; drive it from the Robot tab and record that"
     )]
     Untold,

@@ -50,7 +50,7 @@ impl<'a> Found<'a> {
         let claimed = claimed(log);
         let count = by_tape(log).or_else(|| {
             let mm = claimed.filter(|mm| (mm / model_mm_per_count() - 1.0).abs() > OTHER_WHEELS)?;
-            let how = "What the robot itself counts on, by its distance packets; nobody measured it.".to_owned();
+            let how = "The figure that the robot itself uses, from its distance packets; not measured.".to_owned();
             Some((mm, 0.01 * mm, how))
         });
         let mm = count.as_ref().map_or(model_mm_per_count(), |(mm, ..)| *mm);
@@ -111,7 +111,7 @@ impl<'a> Found<'a> {
             None => String::new(),
         };
         figure.of_model(format!(
-            "The model's: the robot regulates its speed by its own counts, so they can't tell how large its wheels \
+            "The model's: the robot regulates its speed by its own counts, so they don't show how large its wheels \
              are.{own} Let it drive a measured metre: Tools, Calibrate, Metre."
         ))
     }
@@ -133,7 +133,7 @@ impl<'a> Found<'a> {
         let [seen, measured] = turn.turns;
         let mut from = Vec::new();
         if seen > 0 {
-            from.push(format!("{} in which the light bumper saw the same again", counted(seen, "full turn")));
+            from.push(format!("{} after which the light bumper read the same again", counted(seen, "full turn")));
         }
         if measured > 0 {
             from.push(format!("{} that you measured", counted(measured, "turn")));

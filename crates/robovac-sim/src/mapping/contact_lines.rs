@@ -1,6 +1,6 @@
 //! Straight walls from contacts alone, for robots with nothing but a bumper.
 //!
-//! A switch tells the side of a contact, not its direction. But whatever the direction, a round body that touches a straight
+//! A switch shows the side of a contact, not its direction. But whatever the direction, a round body that touches a straight
 //! wall has its middle a radius away from it. So the middles at several contacts lie on a line beside the wall, which gives
 //! direction and place of the wall at once: a multiscan as sparse as it can be (Beevers & Huang 2006, see
 //! [`multiscan`](super::multiscan)).

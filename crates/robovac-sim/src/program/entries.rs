@@ -7,7 +7,7 @@ use coverage_planners::{PlannerClaims, PlannerInfo, Search};
 pub const BEHAVIOUR_PROGRAM: BehaviourInfo = BehaviourInfo {
     id: "program",
     title: "Your program",
-    summary: "Drives as your program says.",
+    summary: "Your program drives.",
     claims: BehaviourClaims { cleans: true, ..BehaviourClaims::NONE },
     params: &[],
 };
@@ -16,7 +16,7 @@ pub const BEHAVIOUR_PROGRAM: BehaviourInfo = BehaviourInfo {
 pub const PLANNER_PROGRAM: PlannerInfo = PlannerInfo {
     id: "program_planner",
     title: "Your program",
-    summary: "Plans as your program says.",
+    summary: "Your program plans.",
     claims: PlannerClaims {
         complete: false,
         deterministic: false,

@@ -43,7 +43,7 @@ pub enum WalkFault {
         cell: Cell,
     },
     /// A cell that isn't beside the one before.
-    #[error("step {step} jumps from {from} to {to}; go to a cell on the left, right, above or below")]
+    #[error("step {step} jumps from {from} to {to}; move to a neighbouring cell: left, right, up or down")]
     Jump {
         /// Number of the step.
         step: usize,
@@ -130,7 +130,7 @@ mod tests {
         );
         assert_eq!(
             verdict(&[(0, 0), (2, 0)]),
-            "step 1 jumps from (0, 0) to (2, 0); go to a cell on the left, right, above or below"
+            "step 1 jumps from (0, 0) to (2, 0); move to a neighbouring cell: left, right, up or down"
         );
         assert!(verdict(&[(i32::MAX, i32::MIN)]).starts_with("step 0 leaves the grid"));
     }

@@ -1,7 +1,7 @@
 //! Files of other kinds, with how to make a floor plan of them.
 
 /// All kinds of files that are taken as floor plans, for messages.
-pub const TAKEN: &str = "Taken are drawings (DXF, SVG, GeoJSON), images (PNG, JPEG, WebP, PGM), ROS maps (YAML with its \
+pub const TAKEN: &str = "Accepted formats: drawings (DXF, SVG, GeoJSON), images (PNG, JPEG, WebP, PGM), ROS maps (YAML with its \
                          image), text maps of # and ., and saved scenarios (JSON)";
 
 /// A kind of file that isn't taken.
