@@ -41,7 +41,7 @@ export async function restoreLink(app, link) {
   const isOwn = asked.includes(OWN);
   const isSame = now.every((pair) => asked.includes(pair)) && asked.every((pair) => now.includes(pair) || !SESSION.test(pair));
   // Back from another tab: the run goes on.
-  if (hasKept && isSame && (!isOwn || asked.includes(`kept=${own?.currentId(app)}`))) return;
+  if (hasKept && isSame && (!isOwn || asked.includes(own?.pairOf(app) ?? ""))) return;
   const refusal = isOwn ? await (await ownRooms()).openLink(app, link) : "";
   // The program has to be there before it is chosen.
   if (/(^|&)(behaviour=program|planner=program_planner)(&|$)/.test(link)) await holdProgram(app, link);
@@ -72,5 +72,5 @@ export function keepState(app) {
 /** Tab and room of a link. @param {string} hash */
 function place(hash) {
   const pairs = new URLSearchParams(hash.slice(1));
-  return ["tab", "room", "kept"].map((key) => pairs.get(key) ?? "").join();
+  return ["tab", "room", "kept", "flat"].map((key) => pairs.get(key) ?? "").join();
 }
