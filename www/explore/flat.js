@@ -8,7 +8,7 @@ import { complain, textOf } from "../messages.js";
 /** Areas to choose from, m², and what they are called; the first is any that can be made. */
 const AREAS = [["", "any"], ["25..45", "small"], ["45..75", "medium"], ["75..120", "large"]];
 /** How the note of a generated flat begins: its seed, and what else is in its name. */
-const NOTE = /^Generated flat (\d+)((?:~\S+?)*):/;
+const NOTE = /^Generated flat (\d+)((?:~\S+?)*): /;
 
 /** Names of flats by their lineage, with the version as which they were made: changed, they are own rooms. @type {Map<number, { name: string, version: number }>} */
 const made = new Map();
