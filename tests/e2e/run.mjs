@@ -1,5 +1,6 @@
 // Runs tests/e2e/*.test.mjs, or those whose file name contains one of the arguments: node tests/e2e/run.mjs [word...]
 // KEEP_PASSED=1 leaves out those that passed with the same page, tools and tests, to the byte; ALL=1 does not, after all.
+// ONLY="the page hangs" runs those tests alone whose name contains that, and keeps nothing of it.
 // SLOWEST=20 lists the 20 tests that took longest, PICTURES=1 has all pictures taken that tests offer, in target/e2e.
 import fs from "node:fs";
 import os from "node:os";
@@ -27,16 +28,18 @@ function fail(message) {
 if (!fs.existsSync(path.join(here, "../../dist/index.html"))) fail("dist/ is missing: run ./dev build first");
 if (all.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/e2e/*.test.mjs"}`);
 
-const passed = process.env.KEEP_PASSED && !process.env.ALL ? new Passed() : undefined;
+const passed = process.env.KEEP_PASSED && !process.env.ALL && !process.env.ONLY ? new Passed() : undefined;
 const files = all.filter((file) => !passed?.has(file));
 if (files.length < all.length) console.log(`${all.length - files.length} of ${all.length} files passed before with all that they test unchanged, and are left out; ALL=1 runs them`);
 
 /** Where a robot's stop is due soon, the machine has nothing heavy to do besides. */
 const isUrgent = (file) => /^connection(-bridge|-fake|-program|-serial|-stop|-usb|-window)?\.test/.test(path.basename(file));
-/** That a robot stops in time is measured there: beside little else. */
+/** That a robot stops in time is measured there: beside nothing else. */
 const isStop = (file) => /^connection-(bridge|stop|window)\.test/.test(path.basename(file));
 /** That a robot stops in time has to hold at the first try. */
 const hasOneTry = (file) => /^connection-(bridge|stop)\.test/.test(path.basename(file));
+/** Of each file, the tests with these names; the ends of files are always among them. */
+const testNamePatterns = process.env.ONLY ? [process.env.ONLY, "^end of "] : undefined;
 const timeout = 900_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10);
 /** How long every test took that has run, in ms, and what it is called. */
 const took = [];
@@ -62,7 +65,7 @@ async function runAll(files, lanes) {
   if (files.length === 0) return failed;
   const taken = fs.mkdtempSync(path.join(os.tmpdir(), "robovac-e2e-"));
   Object.assign(process.env, { E2E_FILES: JSON.stringify(files), E2E_TAKEN: taken });
-  const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, "lane.mjs")), concurrency: lanes, timeout })
+  const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, "lane.mjs")), concurrency: lanes, timeout, testNamePatterns })
     .on("test:pass", note)
     .on("test:fail", (test) => {
       note(test);
@@ -81,7 +84,7 @@ const urgent = files.filter(isUrgent);
 const failed = [...(await runAll(files.filter((file) => !isUrgent(file)), 3))];
 // They wait for most of their time.
 failed.push(...(await runAll(urgent.filter((file) => !isStop(file)), 3)));
-failed.push(...(await runAll(urgent.filter(isStop), 2)));
+failed.push(...(await runAll(urgent.filter(isStop), 1)));
 // A process that ended by itself says nothing of any file.
 if (process.exitCode === undefined) for (const file of files.filter((file) => !failed.includes(file))) passed?.add(file);
 // A busy machine may have made it fail; what fails alone, too, is broken.

@@ -5,8 +5,8 @@ mod frames;
 mod language;
 mod protocol;
 mod runtimes;
+mod sandbox;
 mod talk;
-mod walls;
 
 use super::{
     conditions::ConditionsArguments, failure::Failure, montecarlo::parse_minutes, output, signals::end_requested,
@@ -27,6 +27,7 @@ use robovac_sim::{
     montecarlo::{Lab, ProgramRun, Terms, quantile},
     program::{ProgramRoom, RobotFacts, check_walk},
 };
+pub use sandbox::Sandbox;
 use serde::Serialize;
 use std::{
     fmt::Write,
@@ -39,7 +40,6 @@ use std::{
     thread,
 };
 pub use talk::{Prints, Ready, drive, greet, hello, plan};
-pub use walls::Walls;
 
 /// Run your own program on the simulated robot: Python, JavaScript, or any program that speaks the protocol
 #[derive(clap::Args)]

@@ -405,19 +405,8 @@ impl Stroke {
         let along = if length > 1e-9 { (high - low) / length } else { Vector::zeros() };
         let inverse = Vector::new(1.0 / along.x, 1.0 / along.y);
         let slope = along.x * inverse.y;
-        let mut stroke = Self {
-            low,
-            high,
-            radius,
-            rows,
-            along,
-            length,
-            inverse,
-            middle: (0, 0),
-            sides: (0, 0),
-            step: 0,
-            slope,
-        };
+        let mut stroke =
+            Self { low, high, radius, rows, along, length, inverse, middle: (0, 0), sides: (0, 0), step: 0, slope };
         let middle = (math::floor(low.y + radius) + 1, math::ceil(high.y - radius));
         if middle.0 < middle.1 {
             let at = low.x + slope * (f64::from(middle.0) - low.y);

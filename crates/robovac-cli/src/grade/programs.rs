@@ -1,8 +1,8 @@
-//! Runs of learners' programs: strangers', so they run within walls.
+//! Runs of learners' programs, in a sandbox, as they are strangers'.
 
 use crate::{
     failure::Failure,
-    run::{Language, Prints, ProgramProcess, Ready, Walls, drive, drive_framed, greet, plan},
+    run::{Language, Prints, ProgramProcess, Ready, Sandbox, drive, drive_framed, greet, plan},
 };
 use robovac_core::program::Program;
 use robovac_lessons::Job;
@@ -32,29 +32,29 @@ pub struct Pupil {
 
 /// Makes the runs of programs.
 pub struct Programs {
-    walls: Walls,
+    sandbox: Sandbox,
     end: Arc<AtomicBool>,
 }
 
 impl Programs {
-    /// Within walls, or if the user says so without. They end when `end` becomes true.
+    /// In a sandbox, or if the user says so without. They end when `end` becomes true.
     pub fn new(is_unconfined: bool, end: Arc<AtomicBool>) -> Result<Self, Failure> {
-        let walls = if is_unconfined {
-            Walls::limits_only()
+        let sandbox = if is_unconfined {
+            Sandbox::limits_only()
         } else {
-            Walls::probe().map_err(|why| {
+            Sandbox::probe().map_err(|why| {
                 Failure::system(format!(
                     "the answers have programs, and these can't be kept from your files and the network here: {why}. On a computer \
                      that may be lost, such as one in a cloud, --unconfined runs them without"
                 ))
             })?
         };
-        Ok(Self { walls, end })
+        Ok(Self { sandbox, end })
     }
 
     /// How they are run, in words.
     pub fn words(&self) -> &'static str {
-        self.walls.words()
+        self.sandbox.words()
     }
 
     /// Gets the program of a job ready. Errors are for users.
@@ -89,7 +89,7 @@ impl Programs {
     }
 
     fn start(&self, pupil: &Pupil, runs: u64) -> Result<ProgramProcess, String> {
-        let command = self.walls.command(&pupil.language, MEMORY_MB, PROCESSOR_S * runs)?;
+        let command = self.sandbox.command(&pupil.language, MEMORY_MB, PROCESSOR_S * runs)?;
         ProgramProcess::start(command, MEMORY_MB, Arc::clone(&self.end))
     }
 
