@@ -1,6 +1,7 @@
 // Runs tests/e2e/*.test.mjs, or those whose file name contains one of the arguments: node tests/e2e/run.mjs [word...]
-// KEEP_PASSED=1 leaves out those that passed with the same page, tools and tests, to the byte; ALL=1 does not, after all.
-// ONLY="the page hangs" runs those tests alone whose name contains that, and keeps nothing of it.
+// KEEP_PASSED=1, as ./dev test has it, leaves out those that passed with the same page, tools and tests, to the byte; with ALL=1
+// all run.
+// ONLY="the page hangs" runs only tests whose name contains that.
 // SLOWEST=20 lists the 20 tests that took longest, PICTURES=1 has all pictures taken that tests offer, in target/e2e.
 import fs from "node:fs";
 import os from "node:os";
