@@ -34,7 +34,7 @@ export async function restoreLink(app, link) {
   wasFollowed = true;
   const { is_shown, has_own_room, has_program } = app.playground.link_outline(link);
   // Back from another tab: the run goes on.
-  if (hasKept && is_shown && (!has_own_room || new URLSearchParams(link).get("kept") === own?.currentId(app))) return;
+  if (hasKept && is_shown && (!has_own_room || link.split("&").includes(own?.pairOf(app) ?? ""))) return;
   const refusal = has_own_room ? await (await ownRooms()).openLink(app, link) : "";
   // The program has to be there before it is chosen.
   if (has_program) await holdProgram(app, link);
@@ -65,5 +65,5 @@ export function keepState(app) {
 /** Tab and room of a link. @param {string} hash */
 function place(hash) {
   const pairs = new URLSearchParams(hash.slice(1));
-  return ["tab", "room", "kept"].map((key) => pairs.get(key) ?? "").join();
+  return ["tab", "room", "kept", "flat"].map((key) => pairs.get(key) ?? "").join();
 }

@@ -22,7 +22,8 @@ export type ToWorker =
   | { type: "runs"; request: { id: number } }
   | { type: "fit"; request: { id: number; snapshot: import("./types").SessionSnapshot; percent: number } }
   | { type: "bag"; request: { id: number } & BagRequest }
-  | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } };
+  | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } }
+  | { type: "flat"; request: { id: number; flat: string } };
 /** Cost of a plan, and its lower bound. */
 export type Proof = Float64Array;
 export type FromWorker =
@@ -43,7 +44,7 @@ export type FromTrial =
 /** Outcomes of runs, the argument of `MonteCarlo.batch_finished`. */
 export type FromRuns = { type: "ran"; id: number; outcomes: Float64Array } | { type: "failed"; id: number; message: string };
 
-/** A map as `read_map` has read it. */
+/** A map as `read_map` has read it, or `flat` made it. */
 export type ReadMap = { name: string; width: number; cells: Uint8Array };
 
 export type FromReader = { type: "read"; id: number; map: ReadMap } | { type: "failed"; id: number; message: string };

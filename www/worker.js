@@ -1,6 +1,6 @@
 // @ts-check
 // Plans and reads maps away from the page, which stays responsive; to cancel, the page ends this worker.
-import init, { Runner, TrialRunner, fit_cells, least, map_bag, plan, prove, read_map, run_bag, smooth } from "../workshop.js";
+import init, { Runner, TrialRunner, fit_cells, flat, least, map_bag, plan, prove, read_map, run_bag, smooth } from "../workshop.js";
 
 /** @typedef {import("./worker-types").FromWorker | import("./worker-types").FromTrial | import("./worker-types").FromRuns | import("./worker-types").FromReader | import("./worker-types").FromFit | import("./worker-types").FromBag} Answer */
 
@@ -41,8 +41,8 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
     } else if (message.type === "prove") {
       answer({ type: "smoothed", id, knots: smooth(message.request, message.cells) });
       tellProof(message.request, message.cells);
-    } else if (message.type === "read") {
-      const map = read_map(message.request.files);
+    } else if (message.type === "read" || message.type === "flat") {
+      const map = message.type === "read" ? read_map(message.request.files) : flat(message.request.flat);
       answer({ type: "read", id, map }, [map.cells.buffer]);
     } else if (message.type === "fit") {
       answer({ type: "fitted", id, metres: fit_cells(message.request.snapshot, message.request.percent) });

@@ -37,7 +37,13 @@ export async function hire() {
  * @param {{ name: string, bytes: Uint8Array }[]} files
  * @returns {Promise<import("./worker-types").ReadMap>}
  */
-export async function readMap(files) {
+export const readMap = (files) => mapFrom({ type: "read", request: { id: 0, files } }, files.map(({ bytes }) => bytes.buffer));
+
+/** Makes the furnished flat with that name, such as 7, or 7~area:40..60. Throws messages for users. @param {string} flat */
+export const makeFlat = (flat) => mapFrom({ type: "flat", request: { id: 0, flat } });
+
+/** @param {import("./worker-types").ToWorker} message @param {ArrayBufferLike[]} [transfer] @returns {Promise<import("./worker-types").ReadMap>} */
+async function mapFrom(message, transfer = []) {
   const worker = await hire();
   try {
     return await new Promise((resolve, reject) => {
@@ -46,8 +52,7 @@ export async function readMap(files) {
         else reject(data.message);
       });
       worker.addEventListener("error", (event) => reject(new Error(event.message || "its reader could not be loaded")));
-      const request = { id: 0, files };
-      worker.postMessage({ type: "read", request }, files.map(({ bytes }) => bytes.buffer));
+      worker.postMessage(message, /** @type {Transferable[]} */ (transfer));
     });
   } finally {
     worker.terminate();

@@ -4,6 +4,7 @@ mod bench;
 mod comparison;
 mod connection;
 mod fit_cells;
+mod flat;
 mod live_map;
 mod map_session;
 mod montecarlo;

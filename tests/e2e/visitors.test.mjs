@@ -136,6 +136,29 @@ test("back and forward go through tabs and rooms, and the run goes on", async (t
   await page.locator("#panel-map").waitFor();
 });
 
+test("a new flat is a number in the link, and an own room once it is changed", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=own&flat=7~area:25..45" });
+  const area = await app.reachableArea();
+  assert.deepEqual([await app.room(), await page.locator("#flat-seed").inputValue(), await page.locator("#flat-area").inputValue()], ["Flat 7", "7", "25..45"]);
+  await page.locator("#flat-other").click();
+  const flat = await app.linked("flat", (name) => name && name !== "7~area:25..45");
+  assert.match(flat, /^\d+~area:25\.\.45$/);
+  await page.locator("#flat-seed").fill("7");
+  await page.locator("#flat-seed").press("Enter");
+  await app.linked("flat", (name) => name === "7~area:25..45");
+  await app.settled();
+  assert.equal(await app.reachableArea(), area);
+  await app.choose("room", "new-flat");
+  await app.linked("flat", (name) => name !== "7~area:25..45");
+  await page.goBack();
+  await app.poll(() => app.room(), (name) => name === "Flat 7");
+  await app.settled();
+  await app.tool("wall");
+  await app.drag([0.45, 0.45], [0.55, 0.45]);
+  await app.linked("map");
+  assert.equal((await app.link()).flat, undefined);
+});
+
 test("a link copied from an own room carries it, and what is shown of it", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty&planner=near_optimal&p.effort=0&search=1&speed=4", viewport: { width: 1366, height: 768 }, permissions: ["clipboard-read", "clipboard-write"] });
   await app.settled();

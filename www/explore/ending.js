@@ -21,17 +21,18 @@ export function startEnding(app) {
   close.append(/** @type {Node} */ (byId("message-close").firstElementChild).cloneNode(true));
   const card = make("div", { className: "message ending", id: "ending", hidden: true }, make("div", {}, words, next), close);
   byId("welcome").before(card);
-  /** The end that was put away. */
-  let dismissed = "";
+  /** What was reached at the end that is shown, and at the one that was put away: a bound that is proven later doesn't bring it back. */
+  let [shown, dismissed] = ["", ""];
   close.addEventListener("click", () => {
-    dismissed = words.textContent ?? "";
+    dismissed = shown;
     byId("floor").focus();
   });
 
   return (view) => {
-    const text = view.state === "finished" ? told(app, view) : "";
-    if (text === "") dismissed = "";
-    setHidden(card, text === "" || text === dismissed || view.search.film !== null && view.search.film.at < view.search.film.pictures);
+    shown = view.state === "finished" ? reached(app, view) : "";
+    if (shown === "") dismissed = "";
+    const text = shown && `${shown}${bound(view)}`;
+    setHidden(card, shown === "" || shown === dismissed || view.search.film !== null && view.search.film.at < view.search.film.pictures);
     if (text === "" || !changed(card, "text", text)) return;
     words.textContent = text;
     const ways = suggestions(app, view);
@@ -40,15 +41,18 @@ export function startEnding(app) {
 }
 
 /** @param {App} app @param {View} view */
-function told({ catalogue }, { coverage, time_s, distance_m, plan, kind, activity, algorithm }) {
-  const reached = `${percent(coverage)} % of the reachable floor swept in ${clock(time_s)}, driving ${metres(distance_m)} m.`;
-  if (kind === "behaviour") {
-    const ends = catalogue.behaviours.find(({ id }) => id === algorithm)?.ends;
-    return `${ends ? "The robot has stopped by itself" : "The robot has stopped"}${activity && activity !== "done" ? ` (${activity})` : ""}: ${reached}`;
-  }
-  const above = plan?.above_bound ?? null;
-  const good = above === null ? "" : above <= 0 ? " No plan can need fewer steps and turns: this one is proven optimal." : ` The plan is ${shareAbove(above)} above the minimum for this room.`;
-  return `Done: ${reached}${good}`;
+function reached({ catalogue }, { coverage, time_s, distance_m, kind, activity, algorithm }) {
+  const swept = `${percent(coverage)} % of the reachable floor swept in ${clock(time_s)}, driving ${metres(distance_m)} m.`;
+  if (kind !== "behaviour") return `Done: ${swept}`;
+  const ends = catalogue.behaviours.find(({ id }) => id === algorithm)?.ends;
+  return `${ends ? "The robot has stopped by itself" : "The robot has stopped"}${activity && activity !== "done" ? ` (${activity})` : ""}: ${swept}`;
+}
+
+/** How far the plan is from the minimum, once that is known. @param {View} view */
+function bound({ kind, plan }) {
+  const above = kind === "behaviour" ? null : (plan?.above_bound ?? null);
+  if (above === null) return "";
+  return above <= 0 ? " No plan can need fewer steps and turns: this one is proven optimal." : ` The plan is ${shareAbove(above)} above the minimum for this room.`;
 }
 
 /** What to try next, the most useful first. @param {App} app @param {View} view @returns {HTMLElement[]} */

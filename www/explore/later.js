@@ -49,7 +49,11 @@ export async function startLater(app) {
     ),
     later(
       ({ room }) => room.id === "" || hasOwnRooms(),
-      () => import("./own-rooms.js").then(({ startMenu }) => startMenu(app)),
+      () => import("./rooms-menu.js").then(({ startMenu }) => startMenu(app)),
+    ),
+    later(
+      ({ room }) => room.note.startsWith("Generated flat "),
+      () => import("./flat.js").then(({ startFlat }) => startFlat(app)),
     ),
     later(
       // Before the first input, nobody looks for it.

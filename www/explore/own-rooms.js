@@ -1,8 +1,7 @@
 // @ts-check
 // Rooms that were drawn or loaded: kept in this browser under a name, each by itself, as scenarios.
-import { changed, make, select } from "../dom.js";
 import { toast } from "../messages.js";
-import { atMostEvery } from "../shared/frame-pacer.js";
+import { flatOf, openFlat } from "./flat.js";
 import { pack, unpack } from "./pack.js";
 
 /**
@@ -14,6 +13,8 @@ import { pack, unpack } from "./pack.js";
 const LIST = "own-rooms";
 /** Where versions without a list kept the last room: as if its id were empty, and without the dash. */
 const OLD = "";
+/** A path that is too long for a link. */
+const KEPT_PATH = /&path=kept(&|$)/;
 /** Longest packed room in the address: some programs cut longer ones off. */
 export const MOST_PACKED = 8000;
 
@@ -87,6 +88,12 @@ export function freeName(name, id) {
 /** The room that is shown, if it is an own one. @param {App} app */
 export const currentId = (app) => (app.view.room.id ? undefined : ids.get(app.playground.room_lineage()));
 
+/** The pair of links that tells the shown room from other own ones. @param {App} app */
+export function pairOf(app) {
+  const flat = flatOf(app);
+  return flat ? `flat=${flat}` : `kept=${currentId(app)}`;
+}
+
 /** Shows a scenario as the room with that id. @param {App} app @param {string} id @param {string} name @param {string} scenario */
 async function show(app, id, name, scenario) {
   const bytes = new TextEncoder().encode(scenario);
@@ -124,7 +131,8 @@ export function renamed(scenario, name) {
 /** Shows the own room of a link: one that is kept here, or the one that the link carries. @param {App} app @param {string} link @returns {Promise<string>} why not, if it can't be */
 export async function openLink(app, link) {
   const pairs = new URLSearchParams(link);
-  const [id, map] = [pairs.get("kept") ?? "", pairs.get("map")];
+  const [id, map, flat] = [pairs.get("kept") ?? "", pairs.get("map"), pairs.get("flat")];
+  if (flat) return openFlat(app, flat).then(() => "", String);
   const here = id ? scenarioOf(id) : null;
   const unread = "The room of this link could not be read.";
   if (here && (!map || (await pack(here).catch(() => "")) === map)) return (await openRoom(app, id)) ? "" : unread;
@@ -157,6 +165,8 @@ export function keep(app, link) {
     ids.delete(lineage);
     return link;
   }
+  // A generated flat is its name, unless something else has to be kept with it.
+  if (flatOf(app) && !KEPT_PATH.test(link)) return link.replace("room=own", `room=own&${pairOf(app)}`);
   let id = ids.get(lineage);
   if (!id) ids.set(lineage, (id = newId()));
   const version = playground.room_version();
@@ -177,22 +187,4 @@ export function keep(app, link) {
 async function repack(id, scenario) {
   const map = await pack(scenario).catch(() => "");
   if (map && map.length <= MOST_PACKED && scenarioOf(id) === scenario) packed.set(id, map);
-}
-
-/** Lists the own rooms in the menu of rooms, but for the one that is shown. @param {App} app @returns {() => void} To be called in every frame. */
-export function startMenu(app) {
-  const menu = select("room");
-  const group = make("optgroup", { label: "Your rooms" });
-  const isDue = atMostEvery(500);
-  return () => {
-    if (!isDue()) return;
-    const id = currentId(app);
-    const others = list().filter((room) => room.id !== id);
-    if (!changed(group, "rooms", JSON.stringify(others))) return;
-    group.replaceChildren(...others.map((room) => make("option", { value: `:${room.id}` }, room.name)));
-    const shown = menu.value;
-    if (others.length === 0) group.remove();
-    else if (!group.isConnected) menu.append(group);
-    menu.value = shown;
-  };
 }

@@ -2,7 +2,7 @@
 // The forms: what cleans which room, made from the catalogue.
 import { button, byId, fill, input, make, select, setHidden, setText, typed } from "../dom.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
-import { complain } from "../messages.js";
+import { complain, textOf } from "../messages.js";
 import { startAlgorithm } from "./algorithm.js";
 import { startForm } from "./form.js";
 import { startRealism } from "./realism.js";
@@ -14,15 +14,15 @@ import { startRealism } from "./realism.js";
 
 /** Entries of the menu of cells, percent: cells are chosen for so much coverage. */
 const COVERAGES = [95, 98, 99];
-/** Menu entries that aren't in the catalogue: a twin, an own robot. */
-const [TWIN, OWN] = ["twin", "own"];
+/** Menu entries that aren't in the catalogue: a twin, an own robot, a generated flat. */
+const [TWIN, OWN, FLAT] = ["twin", "own", "new-flat"];
 
 /** @param {App} app @returns {(view: View) => void} */
 export function startPanel(app) {
   const { rooms, robots, cell_sizes_m } = app.catalogue;
   const form = startForm(app);
   const { bind, bindBox, change, show } = form;
-  fill(select("room"), rooms.map(({ id, title }) => [id, title]));
+  fill(select("room"), [...rooms.map(({ id, title }) => /** @type {[string, string]} */ ([id, title])), [FLAT, "A new flat"]]);
   fill(select("odometry"), ODOMETRIES);
   byId("odometry-field").setAttribute("data-tip", ODOMETRY_TIP);
   fill(select("robot"), [...robots.map(({ id, title }) => /** @type {[string, string]} */ ([id, title])), [OWN, "Own robot…"]]);
@@ -30,7 +30,12 @@ export function startPanel(app) {
   fill(cells, [...cell_sizes_m, ...COVERAGES].map((size) => [String(size), size < 2 ? `${+(size * 100).toFixed(2)} cm` : `for ${size} %`]));
 
   // Own rooms stand in the menu by their ids, behind a colon.
-  bind("room", (p, id) => (id.startsWith(":") ? void openOwnRoom(app, id.slice(1)) : p.select_room(id)));
+  bind("room", (p, id) => (id === FLAT ? newFlat() : id.startsWith(":") ? void openOwnRoom(app, id.slice(1)) : p.select_room(id)));
+  const newFlat = () =>
+    void import("./flat.js")
+      .then(({ anotherFlat }) => anotherFlat(app))
+      .catch((error) => complain(textOf(error)))
+      .finally(() => form.refresh(select("room")));
   const openOwn = () => {
     // The menu shows what holds until the robot is used.
     form.refresh();
@@ -123,5 +128,7 @@ function showRoom(room, shipped) {
     menu.value = room.id;
   } else if (!isOwn) own?.remove();
   const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${room.reachable_m2.toFixed(1)} m² reachable${room.left_out_m2 >= 0.05 ? `, ${room.left_out_m2.toFixed(1)} m² not (hatched)` : ""}.`;
-  setText(byId("room-note"), room.note ? `${room.note.replace(/\.?$/, ".")} ${size}` : size);
+  // The name of a generated flat stands in the fields below.
+  const note = room.note.replace(/^Generated flat \S+: /, "");
+  setText(byId("room-note"), note ? `${note.replace(/\.?$/, ".")} ${size}` : size);
 }

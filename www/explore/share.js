@@ -2,6 +2,7 @@
 // Copies the link of what is shown, with the room in it if that is an own one.
 import { complain, textOf, toast } from "../messages.js";
 import { write } from "../keep.js";
+import { flatOf } from "./flat.js";
 import { MOST_PACKED } from "./own-rooms.js";
 import { pack } from "./pack.js";
 
@@ -9,7 +10,9 @@ import { pack } from "./pack.js";
 export async function copyLink(app) {
   const link = new URL(location.href);
   let hash = app.link();
-  if (/(^|&)room=own(&|$)/.test(hash)) {
+  const flat = flatOf(app);
+  if (flat && !/&path=kept(&|$)/.test(hash)) hash = hash.replace("room=own", `room=own&flat=${flat}`);
+  else if (/(^|&)room=own(&|$)/.test(hash)) {
     const map = await pack(app.playground.scenario_json()).catch(() => "");
     if (!map || map.length > MOST_PACKED) {
       const why = map ? `takes ${Math.ceil(map.length / 1000)} KB in a link, more than the ${MOST_PACKED / 1000} KB that other programs are sure to pass on` : "can't be put into a link by this browser";

@@ -110,17 +110,17 @@ pub fn generate_flat(seed: u64, spec: &FlatSpec) -> FloorPlan {
     let mut rng = seeded(seed, STREAM);
     let layout = Layout::new(&spec, &mut rng);
     let furnished = furnish::furnish(&layout, &spec, &mut rng);
-    draw(seed, &layout, furnished)
+    draw(FlatId { seed, spec }, &layout, furnished)
 }
 
-fn draw(seed: u64, layout: &Layout, furnished: Furnished) -> FloorPlan {
+fn draw(id: FlatId, layout: &Layout, furnished: Furnished) -> FloorPlan {
     let rects = |areas: &[Area]| areas.iter().map(Area::metres).collect::<Vec<_>>();
     let free: Vec<Area> = layout.rooms.iter().map(|room| room.area).chain(layout.doors.iter().map(|d| d.gap)).collect();
     let (width, height) = (f64::from(layout.width) * CELL, f64::from(layout.height) * CELL);
     let sketch = Sketch::solid(width, height, CELL).carve(&rects(&free)).fill(&rects(&furnished.solids));
     let area = layout.area_m2();
-    let note = format!("A generated flat of {area:.0} m² in {} rooms.", layout.rooms.len());
-    let mut plan = sketch.finish(&format!("Flat {seed}"), &note);
+    let note = format!("Generated flat {id}: {area:.0} m² in {} rooms.", layout.rooms.len());
+    let mut plan = sketch.finish(&format!("Flat {}", id.seed), &note);
     plan.objects = furnished.objects;
     plan.start = Some(furnished.start);
     plan
