@@ -616,18 +616,33 @@ boundary: number, };
 /** Phase of a mapping run. */
 export type MapPhase = "failed" | "ready" | "playing" | "paused" | "held" | "seeking" | "resuming" | "finished";
 
+/** The program that is chosen as method. */
+export type MapProgramView = {
+/** Its name; empty while there is none. */
+name: string,
+/** Changes when it has to be run again: from the start, or from a person's last input on. */
+version: number,
+/** Steps for which its commands are known. */
+reach_steps: number,
+/** Whether it drives: the robot fits in, and doesn't clean by its map. */
+drives: boolean,
+/** Which program of a link is missing, as sentences for users; empty if none is. */
+missing: string, };
+
 /** Snapshot of a mapping run. SI units; shares from 0 to 1. */
 export type MapView = {
 /** Phase of the run. */
 phase: MapPhase,
 /** Actions that are allowed now. */
 can: MapActions,
-/** Why the robot can't be placed in the room; empty if it can. */
+/** Why the robot can't be placed in the room, or the program can't drive it; empty if it can. */
 complaint: string,
 /** Name of the room. */
 title: string,
 /** Id of the behaviour. */
 behaviour: string,
+/** The user's program, if that is the method. */
+program: MapProgramView | null,
 /** The robot's activity, in a few words. */
 activity: string,
 /** Its parameters. */

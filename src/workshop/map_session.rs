@@ -55,10 +55,10 @@ impl MapSession {
         })
     }
 
-    /// Behaviours for mapping, in the form of the catalogue.
+    /// Behaviours for mapping and the user's program, in the form of the catalogue.
     #[wasm_bindgen(unchecked_return_type = "rust.CatalogueEntry[]")]
     pub fn explorers() -> Result<JsValue, JsValue> {
-        let entries = map::explorers().map(|info| CatalogueEntry::new(Algorithm::Behaviour(info)));
+        let entries = map::methods().map(|info| CatalogueEntry::new(Algorithm::Behaviour(info)));
         to_js(&entries.collect::<Vec<_>>())
     }
 
@@ -81,7 +81,7 @@ impl MapSession {
 
     /// The choices as the part of a link after the playground's.
     pub fn link(&self) -> String {
-        self.state.setup().to_link()
+        self.state.link()
     }
 
     /// Restores the result of `link`.
@@ -171,6 +171,29 @@ impl MapSession {
         let numbers = |s: map::CurveSample| [s.time_s, s.boundary, metres(s.position_m), metres(s.odometry_m)];
         let curve: Vec<f64> = self.state.curve().flat_map(numbers).collect();
         Float64Array::from(curve.as_slice())
+    }
+
+    // ---- the user's program, if that is the method
+
+    /// What it needs to drive a simulation of its own, for `ProgramRunner`; `undefined` unless it drives.
+    pub fn program_job(&self, mirror: &SessionMirror) -> Option<Vec<u8>> {
+        self.state.program_job(mirror.session()).map(|job| job.to_bytes())
+    }
+
+    /// Takes a part of its log, of that `version` of the view; of an older one, it is left out and the result is false.
+    /// Throws a message if it doesn't continue the log.
+    pub fn extend_program(&mut self, version: u32, part: &[u8]) -> Result<bool, JsValue> {
+        self.state.extend_program(version, part).map_err(message)
+    }
+
+    /// The program of that `version` is heard no more: the robot stops where its log ends.
+    pub fn fail_program(&mut self, version: u32) {
+        self.state.fail_program(version);
+    }
+
+    /// The whole log, for `map_bag`; `undefined` for other methods.
+    pub fn program_log(&self) -> Option<Vec<u8>> {
+        self.state.program_log()
     }
 
     // ---- storage

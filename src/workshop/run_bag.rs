@@ -33,17 +33,21 @@ pub fn run_bag(
     finish(bag.map_err(message)?)
 }
 
-/// The same of the Map tab: `link` and `stored` are those of its session, `snapshot` is the playground's.
+/// The same of the Map tab: `link`, `stored` and a program's log are those of its session, `snapshot` is the playground's.
 #[wasm_bindgen]
 pub fn map_bag(
     #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
     link: &str,
     stored: &str,
+    program_log: Option<Vec<u8>>,
 ) -> Result<Vec<u8>, JsValue> {
     let mut mapping = MapSession::new();
     mapping.take(&session(snapshot)?);
     mapping.restore(link).map_err(message)?;
     mapping.resume(stored).map_err(message)?;
+    if let Some(log) = program_log {
+        mapping.extend_program(mapping.program_version(), &log).map_err(message)?;
+    }
     finish(RunBag::of_mapping(&mapping).map_err(message)?)
 }
 

@@ -168,3 +168,46 @@ test("Explore names the program, and it takes part in the race and in many runs"
   await page.locator("#runs-go").click();
   await page.locator("#runs-behaviours li", { hasText: "Your program" }).getByText("✓").waitFor();
 });
+
+test("Map takes the program as method: it maps, is carried, goes back, and comes back after a reload", async (t) => {
+  const { page, app } = await openProgram(t);
+  await driven(page);
+  const phase = (...wanted) => app.poll(() => page.locator("#panel-map").getAttribute("data-phase"), (now) => wanted.includes(now));
+  const number = (name) => page.evaluate((id) => document.getElementById(id).textContent, `map-n-${name}`);
+  await page.locator("#tab-map").click();
+  await page.locator("#map-explorer").selectOption("program");
+  await page.getByText("“Turn when you bump” drives.").waitFor();
+  await phase("ready");
+  await app.linked("program", (mark) => /^[0-9a-f]{16}\.Turn/.test(mark ?? ""));
+  await page.locator("#map-play").click();
+  await app.poll(() => number("boundary"), (mapped) => Number(mapped) > 10);
+  await page.locator("#map-play").click();
+  await phase("paused");
+  // Carried elsewhere, the program runs again from there.
+  const at = seconds(await number("time"));
+  await page.locator("#map-floor").focus();
+  await page.keyboard.press("p");
+  await phase("held");
+  for (let i = 0; i < 6; i += 1) await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Enter");
+  await phase("paused");
+  await page.locator("#map-play").click();
+  await app.poll(() => number("time"), (now) => seconds(now) > at + 20);
+  await page.locator("#map-play").click();
+  await phase("paused");
+  // Back, and forward again: the same moment has the same figures.
+  const [time, error] = [await number("time"), await number("error")];
+  await page.locator("#map-scrubber").focus();
+  await page.keyboard.press("Home");
+  await app.poll(() => number("time"), (now) => seconds(now) === 0);
+  await page.keyboard.press("End");
+  await app.poll(() => number("time"), (now) => now === time);
+  await phase("paused");
+  assert.equal(await number("error"), error);
+  // The stored run is repeated by the program.
+  await page.reload();
+  await phase("paused");
+  assert.deepEqual([await number("time"), await number("error")], [time, error]);
+  assert.equal(await page.locator("#map-aside").isVisible(), false);
+  assert.equal(await page.locator("#map-program-missing").isVisible(), false);
+});

@@ -12,7 +12,8 @@ const MENUS = /** @type {const} */ ([["map-explorer", "explorer", "behaviour"], 
 export function startSetup(it) {
   const { explorers } = it;
   const made = explorers.filter(({ id }) => id.startsWith("explore_"));
-  const others = explorers.filter(({ id }) => !id.startsWith("explore_"));
+  const own = explorers.filter(({ id }) => id === "program");
+  const others = explorers.filter(({ id }) => !id.startsWith("explore_") && id !== "program");
   const menu = select("map-explorer");
   /** @param {string} label @param {typeof explorers} list */
   const group = (label, list) => {
@@ -21,8 +22,8 @@ export function startSetup(it) {
     node.append(...list.map(({ id, title }) => new Option(title, id)));
     return node;
   };
-  if (made.length > 0) menu.replaceChildren(group("Exploration", made), group("Cleaning", others));
-  else fill(menu, others.map(({ id, title }) => [id, title]));
+  if (made.length > 0) menu.replaceChildren(group("Exploration", made), group("Cleaning", others), group("Your own", own));
+  else fill(menu, [...others, ...own].map(({ id, title }) => [id, title]));
   fill(select("map-counts"), ODOMETRIES);
   setAttribute(byId("map-counts-field"), "data-tip", ODOMETRY_TIP);
   /** A refused field shows the current value again. @param {string} id @param {string} key */

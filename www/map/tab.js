@@ -10,6 +10,7 @@ import { startCanvas } from "./canvas.js";
 import { startKeeping } from "./keep.js";
 import { startNumbers } from "./numbers.js";
 import { startPlaybar } from "./playbar.js";
+import { startProgram } from "./program.js";
 import { startSetup } from "./setup.js";
 import { startUses } from "./uses.js";
 
@@ -57,7 +58,8 @@ export function startMap(app) {
   const keeping = startKeeping(it);
   const picture = startCanvas(it, canvas);
   const playbar = startPlaybar(it);
-  const updates = [startSetup(it), playbar.update, startNumbers(it)];
+  const program = startProgram(it, () => session.program_job(mirror()));
+  const updates = [startSetup(it), playbar.update, startNumbers(it), program.update];
   const uses = startUses(it, keeping);
   startSheets(byId("panel-map"), canvas);
   const isDue = atMostEvery(PAUSE);
@@ -95,11 +97,14 @@ export function startMap(app) {
     /** @param {string} link */
     restore(link) {
       keeping.save();
-      try {
-        session.restore(link);
-      } catch (error) {
-        complain(textOf(error));
-      }
+      // A link that was made here leads to what is here.
+      const isProgram = /(^|&)explorer=program(&|$)/.test(link) && (/(^|&)code=/.test(link) || !app.playground.program());
+      void (isProgram ? program.hold(link) : Promise.resolve()).then(() => it.act((s) => s.restore(link)));
+    },
+    /** A program that drives goes with the link. */
+    async share() {
+      const driver = it.view.program?.drives && app.playground.program();
+      return driver ? (await import("../program/link.js")).shareProgram(driver) : "";
     },
     /** @param {boolean} dark */
     setDark: (dark) => session.set_dark(dark),
@@ -109,7 +114,8 @@ export function startMap(app) {
 /** Takes the last choices made in this browser, and with them the stored run. @param {MapSession} session */
 function recall(session) {
   try {
-    session.restore(localStorage.getItem(CHOICES) ?? "");
+    // The program is the one that is here, whichever it was then.
+    session.restore((localStorage.getItem(CHOICES) ?? "").replace(/(^|&)program=[^&]*/, ""));
   } catch {
     // There is no storage, or they were made by another version.
   }
@@ -142,7 +148,8 @@ function show(view) {
   // A robot that has come to its end would look as if it hung; one that is lost has explored less, and says so itself.
   const isDone = view.phase === "finished" && view.is_sure !== false && view.time_s > 0;
   const next = view.can.clean ? " Next: clean with this map." : "";
-  const activity = isDone && !view.is_cleaning ? `Done: nothing left to explore.${next}` : view.activity;
+  const done = view.program ? view.activity || `The program has ended.${next}` : `Done: nothing left to explore.${next}`;
+  const activity = isDone && !view.is_cleaning ? done : view.activity;
   setText(byId("map-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");
   setHidden(byId("map-activity"), !activity || !["playing", "paused", "finished"].includes(view.phase));
   setHidden(byId("map-held"), !view.is_carried);

@@ -29,7 +29,7 @@ export function startUses(it, keeping) {
     const stored = session.store();
     if (!stored) return;
     const { saveBag } = await import("../bags.js");
-    await saveBag({ snapshot: app.playground.snapshot(), link: session.link(), stored }, `${fileName(it.view.title)}.mapping`);
+    await saveBag({ snapshot: app.playground.snapshot(), link: session.link(), stored, log: session.program_log() }, `${fileName(it.view.title)}.mapping`);
   });
   button("map-forget").addEventListener("click", () => {
     if (!it.act((s) => s.forget())) return;

@@ -6,10 +6,17 @@ import { MOST_LETTERS, freeName, freshId } from "./own-programs.js";
 /** @typedef {import("./own-programs.js").Program} Program */
 
 /** Longest packed program in a link: some programs cut longer links off. */
-export const MOST_PACKED = 8000;
+const MOST_PACKED = 8000;
 
-/** @param {Program} program @returns {Promise<string>} */
+/** @param {Omit<Program, "id">} program @returns {Promise<string>} */
 export const packProgram = ({ name, language, source }) => pack(JSON.stringify({ name, language, source }));
+
+/** What a link that carries a program has more. @param {Omit<Program, "id">} program @returns {Promise<string>} Throws messages for users. */
+export async function shareProgram(program) {
+  const code = await packProgram(program);
+  if (code.length > MOST_PACKED) throw `this program takes ${Math.ceil(code.length / 1000)} KB in a link, more than the ${MOST_PACKED / 1000} KB that other programs are sure to pass on. Export it and send the file.`;
+  return `code=${code}`;
+}
 
 /** The program of a link. @param {string} text @returns {Promise<Program>} Throws messages for users. */
 export async function unpackProgram(text) {

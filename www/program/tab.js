@@ -7,7 +7,7 @@ import { complain, textOf } from "../messages.js";
 import { planWith } from "../start-planning.js";
 import { currentTab } from "../tabs.js";
 import { Editor } from "./editor.js";
-import { MOST_PACKED, packProgram, unpackProgram } from "./link.js";
+import { packProgram, shareProgram, unpackProgram } from "./link.js";
 import { startMarks } from "./marks.js";
 import { startNames } from "./names.js";
 import { find, isOwn, remember, remembered } from "./own-programs.js";
@@ -166,10 +166,7 @@ export async function startProgram(app) {
     /** What a link carries to others. */
     async share() {
       const program = shelf.current;
-      if (!program) return "";
-      const code = await packProgram({ ...program, source: editor.text });
-      if (code.length > MOST_PACKED) throw `this program takes ${Math.ceil(code.length / 1000)} KB in a link, more than the ${MOST_PACKED / 1000} KB that other programs are sure to pass on. Export it and send the file.`;
-      return `code=${code}`;
+      return program ? shareProgram({ ...program, source: editor.text }) : "";
     },
     /** @param {string} link */
     restore: (link) => void enter(link),
@@ -177,7 +174,7 @@ export async function startProgram(app) {
     async hold(link) {
       await open(link);
       const program = shelf.current;
-      const kind = /(^|&)planner=/.test(link) ? "planner" : "behaviour";
+      const kind = /(^|&)planner=program_planner(&|$)/.test(link) ? "planner" : "behaviour";
       if (!program) return;
       app.act((p) => p.set_program(program.name, program.language, kind, program.source, false));
       if (!isHeld) run.adopt(program);

@@ -14,6 +14,9 @@ import { Inmate } from "./sandbox.js";
  * @property {number} [seed] In place of the job's.
  * @property {number} seconds How long it drives, at most.
  * @property {(part: Uint8Array) => void} [onPart] Takes the log as it grows; else the whole log is the result.
+ * @property {number} [from] What is before that step is known: it is run again, and not told.
+ * @property {() => Promise<number>} [next] How long it drives when that time is over, s: longer, or not at all if that is no
+ *   more. Without it, it drives no further.
  */
 
 /** Longest step, ms: nobody waits for it as in the tab Program, and all cores are busy. */
@@ -38,10 +41,17 @@ async function hand(language) {
  * @param {Order} order @param {{ isWanted?: () => boolean }} [options]
  * @returns {Promise<{ log: Uint8Array, digest: string } | { cells: Uint32Array, seconds: number }>} Throws a sentence for users.
  */
-export async function work({ program: { language, source }, job, seed, seconds, onPart }, { isWanted = () => true } = {}) {
+export async function work({ program: { language, source }, job, seed, seconds, onPart, from = 0, next }, { isWanted = () => true } = {}) {
   const one = await hand(language);
   const id = (lastId += 1);
-  const until = Math.ceil(seconds / STEP);
+  let until = Math.ceil(seconds / STEP);
+  /** @type {(() => Promise<boolean>)} Lets it drive on. */
+  const goOn = async () => {
+    const before = until;
+    until = Math.ceil(((await next?.()) ?? 0) / STEP);
+    if (until > before) one.inmate.ask({ type: "go", id, until }, STEPPING);
+    return until > before;
+  };
   let began = 0;
   try {
     return await new Promise((resolve, reject) => {
@@ -59,10 +69,14 @@ export async function work({ program: { language, source }, job, seed, seconds, 
         } else if (message.type === "planned" && message.cells instanceof Uint32Array) resolve({ cells: message.cells, seconds: (performance.now() - began) / 1000 });
         else if (message.type === "ran" && message.log instanceof Uint8Array) {
           onPart?.(message.log);
-          if (message.more !== true) resolve({ log: message.log, digest: String(message.digest) });
+          if (message.more === true) return;
+          const { log, digest } = message;
+          const done = () => resolve({ log, digest: String(digest) });
+          if (next && message.isOver !== true) void goOn().then((goesOn) => goesOn || done());
+          else done();
         }
       };
-      one.inmate.ask({ type: "load", id, language, source, job, traced: false, breakpoints: [], from: 0, seed, isQuiet: !onPart }, STEPPING);
+      one.inmate.ask({ type: "load", id, language, source, job, traced: false, breakpoints: [], from, seed, isQuiet: !onPart }, STEPPING);
     });
   } finally {
     if (one.inmate.isAlive) idle.push(one);

@@ -30,6 +30,7 @@ mod mark;
 mod pack;
 mod palette;
 mod param;
+mod program_run;
 mod scene;
 #[cfg(feature = "types")]
 pub mod types;

@@ -2,12 +2,16 @@
 
 use super::{Known, MapSetup, RoomTruth, numbers::digest};
 use crate::explore::{Session, SessionSnapshot};
-use robovac_core::floor_plan::{FloorPlan, Scenario};
+use robovac_core::{
+    floor_plan::{FloorPlan, Scenario},
+    program::Program,
+};
 use robovac_sim::{
     Conditions, Run,
-    controller::Setup,
+    controller::{Controller, Setup},
     experiment::planning::RoomSetup,
     mapping::{MapObserver, Mapper, MapperSetup, ThesisMap, Tracking},
+    program::{Logged, SharedLog},
 };
 use std::sync::Arc;
 
@@ -18,6 +22,8 @@ pub(super) struct MapBase {
     pub prepared: Result<RoomSetup, String>,
     pub conditions: Conditions,
     pub seed: u64,
+    /// The user's program, whatever is chosen in Explore.
+    pub program: Option<Arc<Program>>,
     /// Key of room, start, robot, conditions and seed; stable between sessions.
     pub place: String,
     /// Snapshot of the session.
@@ -34,6 +40,7 @@ impl MapBase {
             prepared: session.planning_room().ok_or_else(|| session.view().message),
             conditions: settings.conditions,
             seed: settings.seed,
+            program: settings.program().cloned(),
             place: place_of(session),
             snapshot: session.snapshot(),
         }
@@ -45,13 +52,17 @@ impl MapBase {
     }
 
     /// A run with the robot at the start, and the ground truth; `None` if the robot doesn't fit or isn't in the
-    /// registry.
-    pub fn run(&self, setup: &MapSetup, known: Option<&Known>) -> Option<(Run, RoomTruth)> {
+    /// registry, or if there is no program to drive it. A program's run repeats `log`.
+    pub fn run(&self, setup: &MapSetup, known: Option<&Known>, log: &SharedLog) -> Option<(Run, RoomTruth)> {
         let prepared = self.prepared.as_ref().ok()?;
         let conditions = setup.conditions(self.conditions);
         let robot = &prepared.robot;
         let params = setup.driving_params();
-        let controller = setup.behaviour.build(&Setup { robot, params: &params, seed: self.seed })?;
+        let controller = if setup.is_program() {
+            self.driver().map(|_| Box::new(Logged::new(log.clone())) as Box<dyn Controller>)
+        } else {
+            setup.behaviour.build(&Setup { robot, params: &params, seed: self.seed })
+        }?;
         let start = prepared.floor.start;
         let mapper = |tracking| {
             Mapper::new(MapperSetup {

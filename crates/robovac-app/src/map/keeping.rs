@@ -21,6 +21,7 @@ impl MapSession {
             map: estimate.map.clone(),
             marks: estimate.marks.clone(),
             known: stage.known.as_ref().map(|known| (known.name().to_owned(), known.map().clone())),
+            program: self.driver_name(),
             docks: stage.known.as_ref().map_or(Vec::new(), |known| known.docks().to_vec()),
         };
         Some(stored.to_text())
@@ -39,8 +40,18 @@ impl MapSession {
             _ => None,
         };
         if stored.recipe != self.recipe_on(known.as_ref()) {
-            return Err(StoreError::Another { title: stored.title });
+            // All but the program can be the same.
+            let others = |recipe: &str| {
+                recipe.split(' ').filter(|part| !part.starts_with("program=")).map(str::to_owned).collect::<Vec<_>>()
+            };
+            let is_same = others(&stored.recipe) == others(&self.recipe_on(known.as_ref()));
+            return Err(match stored.program.filter(|_| is_same) {
+                Some(name) => StoreError::Program { name },
+                None => StoreError::Another { title: stored.title },
+            });
         }
+        self.program.restart();
+        self.landing = None;
         let Some(mut stage) = self.new_stage(known.clone()) else { return Ok(()) };
         self.known = known;
         stage.recording = stage.recording.with_inputs(stored.inputs.clone());

@@ -1,11 +1,14 @@
 //! Session of the Map tab: a room, a robot that maps it, and time.
 
 use super::{
-    CurveSample, Known, MapAction, MapErrorFigures, MapEstimate, MapGrid, MapPhase, MapSetup, RoomTruth, base::MapBase,
+    CurveSample, Known, MapAction, MapErrorFigures, MapEstimate, MapGrid, MapPhase, MapSetup, RoomTruth,
+    base::MapBase,
+    program::{MARK, ProgramMark},
     stage::MapStage,
 };
 use crate::explore::Session;
 use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
+use crate::program_run::ProgramRun;
 use robovac_core::{floor_plan::FloorPlan, geometry::Pose};
 use robovac_sim::{
     Input, Run, STEP_S,
@@ -28,6 +31,12 @@ pub struct MapSession {
     pub(super) stage: Option<MapStage>,
     /// The map given to the robot.
     pub(super) known: Option<Known>,
+    /// What drives the run if that is a user's program.
+    pub(super) program: ProgramRun,
+    /// The program that a link was made with.
+    pub(super) asked: Option<ProgramMark>,
+    /// Where the robot is put down, and the step from which on: a program has to feel it in the air first.
+    pub(super) landing: Option<(Pose, u64)>,
     pub(super) playing: bool,
     pub(super) pacer: FramePacer,
     /// Changes with every new run.
@@ -46,6 +55,9 @@ impl MapSession {
             base: None,
             stage: None,
             known: None,
+            program: ProgramRun::default(),
+            asked: None,
+            landing: None,
             playing: false,
             pacer: FramePacer::default(),
             version: 0,
@@ -61,12 +73,19 @@ impl MapSession {
         if self.base.as_ref().is_some_and(|base| base.is_of(session)) {
             return;
         }
+        let before = (self.recipe(), self.driver_name());
         let base = MapBase::of(session);
         let is_same = self.base.as_ref().is_some_and(|before| before.place == base.place);
         self.base = Some(base);
         if !is_same {
             // The map of another room is dropped.
             self.known = None;
+            self.begin();
+        } else if self.recipe() != before.0 {
+            // Another program was run.
+            if before.1.is_some() {
+                self.asked = None;
+            }
             self.begin();
         }
     }
@@ -91,6 +110,8 @@ impl MapSession {
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
         let before = self.recipe();
         self.setup.restore(link)?;
+        let mut pairs = link.trim_start_matches('#').split('&').filter_map(|pair| pair.split_once('='));
+        self.asked = pairs.find(|(key, _)| *key == MARK).and_then(|(_, text)| ProgramMark::from_text(text));
         if self.recipe() != before {
             self.begin();
         }
@@ -115,7 +136,7 @@ impl MapSession {
     pub(super) fn recipe_on(&self, known: Option<&Known>) -> String {
         let place = self.base.as_ref().map_or("", |base| &base.place);
         let known = known.map_or(String::new(), |known| format!(" known={:016x}", known.digest()));
-        format!("{place} {}{known}", self.setup.recipe().trim_end())
+        format!("{place} {}{}{known}", self.setup.recipe().trim_end(), self.program_recipe())
     }
 
     /// Drops the map: the robot is at the start and knows nothing.
@@ -125,6 +146,8 @@ impl MapSession {
 
     /// Puts the robot at the start, if it fits in.
     pub(super) fn begin(&mut self) {
+        self.program.restart();
+        self.landing = None;
         self.stage = self.new_stage(self.known.clone());
         if self.known.is_some() {
             self.lose();
@@ -137,7 +160,7 @@ impl MapSession {
 
     /// A run from the start, with a given map or without; `None` if the robot doesn't fit.
     pub(super) fn new_stage(&self, known: Option<Known>) -> Option<MapStage> {
-        let (run, truth) = self.base.as_ref()?.run(&self.setup, known.as_ref())?;
+        let (run, truth) = self.base.as_ref()?.run(&self.setup, known.as_ref(), &self.program.log)?;
         Some(MapStage::new(run, truth, known))
     }
 
@@ -149,7 +172,7 @@ impl MapSession {
         let run = stage.run();
         match () {
             () if stage.returning.is_some() => MapPhase::Resuming,
-            () if stage.recording.is_seeking() => MapPhase::Seeking,
+            () if self.landing.is_some() || stage.recording.is_seeking() => MapPhase::Seeking,
             () if run.is_lifted() => MapPhase::Held,
             () if stage.recording.is_over() => MapPhase::Finished,
             () if self.playing => MapPhase::Playing,
@@ -167,6 +190,7 @@ impl MapSession {
     pub fn frame(&mut self, elapsed_s: f64, has_time: &mut dyn FnMut() -> bool) {
         let phase = self.phase();
         let elapsed = elapsed_s.clamp(0.0, LONGEST_FRAME);
+        self.land(has_time);
         let Some(stage) = &mut self.stage else { return };
         match phase {
             MapPhase::Resuming => {
@@ -222,6 +246,7 @@ impl MapSession {
             return;
         }
         self.playing = false;
+        self.landing = None;
         if let Some(stage) = &mut self.stage {
             stage.recording.seek(time_s);
             stage.recording.seek_on(&mut || false);
@@ -250,9 +275,18 @@ impl MapSession {
     /// sensed wheel drops.
     pub fn put_down(&mut self, pose: Pose) {
         if self.can(MapAction::PutDown) {
-            if let Some(stage) = &mut self.stage {
-                stage.advance((IN_THE_AIR_S / STEP_S) as u64, &mut || true);
-            }
+            let now = self.run().map_or(0, Run::steps);
+            self.landing = Some((pose, now + (IN_THE_AIR_S / STEP_S) as u64));
+            self.land(&mut || true);
+        }
+    }
+
+    /// Puts the robot down once its time in the air is over, or what drives it has ended.
+    fn land(&mut self, has_time: &mut dyn FnMut() -> bool) {
+        let (Some((pose, at)), Some(stage)) = (self.landing, &mut self.stage) else { return };
+        stage.advance(at.saturating_sub(stage.run().steps()), has_time);
+        if stage.run().steps() >= at || stage.run().is_finished() {
+            self.landing = None;
             self.input(Input::PutDown(pose));
         }
     }
@@ -271,8 +305,12 @@ impl MapSession {
     }
 
     fn input(&mut self, input: Input) {
+        let is_program = self.program_drives();
         if let Some(stage) = &mut self.stage {
             stage.input(input);
+            if is_program {
+                self.program.cut(stage.run().steps());
+            }
         }
         self.refresh();
     }
@@ -289,10 +327,10 @@ impl MapSession {
         self.base.as_ref()?.prepared.as_ref().ok()
     }
 
-    /// Why the robot can't be placed in the room; empty if it can.
-    pub fn complaint(&self) -> &str {
-        let fault = self.base.as_ref().and_then(|base| base.prepared.as_ref().err());
-        fault.map_or("", String::as_str)
+    /// Why the robot can't be placed in the room, or the program can't drive it; empty if it can.
+    pub fn complaint(&self) -> String {
+        let fault = self.base.as_ref().and_then(|base| base.prepared.as_ref().err().cloned());
+        fault.or_else(|| self.program_complaint()).unwrap_or_default()
     }
 
     /// The run at the displayed time.

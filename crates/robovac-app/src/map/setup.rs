@@ -8,6 +8,7 @@ use robovac_sim::{
     controller::{self, BEHAVIOURS, BehaviourInfo},
     experiment::SettingsError,
     mapping::Tracking,
+    program::BEHAVIOUR_PROGRAM,
 };
 use std::collections::BTreeMap;
 
@@ -27,6 +28,11 @@ const KEYS: [&str; 9] = ["explorer", "track", "counts", "wheels", "senses", "gri
 pub fn explorers() -> impl Iterator<Item = &'static BehaviourInfo> {
     let made_for_it = BEHAVIOURS.iter().copied().filter(|b| b.claims.explores);
     made_for_it.chain(ROVERS.into_iter().filter_map(controller::find))
+}
+
+/// All that can drive the robot: behaviours for mapping, and the user's program.
+pub fn methods() -> impl Iterator<Item = &'static BehaviourInfo> {
+    explorers().chain([&BEHAVIOUR_PROGRAM])
 }
 
 /// Planners for the remaining floor: complete and quick ones, as the robot waits.
@@ -80,12 +86,17 @@ impl MapSetup {
         }
     }
 
+    /// Whether the user's program drives.
+    pub fn is_program(&self) -> bool {
+        self.behaviour.id == BEHAVIOUR_PROGRAM.id
+    }
+
     /// Chooses a behaviour, with the parameters that it had before.
     pub fn choose_behaviour(&mut self, id: &str) -> Result<(), SettingsError> {
-        let chosen = explorers().find(|b| b.id == id).ok_or_else(|| SettingsError::Unknown {
+        let chosen = methods().find(|b| b.id == id).ok_or_else(|| SettingsError::Unknown {
             kind: "exploring behaviour",
             id: id.to_owned(),
-            known: explorers().map(|b| b.id).collect::<Vec<_>>().join(", "),
+            known: methods().map(|b| b.id).collect::<Vec<_>>().join(", "),
         })?;
         self.left.insert(self.behaviour.id, self.params.clone());
         self.params = self.left.remove(chosen.id).unwrap_or_else(|| Params::defaults(chosen.params));

@@ -129,8 +129,12 @@ impl MapStage {
     pub fn go_back(&mut self, has_time: &mut dyn FnMut() -> bool) -> Option<bool> {
         let &Return { end, shown, digest, is_seeking, .. } = self.returning.as_ref()?;
         if !is_seeking {
-            self.advance(end.saturating_sub(self.run().steps()), has_time);
-            if self.run().steps() < end && !self.recording.is_over() {
+            let before = self.run().steps();
+            self.advance(end.saturating_sub(before), has_time);
+            let now = self.run().steps();
+            // One that has ended early comes to no further input.
+            let is_stuck = now == before && self.run().is_finished();
+            if now < end && !self.recording.is_over() && !is_stuck {
                 return None;
             }
             self.recording.seek(shown as f64 * STEP_S);

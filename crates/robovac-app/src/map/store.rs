@@ -56,6 +56,15 @@ pub enum StoreError {
         /// The planner's id.
         id: String,
     },
+    /// It was driven by another program.
+    #[error(
+        "the stored map was made by the program \"{name}\" with a text that isn't here, so it can't be continued; run that \
+         program in the tab Program first"
+    )]
+    Program {
+        /// The program's name.
+        name: String,
+    },
     /// It belongs to another room, robot or setup.
     #[error("the stored map belongs to another run, in \"{title}\"; choose that room, robot and behaviour first")]
     Another {
@@ -89,6 +98,8 @@ pub struct Stored {
     pub known: Option<(String, OccupancyMap)>,
     /// The docks on that map.
     pub docks: Vec<Pose>,
+    /// Name of the user's program that drove; its fingerprint is in the recipe.
+    pub program: Option<String>,
 }
 
 /// Map, marks and pose of a stored run.
@@ -131,6 +142,8 @@ struct StoredBody {
     known: Option<[String; 2]>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     docks: Vec<[f64; 3]>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    program: Option<String>,
 }
 
 /// A stored input of a person.
@@ -171,6 +184,7 @@ impl Stored {
             resolution: self.map.resolution(),
             map: packed(&self.map),
             docks: self.docks.iter().map(|dock| [dock.x, dock.y, dock.heading]).collect(),
+            program: self.program.clone(),
             known: self.known.as_ref().map(|(name, map)| [name.clone(), packed(map)]),
             marks: to_text(&cells(noted)),
         };
@@ -242,6 +256,7 @@ impl Stored {
             marks,
             known,
             docks: body.docks.into_iter().map(pose).collect(),
+            program: body.program,
         })
     }
 }

@@ -1,6 +1,6 @@
 //! View model of the Map tab's numbers and texts: one snapshot per frame.
 
-use super::{MapAction, MapErrorFigures, MapPhase, MapSession};
+use super::{MapAction, MapErrorFigures, MapPhase, MapProgramView, MapSession};
 use robovac_sim::{Conditions, Run, mapping::CellMark};
 use serde::Serialize;
 
@@ -12,12 +12,14 @@ pub struct MapView {
     pub phase: MapPhase,
     /// Actions that are allowed now.
     pub can: MapActions,
-    /// Why the robot can't be placed in the room; empty if it can.
+    /// Why the robot can't be placed in the room, or the program can't drive it; empty if it can.
     pub complaint: String,
     /// Name of the room.
     pub title: String,
     /// Id of the behaviour.
     pub behaviour: &'static str,
+    /// The user's program, if that is the method.
+    pub program: Option<MapProgramView>,
     /// The robot's activity, in a few words.
     pub activity: &'static str,
     /// Its parameters.
@@ -148,10 +150,11 @@ impl MapSession {
                 clean: self.can_clean(),
                 open: can(MapAction::Open),
             },
-            complaint: self.complaint().to_owned(),
+            complaint: self.complaint(),
             title: self.base.as_ref().map_or(String::new(), |base| base.title.clone()),
             behaviour: setup.behaviour.id,
-            activity: run.map_or("", |run| run.activity()),
+            program: self.program_view(),
+            activity: run.map_or("", |run| if run.waits() { "waiting for the program" } else { run.activity() }),
             params: setup.params.clone(),
             tracking: setup.tracking.id(),
             expectation: self.expectation().unwrap_or_default(),

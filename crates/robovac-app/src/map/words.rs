@@ -6,7 +6,14 @@ impl MapSession {
     /// One or two sentences that describe the picture.
     pub fn description(&self) -> String {
         let title = self.base.as_ref().map_or("no room", |base| &base.title);
-        let Some(run) = self.run() else { return format!("Map of {title}: the robot doesn't fit into this room.") };
+        let Some(run) = self.run() else {
+            let why = if self.prepared().is_some() {
+                "no program drives the robot"
+            } else {
+                "the robot doesn't fit into this room"
+            };
+            return format!("Map of {title}: {why}.");
+        };
         if let Some(done) = self.returned() {
             return format!(
                 "Map of {title}, restored from the last visit. Replaying the run: {:.0} % done.",

@@ -10,10 +10,10 @@ mod snapshot;
 
 pub use self::saved::{LinkOutline, LoadError};
 
-use self::program::ProgramRun;
 pub(super) use self::saved::known_room;
 use crate::explore::{Action, Editor, PlanSearch, SessionState, Showing};
 use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
+use crate::program_run::ProgramRun;
 use coverage_planners::{CoveragePath, Film, Proof};
 use robovac_core::{
     floor_plan::{self, FloorPlan},

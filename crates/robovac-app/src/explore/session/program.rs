@@ -7,29 +7,8 @@ use robovac_core::program::Program;
 use robovac_sim::{
     Run, RunRecording,
     experiment::{RoomSetup, SettingsError},
-    program::{LogEnd, LogError, LogPart, Logged, MissedCells, SharedLog, check_walk},
+    program::{LogEnd, LogError, Logged, MissedCells, check_walk},
 };
-
-/// The log of the program that drives the run, and the program's number.
-#[derive(Default)]
-pub(super) struct ProgramRun {
-    pub log: SharedLog,
-    /// Changes when the program has to be run again: from the start, or from a person's last input on.
-    pub version: u32,
-}
-
-impl ProgramRun {
-    /// Begins with an empty log.
-    pub fn restart(&mut self) {
-        *self = Self { log: SharedLog::default(), version: self.version.wrapping_add(1) };
-    }
-
-    /// Forgets what the program did after a person's input at `step`.
-    pub fn cut(&mut self, step: u64) {
-        self.log.get_mut().truncate(u32::try_from(step).unwrap_or(u32::MAX));
-        self.version = self.version.wrapping_add(1);
-    }
-}
 
 impl Session {
     /// Keeps a user's program and chooses it, or keeps it only. Changes nothing if it isn't accepted.
@@ -63,14 +42,11 @@ impl Session {
     /// Takes a part of the log of the program with that [version](ProgramView::version); of an older one, it is left out
     /// and the result is false.
     pub fn extend_program(&mut self, version: u32, part: &[u8]) -> Result<bool, LogError> {
-        if version != self.program.version || !self.program_drives() {
+        if !self.program_drives() {
             return Ok(false);
         }
-        // What was shown isn't changed behind the user's back.
         let shown = self.recording.as_ref().map_or(0, RunRecording::end_steps);
-        let shown = u32::try_from(shown).unwrap_or(u32::MAX);
-        self.program.log.get_mut().extend_beyond(shown, LogPart::from_bytes(part)?)?;
-        Ok(true)
+        self.program.extend(version, shown, part)
     }
 
     /// The whole log of the program, as bytes; `None` unless one drives.
