@@ -6,7 +6,7 @@
 
 use robovac_core::{
     floor_plan::generate::{FlatSpec, generate_flat},
-    registry::Params,
+    registry::{ParamValue, Params},
     rng::{Rng, normal, seeded},
     robot::model,
 };
@@ -38,12 +38,12 @@ const SEED: (u64, u64) = (24, 90);
 const LEARN_FROM: u64 = 1_000_000;
 const CHOOSE_FROM: u64 = 500_000;
 /// Flats in which each candidate cleans, and in which the best is chosen.
-const FLATS: u64 = 8;
-const CHOICE: u64 = 48;
+const FLATS: u64 = 6;
+const CHOICE: u64 = 24;
 /// Generations between two choices.
 const CHOOSE_EVERY: u32 = 10;
 /// Pairs of candidates of a generation, each as far from the mean as the other, on opposite sides.
-const PAIRS: usize = 12;
+const PAIRS: usize = 8;
 /// Spread of the candidates at first.
 const SPREAD: f64 = 0.4;
 /// What the file of weights begins with.
@@ -109,23 +109,29 @@ impl Search {
     }
 }
 
-/// Flats with typical slip and noise.
-struct Flats(Vec<RoomSetup>);
+/// Flats, and whether wheels slip there. In those that it learns in they don't, so that odometry is enough: correcting the
+/// pose would cost as much as everything else.
+struct Flats {
+    rooms: Vec<RoomSetup>,
+    slip: SlipLevel,
+}
 
 impl Flats {
-    fn new(from: u64, count: u64) -> Result<Self, Box<dyn Error>> {
+    fn new(from: u64, count: u64, slip: SlipLevel) -> Result<Self, Box<dyn Error>> {
         let robot = model("roomba600").ok_or("no such robot")?;
         let flat = |seed| RoomSetup::new(&generate_flat(seed, &FlatSpec::default()), robot, robot.default_cell, None);
-        Ok(Self((from..from + count).map(flat).collect::<Result<_, _>>()?))
+        Ok(Self { rooms: (from..from + count).map(flat).collect::<Result<_, _>>()?, slip })
     }
 
     /// Share that a network sweeps of one of them.
     fn clean(&self, flat: usize, network: &Arc<Network>, seed: u64) -> Result<f64, Box<dyn Error + Send + Sync>> {
-        let room = &self.0[flat];
+        let Self { rooms, slip } = self;
+        let room = &rooms[flat];
         let info = controller::find("learned").ok_or("no such behaviour")?;
-        let params = Params::defaults(info.params);
+        let tracking = if *slip == SlipLevel::None { "odometry" } else { "corrected" };
+        let params = Params::checked(info.params, [("tracking", ParamValue::Choice(tracking.to_owned()))])?;
         let noise = Noise::all(NoiseLevel::Typical);
-        let conditions = Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() };
+        let conditions = Conditions { slip: *slip, noise, ..Conditions::default() };
         let controller = drive_by(&Setup { robot: &room.robot, params: &params, seed }, Arc::clone(network));
         let mut run = Run::new(&room.setup(conditions, seed), controller);
         while !run.is_finished() && run.time_s() < TIME_S {
@@ -137,7 +143,7 @@ impl Flats {
 
 /// Values of some networks, in parallel: mean swept shares of `flats`.
 fn values(networks: &[Arc<Network>], flats: &Flats, seed: u64, threads: usize) -> Result<Vec<f64>, Box<dyn Error>> {
-    let count = flats.0.len();
+    let count = flats.rooms.len();
     let next = AtomicUsize::new(0);
     let shares = Mutex::new(vec![0.0; networks.len() * count]);
     let failed = Mutex::new(None);
@@ -173,7 +179,15 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let mut rng = seeded(SEED.0, SEED.1);
     let mut search = Search::new(&mut rng);
-    let choice = Flats::new(CHOOSE_FROM, CHOICE)?;
+    if let Ok(file) = env::var("START") {
+        let start = Network::parse(&fs::read_to_string(file)?)?;
+        let hidden = (LAYERS[0] + 1) * LAYERS[1];
+        for (i, weight) in start.weights().iter().enumerate() {
+            if *weight != 0.0 || i >= hidden { search.mean[i] = f64::from(*weight); }
+        }
+        search.spread.fill(env::var("SPREAD")?.parse()?);
+    }
+    let choice = Flats::new(CHOOSE_FROM, CHOICE, SlipLevel::Typical)?;
     let mut best = f64::NEG_INFINITY;
     let mut curve = "generation,candidates_mean_percent,candidates_best_percent,chosen_flats_percent\n".to_owned();
     let began = Instant::now();
@@ -188,7 +202,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 fs::write(Path::new(&folder).join("weights.txt"), format!("{HEAD}{network}"))?;
             }
         }
-        let flats = Flats::new(LEARN_FROM + FLATS * u64::from(generation), FLATS)?;
+        let flats = Flats::new(LEARN_FROM + FLATS * u64::from(generation), FLATS, SlipLevel::None)?;
         let steps = search.steps(&mut rng);
         let candidates = steps.iter().map(|step| search.candidate(step).map(Arc::new)).collect::<Result<Vec<_>, _>>()?;
         let found = values(&candidates, &flats, u64::from(generation), threads)?;

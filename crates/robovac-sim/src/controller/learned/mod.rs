@@ -51,7 +51,7 @@ use swept_map::{SweptMap, block_of};
 use way::Way;
 
 /// Sizes of the layers that a network for it has: the values of a direction, hidden neurons, score and speed.
-pub const LAYERS: [usize; 3] = [INPUTS, 12, 2];
+pub const LAYERS: [usize; 3] = [INPUTS, 8, 2];
 /// The weights that it has learnt.
 const WEIGHTS: &str = include_str!("weights.txt");
 
@@ -62,7 +62,7 @@ const SEARCH: u32 = 4;
 /// Way between two marks on its map, m.
 const SPACING: f64 = 0.025;
 /// Radius in which something keeps its middle away, as a share of the body's; and in which its middle shows that nothing does.
-const BLOCKED: f64 = 0.75;
+const BLOCKED: f64 = 0.95;
 const FREE_M: f64 = 0.06;
 /// How far inside an obstacle its mark lies, m.
 const INSIDE: f64 = 0.02;
@@ -70,19 +70,19 @@ const INSIDE: f64 = 0.02;
 /// are marked, m.
 const IDLE: f64 = 17.0;
 const REFLECTED: f64 = 0.92 * 0.88;
-const NEAR_M: f64 = 0.08;
+const NEAR_M: f64 = 0.16;
 /// Direction of a contact on one side, rad.
 const SIDE: f64 = 0.95;
 /// Way back from obstacles, m.
 const BACK: f64 = 0.03;
 /// Turn beyond which it turns on the spot until it is less off than the second, rad.
 const ON_THE_SPOT: (f64, f64) = (0.7, 0.3);
-/// Turn rate for each radian that it is off its direction, 1/s, and the largest while it drives and on the spot, rad/s.
-const STEER: (f64, f64, f64) = (4.0, 1.5, 2.0);
+/// Turn rate for each radian that it is off its direction, 1/s, and the largest while it drives, rad/s.
+const STEER: (f64, f64) = (4.0, 1.5);
 /// Angle from a contact within which it doesn't turn at once, rad.
 const CONTACT: f64 = 0.6;
-/// Signal of a front sensor at which it decides at once: a usual wall at 8 cm; and the time that it waits after a decision, s.
-const AHEAD: u16 = 600;
+/// Signal of a front sensor at which it decides at once: a usual wall at 12 cm; and the time that it waits after a decision, s.
+const AHEAD: u16 = 300;
 const AT_ONCE_S: f64 = 0.09;
 /// Least share of its speed.
 const SLOWEST: f64 = 0.3;
@@ -275,7 +275,8 @@ impl Learned {
         let off = difference(self.mapper.pose().heading, heading);
         self.is_turning &= off.abs() > ON_THE_SPOT.1;
         if self.is_turning {
-            return pilot.twist(0.0, STEER.2.copysign(off));
+            let speed = pilot.turn_speed.copysign(off);
+            return Drive::wheels(-speed, speed);
         }
         pilot.twist(share * pilot.speed, (STEER.0 * off).clamp(-STEER.1, STEER.1))
     }
