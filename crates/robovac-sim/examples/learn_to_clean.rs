@@ -1,4 +1,4 @@
-//! Trains the network of the behaviour `learned`, from nothing, by cleaning generated flats:
+//! Trains the network of the behaviour `learned`, from a simple rule on, by cleaning generated flats:
 //! `cargo run --release -p robovac-sim --example learn_to_clean -- [FOLDER [GENERATIONS [THREADS]]]`
 //!
 //! Writes `weights.txt` and `curve.csv` into the folder. The same number of generations gives the same weights, on every
@@ -6,7 +6,7 @@
 
 use robovac_core::{
     floor_plan::generate::{FlatSpec, generate_flat},
-    registry::{ParamValue, Params},
+    registry::Params,
     rng::{Rng, normal, seeded},
     robot::model,
 };
@@ -45,7 +45,12 @@ const CHOOSE_EVERY: u32 = 10;
 /// Pairs of candidates of a generation, each as far from the mean as the other, on opposite sides.
 const PAIRS: usize = 8;
 /// Spread of the candidates at first.
-const SPREAD: f64 = 0.4;
+const SPREAD: f64 = 0.1;
+/// The rule that it begins with, a weight for each input, and its speed: towards new floor, near before far, without turning much,
+/// not where something is near, and else along the way to the nearest new floor.
+const RULE: [f64; LAYERS[0]] =
+    [0.4, 0.3, 0.2, 0.06, -0.4, 0.06, 0.06, -0.3, 0.0, 0.16, 0.3, 0.0, -0.1, 0.0, -0.2, 0.0];
+const FAST: f64 = 3.0;
 /// What the file of weights begins with.
 const HEAD: &str = "\
 # Weights of the behaviour `learned`, by crates/robovac-sim/examples/learn_to_clean.rs.
@@ -62,12 +67,16 @@ struct Search {
 
 impl Search {
     fn new(rng: &mut Rng) -> Self {
-        // Inputs weigh at random; outputs begin at 0, so that at first chance decides among the directions.
-        let hidden = (LAYERS[0] + 1) * LAYERS[1];
-        let scale = 1.0 / (LAYERS[0] as f64).sqrt();
-        let count = Network::weights_of(&LAYERS);
-        let mean = (0..count).map(|i| if i < hidden { scale * normal(rng) } else { 0.0 }).collect();
-        Self { mean, spread: vec![SPREAD; count] }
+        // One hidden neuron has the rule, and alone counts for the score. The others see the inputs by chance, and do not count
+        // yet. The speed is high.
+        let inputs = LAYERS[0] + 1;
+        let (hidden, outputs) = (inputs * LAYERS[1], LAYERS[1] + 1);
+        let mut mean = vec![0.0; Network::weights_of(&LAYERS)];
+        mean[1..inputs].copy_from_slice(&RULE);
+        mean[inputs..hidden].iter_mut().for_each(|weight| *weight = 0.25 * normal(rng));
+        (mean[hidden + 1], mean[hidden + outputs]) = (1.0, FAST);
+        let spread = vec![SPREAD; mean.len()];
+        Self { mean, spread }
     }
 
     /// Steps of a generation's candidates, in units of the spread: pairs of opposites.
@@ -109,29 +118,23 @@ impl Search {
     }
 }
 
-/// Flats, and whether wheels slip there. In those that it learns in they don't, so that odometry is enough: correcting the
-/// pose would cost as much as everything else.
-struct Flats {
-    rooms: Vec<RoomSetup>,
-    slip: SlipLevel,
-}
+/// Flats with typical slip and noise.
+struct Flats(Vec<RoomSetup>);
 
 impl Flats {
-    fn new(from: u64, count: u64, slip: SlipLevel) -> Result<Self, Box<dyn Error>> {
+    fn new(from: u64, count: u64) -> Result<Self, Box<dyn Error>> {
         let robot = model("roomba600").ok_or("no such robot")?;
         let flat = |seed| RoomSetup::new(&generate_flat(seed, &FlatSpec::default()), robot, robot.default_cell, None);
-        Ok(Self { rooms: (from..from + count).map(flat).collect::<Result<_, _>>()?, slip })
+        Ok(Self((from..from + count).map(flat).collect::<Result<_, _>>()?))
     }
 
     /// Share that a network sweeps of one of them.
     fn clean(&self, flat: usize, network: &Arc<Network>, seed: u64) -> Result<f64, Box<dyn Error + Send + Sync>> {
-        let Self { rooms, slip } = self;
-        let room = &rooms[flat];
+        let room = &self.0[flat];
         let info = controller::find("learned").ok_or("no such behaviour")?;
-        let tracking = if *slip == SlipLevel::None { "odometry" } else { "corrected" };
-        let params = Params::checked(info.params, [("tracking", ParamValue::Choice(tracking.to_owned()))])?;
+        let params = Params::defaults(info.params);
         let noise = Noise::all(NoiseLevel::Typical);
-        let conditions = Conditions { slip: *slip, noise, ..Conditions::default() };
+        let conditions = Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() };
         let controller = drive_by(&Setup { robot: &room.robot, params: &params, seed }, Arc::clone(network));
         let mut run = Run::new(&room.setup(conditions, seed), controller);
         while !run.is_finished() && run.time_s() < TIME_S {
@@ -143,7 +146,7 @@ impl Flats {
 
 /// Values of some networks, in parallel: mean swept shares of `flats`.
 fn values(networks: &[Arc<Network>], flats: &Flats, seed: u64, threads: usize) -> Result<Vec<f64>, Box<dyn Error>> {
-    let count = flats.rooms.len();
+    let count = flats.0.len();
     let next = AtomicUsize::new(0);
     let shares = Mutex::new(vec![0.0; networks.len() * count]);
     let failed = Mutex::new(None);
@@ -179,15 +182,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let mut rng = seeded(SEED.0, SEED.1);
     let mut search = Search::new(&mut rng);
-    if let Ok(file) = env::var("START") {
-        let start = Network::parse(&fs::read_to_string(file)?)?;
-        let hidden = (LAYERS[0] + 1) * LAYERS[1];
-        for (i, weight) in start.weights().iter().enumerate() {
-            if *weight != 0.0 || i >= hidden { search.mean[i] = f64::from(*weight); }
-        }
-        search.spread.fill(env::var("SPREAD")?.parse()?);
-    }
-    let choice = Flats::new(CHOOSE_FROM, CHOICE, SlipLevel::Typical)?;
+    let choice = Flats::new(CHOOSE_FROM, CHOICE)?;
     let mut best = f64::NEG_INFINITY;
     let mut curve = "generation,candidates_mean_percent,candidates_best_percent,chosen_flats_percent\n".to_owned();
     let began = Instant::now();
@@ -202,7 +197,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 fs::write(Path::new(&folder).join("weights.txt"), format!("{HEAD}{network}"))?;
             }
         }
-        let flats = Flats::new(LEARN_FROM + FLATS * u64::from(generation), FLATS, SlipLevel::None)?;
+        let flats = Flats::new(LEARN_FROM + FLATS * u64::from(generation), FLATS)?;
         let steps = search.steps(&mut rng);
         let candidates = steps.iter().map(|step| search.candidate(step).map(Arc::new)).collect::<Result<Vec<_>, _>>()?;
         let found = values(&candidates, &flats, u64::from(generation), threads)?;
