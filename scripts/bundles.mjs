@@ -19,10 +19,13 @@ for (const name of ["codemirror", "hyparquet"]) {
   fs.writeFileSync(path.join(out, `${name}.d.ts`), `export * from "../../scripts/bundles/${name}.js";\n`);
 }
 
+/** Modules of programs/python that only the command line needs. */
+const NATIVE = ["__main__.py", "frames.py", "native.py"];
+
 /** Texts by their paths below programs/python. */
 function pythonFiles() {
   const folder = path.join(root, "programs/python");
-  const files = filesBelow(folder).filter((file) => file.endsWith(".py"));
+  const files = filesBelow(folder).filter((file) => file.endsWith(".py") && !NATIVE.includes(path.basename(file)));
   return Object.fromEntries(files.map((file) => [path.relative(folder, file), fs.readFileSync(file, "utf8")]));
 }
 

@@ -11,9 +11,9 @@ import { fileURLToPath } from "node:url";
 
 const GUIDE = "docs/adding.md";
 const ROOT = path.join(path.dirname(fileURLToPath(import.meta.url)), "..");
-/** Copies are kept, so that cargo only compiles what has changed since. */
+/** The copy is kept, so that cargo only compiles what has changed since; its dependencies are those of the repository. */
 const COPY = path.join(ROOT, "target/how-to");
-const TARGET = path.join(ROOT, "target/how-to-target");
+const TARGET = path.resolve(process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target"));
 const WALKS = "tests/golden/walks.txt";
 
 const read = (file) => fs.readFileSync(path.join(ROOT, file), "utf8");

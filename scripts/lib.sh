@@ -7,11 +7,11 @@ cd "$ROOT" || exit 1
 # Installed tools live outside the repository, one folder per version, so that a fresh checkout finds them again.
 TOOLS=${ROBOVAC_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/robovac-playground}
 
-# Independent drivers, for the tests alone.
+# Pythons that lead to installed packages: independent drivers, for the tests alone; what builds and tests the Python package.
 DRIVERS=$ROOT/target/drivers
-
-# A Python with what builds and tests the Python package, and the package.
 VENV=$ROOT/target/python
+# The Python package, installed.
+WHEEL=$ROOT/target/wheel
 
 # The native program as tests build it.
 ROBOVAC=$(realpath -m "${CARGO_TARGET_DIR:-$ROOT/target}")/debug/robovac

@@ -68,25 +68,30 @@ need_node() {
 # Walls around programs of strangers; tests hold them where the system allows them.
 need_walls() { [[ $(uname) != Linux ]] || have bwrap || step "Installing bubblewrap" apt_install bubblewrap; }
 
-# A Python with the drivers of tests/drivers/requirements.txt, in target/.
+# A Python with the drivers of tests/drivers/requirements.txt.
 need_drivers() { need_packages tests/drivers/requirements.txt "$DRIVERS"; }
 
 # One with what builds and tests the Python package.
 need_python() { need_packages python/requirements.txt "$VENV"; }
 
-# need_packages LIST PLACE: a Python in PLACE with the packages of LIST.
+# need_packages LIST LINK: a Python with the packages of LIST, which LINK leads to.
 need_packages() {
-    cmp -s "$1" "$2/.installed" && return
-    { have python3 && python3 -c 'import ensurepip, venv'; } 2>/dev/null ||
-        step "Installing Python" apt_install python3 python3-venv
-    step "Installing the Python packages of $1" install_packages "$@"
+    local place
+    place=$TOOLS/python-$(sha256sum "$1" | cut -c 1-16)
+    if [[ ! -e $place/.complete ]]; then
+        { have python3 && python3 -c 'import ensurepip, venv'; } 2>/dev/null ||
+            step "Installing Python" apt_install python3 python3-venv
+        step "Installing the Python packages of $1" install_packages "$1" "$place"
+    fi
+    mkdir -p "${2%/*}"
+    ln -sfn "$place" "$2"
 }
 
 install_packages() {
     rm -rf "$2"
     python3 -m venv "$2"
     "$2/bin/pip" install --quiet --disable-pip-version-check --requirement "$1"
-    cp "$1" "$2/.installed"
+    touch "$2/.complete"
 }
 
 # Chromium for all tests; Firefox and WebKit, the engine of Safari, for those of what must work everywhere.

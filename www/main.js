@@ -3,16 +3,17 @@
 import init, { Playground } from "../page.js";
 import { byId } from "./dom.js";
 import { startFiles } from "./files.js";
-import { follow, keepState, restoreLink } from "./keep.js";
+import { keepState } from "./keep.js";
 import { startKeys } from "./keys.js";
 import { startLater } from "./explore/later.js";
 import { startNumbers } from "./explore/numbers.js";
+import { startLinks } from "./links.js";
 import { complain, cover, forgive, isFatal, startMessages, textOf, updateMessage } from "./messages.js";
 import { startObjects } from "./explore/objects.js";
 import { startPanel } from "./explore/panel.js";
 import { endOpening, tellBefore, tellOpening } from "./explore/opening.js";
 import { TabLoader } from "./tab-loader.js";
-import { isOnFloor, tabOf, startTabs } from "./tabs.js";
+import { isOnFloor, startTabs } from "./tabs.js";
 import { startPlanning } from "./start-planning.js";
 import { startPlaybar } from "./explore/playbar.js";
 import { startSheets } from "./sheets.js";
@@ -121,35 +122,13 @@ async function start() {
       .then(({ enterLearn }) => enterLearn(app, lesson))
       .catch((error) => complain(`Learn could not be loaded (${textOf(error)}). Check the connection, then try again.`));
   byId("learn-open").addEventListener("click", () => void learn());
-  /** Links that are still being followed: until then, the address is theirs. */
-  let following = 0;
-  /** @param {string} address */
-  const restore = async (address) => {
-    const { hash } = new URL(address);
-    follow(hash);
-    // Other fragments are positions on the page, such as that of the skip link.
-    if (!hash.includes("=")) return;
-    // A lesson is last: its address can have an & of its own.
-    const [, link = "", lesson] = /^(.*?)(?:(?:^|&)lesson=(.*))?$/.exec(hash.slice(1)) ?? [];
-    if (lesson) void learn(lesson);
-    if (!link) return;
-    following += 1;
-    await restoreLink(app, link);
-    await tabs.enter(tabOf(link));
-    following -= 1;
-    tabs.shown?.restore(link);
-    app.followed = link;
-  };
   startTheme((dark) =>
     guard(() => {
       playground.set_dark(dark);
       tabs.setDark(dark);
     }),
   );
-  await restore(location.href);
-  // One after the other, and not the address as it is by then: `keepLink` may have been faster.
-  let restored = Promise.resolve();
-  addEventListener("hashchange", ({ newURL }) => (restored = restored.then(() => restore(newURL))));
+  const links = await startLinks(app, tabs, (lesson) => void learn(lesson));
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
     playground.pause();
     playground.hold_films();
@@ -188,7 +167,7 @@ async function start() {
     });
   };
   requestAnimationFrame(frame);
-  const keep = () => guard(() => following === 0 && keepState(app));
+  const keep = () => guard(() => !links.isFollowing() && keepState(app));
   setInterval(keep, 500);
   addEventListener("pagehide", keep);
   document.body.dataset.boot = "ready";

@@ -712,7 +712,7 @@ better: Better,
 /** Digits shown after the decimal point. */
 decimals: number,
 /** How the value is rounded to them. */
-rounding: Rounding, };
+rounding: RoundingMode, };
 
 /** One condition. */
 export type Need = {
@@ -1126,7 +1126,7 @@ song: number,
 song_plays: boolean, };
 
 /** How values are rounded to the shown digits. */
-export type Rounding = "down" | "nearest" | "up";
+export type RoundingMode = "down" | "nearest" | "up";
 
 export type RowView = {
 /** Number of the planner in the view's `entrants`. */
@@ -1332,7 +1332,7 @@ longest_gap_ms: number,
 /** Bytes of the subscription, and of the slot of 15 ms into which they must fit. */
 slot: [number, number], };
 
-export type StudyEntrant = { id: string, title: string, summary: string,
+export type ManyRunsEntrant = { id: string, title: string, summary: string,
 /** `planner` or `behaviour`. */
 kind: "planner" | "behaviour",
 /** Whether it is measured by the boundary that it has met rather than by clean floor. */
@@ -1345,13 +1345,13 @@ offered: boolean, params: Params,
 runs: number, failure: string, };
 
 /** The choices available for a study. */
-export type StudyOffer = { entrants: Array<StudyEntrant>, seeds: [number, number, number], minutes: [number, number, number, number], };
+export type ManyRunsOffer = { entrants: Array<ManyRunsEntrant>, seeds: [number, number, number], minutes: [number, number, number, number], };
 
 /** Place and conditions of all runs, in words. */
-export type StudyPlace = { room: string, robot: string, slip: string, noise: string, quantised: boolean, start_charge_percent: number, };
+export type ManyRunsPlace = { room: string, robot: string, slip: string, noise: string, quantised: boolean, start_charge_percent: number, };
 
 /** Snapshot of a study, one per frame. */
-export type StudyView = { version: number, running: boolean, done: number, total: number, seeds: number, minutes: number, entrants: Array<StudyEntrantView>, };
+export type ManyRunsView = { version: number, running: boolean, done: number, total: number, seeds: number, minutes: number, entrants: Array<StudyEntrantView>, };
 
 /** Summary of many runs of one algorithm. */
 export type Summary = {

@@ -1,6 +1,6 @@
 // @ts-check
 // A program in JavaScript: the twin of programs/python/robovac_program/program.py.
-import { makeRobot } from "./robot.js";
+import { makeRobot } from "./readings.js";
 import { Room } from "./room.js";
 import { instrument, syntaxError } from "./trace-javascript.js";
 import { KINDS, SourceError, located, meant, missing, shown } from "./words.js";
@@ -21,8 +21,8 @@ export function whole(speed, topSpeed) {
 
 /** @param {Options} options @returns {Program} */
 export function loadJavaScript(options) {
-  const { source, name = "program.js", facts, seed, layout, parser, traced = false, budget = Infinity, breakpoints = [] } = options;
-  const robot = makeRobot(facts, seed, layout);
+  const { source, name = "program.js", facts, seed, layout, parser, traced = false, budget = Infinity, breakpoints = [], evaluate = eval } = options;
+  const robot = makeRobot(facts, seed, layout, options.Robot);
   /** @type {Record<string, unknown>[]} */
   const output = [];
   let printed = 0;
@@ -89,9 +89,9 @@ export function loadJavaScript(options) {
   try {
     // On one line with the program's first, so that the lines of errors are the program's own. Its `let` and `function`
     // are inside a function: programs can be loaded one after the other.
-    const make = (0, eval)(`(function (print, console, performance, Date, $trace) { "use strict"; ${text}\n;return {${KINDS.map((kind) => `${kind}: typeof ${kind} === "undefined" ? undefined : ${kind}`).join(", ")}}; })\n//# sourceURL=${name}`);
+    const make = evaluate(`(function (print, console, performance, Date, $trace) { "use strict"; ${text}\n;return {${KINDS.map((kind) => `${kind}: typeof ${kind} === "undefined" ? undefined : ${kind}`).join(", ")}}; })\n//# sourceURL=${name}`);
     // Chance is the seed's.
-    Math.random = robot.random;
+    evaluate("Math").random = robot.random;
     parts = make(print, console, clock, Time, tracer);
   } catch (error) {
     throw located(error, name, line);

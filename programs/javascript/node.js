@@ -1,7 +1,7 @@
 // @ts-check
 // usage: node node.js FILE   Runs a program for `robovac run`: one JSON object a line, as docs/programs.md describes.
 import fs from "node:fs";
-import readline from "node:readline";
+import { Framed } from "./frames.js";
 import { loadJavaScript } from "./javascript.js";
 import { LAYOUT, pack } from "./layout.js";
 
@@ -19,23 +19,48 @@ let readings = new Float64Array(0);
 let holds = false;
 let at = 0;
 
+/** The lines of the host, as they come. */
+function* lines() {
+  const part = Buffer.alloc(1 << 16);
+  for (let rest = ""; ; ) {
+    const read = fs.readSync(0, part, 0, part.length, null);
+    const all = (rest + part.toString("latin1", 0, read)).split("\n");
+    rest = all.pop() ?? "";
+    // Behind the last line there may be none.
+    yield* (read || !rest ? all : [rest]).map((line) => Buffer.from(line, "latin1").toString());
+    if (read === 0) return;
+  }
+}
+
 /** @param {Record<string, unknown>} message */
 function answer(message) {
   const output = program?.output ?? [];
   const print = output.filter(({ kind }) => kind === "print").map(({ text }) => text);
   const events = output.filter(({ kind }) => kind !== "print");
   output.length = 0;
-  process.stdout.write(`${JSON.stringify({ ...message, ...(print.length && { print }), ...(events.length && { events }) })}\n`);
+  const line = Buffer.from(`${JSON.stringify({ ...message, ...(print.length && { print }), ...(events.length && { events }) })}\n`);
+  for (let sent = 0; sent < line.length; ) sent += fs.writeSync(1, line, sent);
+}
+
+/** @param {any} message */
+function begin({ robot, seed, frames, holds: mayHold }) {
+  const options = { language: /** @type {const} */ ("javascript"), source: fs.readFileSync(file, "utf8"), name: file, facts: robot };
+  if (frames) {
+    const framed = new Framed(frames, options);
+    if (framed.kind !== "plan") {
+      answer({ ready: "behaviour", frames: true });
+      return framed.serve();
+    }
+  }
+  readings = new Float64Array(LAYOUT.laser + (robot.laser?.beams ?? 0));
+  program = loadJavaScript({ ...options, seed, layout: LAYOUT });
+  holds = mayHold === true;
+  answer({ ready: program.kind === "plan" ? "planner" : "behaviour" });
 }
 
 /** @param {any} message */
 function take(message) {
-  if (message.kind === "hello" && message.robovac === VERSION) {
-    readings = new Float64Array(LAYOUT.laser + (message.robot.laser?.beams ?? 0));
-    program = loadJavaScript({ language: "javascript", source: fs.readFileSync(file, "utf8"), name: file, facts: message.robot, seed: message.seed, layout: LAYOUT });
-    holds = message.holds === true;
-    return answer({ ready: program.kind === "plan" ? "planner" : "behaviour" });
-  }
+  if (message.kind === "hello" && message.robovac === VERSION) return begin(message);
   if (!program) throw new Error(`this program speaks version ${VERSION} of the protocol; the host does not`);
   if (message.room) {
     const cells = [...program.plan(message.room)];
@@ -50,9 +75,9 @@ function take(message) {
   answer({ left: program.left, right: program.right, ...(!goesOn && { done: true }), ...(hold && { hold }) });
 }
 
-for await (const line of readline.createInterface({ input: process.stdin })) {
+for (const line of lines()) {
   try {
-    take(JSON.parse(line));
+    if (line) take(JSON.parse(line));
   } catch (/** @type {any} */ error) {
     answer({ error: error.message, ...(error.line && { line: error.line }) });
     process.exitCode = 1;

@@ -2,7 +2,7 @@
 // The robot as a program sees it: the twin of programs/python/robovac_program/robot.py, in camelCase.
 import { chance } from "./chance.js";
 import * as motions from "./motions.js";
-import { SourceError, number, unknown } from "./words.js";
+import { SourceError, number } from "./words.js";
 
 /** @typedef {import("./motions.js").Motion} Motion */
 /** What a program says besides its command. @typedef {{kind: string, [part: string]: unknown}} Saying */
@@ -13,13 +13,8 @@ import { SourceError, number, unknown } from "./words.js";
 
 /** The most that a program may say in one step. */
 const MOST_SAYINGS = 2000;
-/** Readings that are true if one of others is. */
-const ANY = { bump: ["bump_left", "bump_right"], wheel_drop: ["wheel_drop_left", "wheel_drop_right"], cliff: ["cliff_left", "cliff_front_left", "cliff_front_right", "cliff_right"] };
-
-/** A reading's name in JavaScript. @param {string} name */
-export const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
-
-class Base {
+/** A robot without its readings. */
+export class Base {
   /** @param {Facts} facts @param {number} seed */
   constructor(facts, seed) {
     this.radius = facts.radius;
@@ -37,6 +32,9 @@ class Base {
     this._readings = new Float64Array(0);
     /** Counts the readings. */
     this._step = 0;
+    /** Its lists of six, and the steps that they are of. @type {(number | boolean)[][]} */
+    this._lists = [];
+    this._listsOf = [-1, -1];
     /** Whether the program is a generator, and the motion that it has made but not yet yielded. */
     this._waits = false;
     /** @type {Motion | undefined} */
@@ -143,57 +141,3 @@ class Base {
 
 /** @param {unknown} colour */
 const named = (colour) => (colour === null || colour === undefined ? null : String(colour).slice(0, 30));
-
-/** What programs write after `robot.`, for messages. @param {Layout} layout */
-const names = (layout) => [
-  ...layout.slots.map(({ name }) => camel(name)), "bump", "wheelDrop", "cliff", "laser", "radius", "wheelBase", "topSpeed", "toolWidth", "model", "random",
-  ...Object.getOwnPropertyNames(Base.prototype).filter((name) => !name.startsWith("_") && name !== "constructor"),
-];
-
-/** A robot whose readings are where `layout` has them. @param {Facts} facts @param {number} seed @param {Layout} layout @returns {Robot} */
-export function makeRobot(facts, seed, layout) {
-  class Own extends Base {}
-  const prototype = Own.prototype;
-  const indices = Object.fromEntries(layout.slots.map(({ name, index }) => [name, index]));
-  /** @param {string} name @param {(this: Base) => unknown} get */
-  const reading = (name, get) =>
-    Object.defineProperty(prototype, camel(name), {
-      get,
-      set() { throw new SourceError(`robot.${camel(name)} is measured: a program can't set it`); },
-    });
-  for (const { name, index, count, flag } of layout.slots) {
-    if (count > 1) {
-      // A new list for each step, as a program may keep it.
-      let step = -1;
-      /** @type {(number | boolean)[]} */
-      let list = [];
-      reading(name, function () {
-        if (step === this._step) return list;
-        step = this._step;
-        list = [];
-        for (let at = index; at < index + count; at++) list.push(flag ? this._readings[at] !== 0 : this._readings[at]);
-        return list;
-      });
-    }
-    else if (flag) reading(name, function () { return this._readings[index] !== 0; });
-    else reading(name, function () { return this._readings[index]; });
-  }
-  for (const [name, parts] of Object.entries(ANY)) {
-    const [first, last] = [indices[parts[0]], indices[/** @type {string} */ (parts.at(-1))]];
-    reading(name, function () {
-      for (let index = first; index <= last; index++) if (this._readings[index] !== 0) return true;
-      return false;
-    });
-  }
-  const beams = facts.laser?.beams ?? 0;
-  reading("laser", function () { return this._readings[indices.laser_scan] ? Array.from(this._readings.subarray(layout.laser, layout.laser + beams)) : null; });
-  // Behind all that is there: a name that isn't.
-  const missing = new Proxy({}, {
-    get: (_, name) => {
-      if (typeof name === "symbol" || name.startsWith("_") || name in Object.prototype || ["then", "toJSON"].includes(name)) return undefined;
-      throw new SourceError(unknown("robot", name, names(layout)));
-    },
-  });
-  Object.setPrototypeOf(Base.prototype, missing);
-  return /** @type {Robot} */ (/** @type {unknown} */ (new Own(facts, seed)));
-}

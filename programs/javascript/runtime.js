@@ -22,6 +22,8 @@ export { SourceError } from "./words.js";
  * @property {number} [budget] turns of loops in one step (in JavaScript: statements), after which it counts as endless
  * @property {{line: number, condition?: string}[]} [breakpoints]
  * @property {number} [memory] the most that Python may use, MB
+ * @property {(text: string) => any} [evaluate] makes JavaScript of text, elsewhere than here
+ * @property {typeof import("./robot.js").Base} [Robot] its class, if there is one already
  * @property {() => void} [begins] called when all is ready, before the program's first line runs
  */
 /**

@@ -68,12 +68,12 @@ impl Comparison {
 
     /// Includes one of the view's entrants, or excludes it.
     pub fn choose(&mut self, entrant: usize, takes_part: bool) {
-        self.state.choose_entrant(entrant, takes_part);
+        self.state.choose(entrant, takes_part);
     }
 
     /// Sets a parameter of one of the view's entrants from the text of a form.
     pub fn set_param(&mut self, entrant: usize, id: &str, text: &str) -> Result<(), JsValue> {
-        self.state.set_entrant_param(entrant, id, text).map_err(message)
+        self.state.set_param(entrant, id, text).map_err(message)
     }
 
     /// Includes one of the view's entrants once more, to be given other parameters.

@@ -6,7 +6,7 @@ use robovac_link::connection;
 use robovac_playground::wire::{to_js, trajectory::trajectory_from_js};
 use robovac_sim::{
     controller::{Controller, Setup},
-    experiment::{Algorithm, planning::Driven},
+    experiment::{Algorithm, planning::PathToDrive},
     program::{Pilot, Piloted, RobotFacts},
 };
 use std::sync::Arc;
@@ -134,7 +134,7 @@ impl Connection {
                 let smooth = (!knots.is_empty()).then(|| Arc::new(trajectory_from_js(knots)));
                 // The stairs of a real flat aren't in the room.
                 let follower = prepared.follower(&robot, &line, odometry).carefully();
-                Box::new(Driven { line, smooth }.follower(&robot, follower))
+                Box::new(PathToDrive { line, smooth }.follower(&robot, follower))
             }
         };
         let (title, cleans) = (settings.algorithm.title(), cleans && settings.algorithm.cleans());

@@ -1,31 +1,31 @@
-//! Monte Carlo studies on the page: settings, work for workers, curves and numbers.
+//! Many runs on the page: settings, work for workers, curves and numbers.
 
 use super::session_mirror::SessionMirror;
 use js_sys::Float64Array;
-use robovac_app::compare::{Study, StudyOffer, StudyPlace, StudyView};
+use robovac_app::compare::{ManyRuns, ManyRunsOffer, ManyRunsPlace, ManyRunsView};
 use robovac_playground::wire::{message, to_js};
 use robovac_sim::montecarlo::{Band, RunOutcome, Summary, to_csv, to_json};
 use wasm_bindgen::prelude::*;
 
-/// A study of algorithms in the playground's room.
+/// Many runs of algorithms in the playground's room.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct MonteCarlo {
-    state: Study,
+    state: ManyRuns,
 }
 
 #[wasm_bindgen]
 impl MonteCarlo {
-    /// A study of the behaviours, not started.
+    /// The behaviours that clean, not started.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()
     }
 
     /// All available algorithms, in the order of the view's list, and the numbers in the menus.
-    #[wasm_bindgen(unchecked_return_type = "rust.StudyOffer")]
+    #[wasm_bindgen(unchecked_return_type = "rust.ManyRunsOffer")]
     pub fn offer(&self) -> Result<JsValue, JsValue> {
-        to_js(&StudyOffer::new(&self.state))
+        to_js(&ManyRunsOffer::new(&self.state))
     }
 
     /// Takes over room, robot, start, conditions and seed from the mirror of the playground; cheap if unchanged.
@@ -101,15 +101,15 @@ impl MonteCarlo {
     // ---- results
 
     /// Snapshot for every frame: choices and progress.
-    #[wasm_bindgen(unchecked_return_type = "rust.StudyView")]
+    #[wasm_bindgen(unchecked_return_type = "rust.ManyRunsView")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
-        to_js(&StudyView::new(&self.state))
+        to_js(&ManyRunsView::new(&self.state))
     }
 
     /// Place and conditions of all runs; changes with the view's `version`.
-    #[wasm_bindgen(unchecked_return_type = "rust.StudyPlace | null")]
+    #[wasm_bindgen(unchecked_return_type = "rust.ManyRunsPlace | null")]
     pub fn place(&self) -> Result<JsValue, JsValue> {
-        to_js(&StudyPlace::new(&self.state))
+        to_js(&ManyRunsPlace::new(&self.state))
     }
 
     /// Summary of an algorithm's runs, by its number in the view's list; null without any.

@@ -18,7 +18,7 @@ const FOUND = {
   swapped: (v) => v.phase === "connected",
   wrap: (v) => v.phase === "connected",
   bootloader: (v) => v.phase === "connected",
-  create1: (v) => v.diagnosis.finding === "no_stream" && v.diagnosis.log.some((line) => line.includes("57600")),
+  create1: (v) => v.phase === "connected" && v.statistics.baud === 57_600 && v.notice?.text.includes("Create 1"),
   silent: (v) => v.phase === "waiting" && v.diagnosis.finding === "silence",
 };
 

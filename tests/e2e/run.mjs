@@ -1,4 +1,6 @@
 // Runs tests/e2e/*.test.mjs, or those whose file name contains one of the arguments: node tests/e2e/run.mjs [word...]
+// KEEP_PASSED=1 leaves out those that passed with the same page, tools and tests, to the byte; ALL=1 does not, after all.
+// ONLY="the page hangs" runs those tests alone whose name contains that, and keeps nothing of it.
 // SLOWEST=20 lists the 20 tests that took longest, PICTURES=1 has all pictures taken that tests offer, in target/e2e.
 import fs from "node:fs";
 import os from "node:os";
@@ -6,13 +8,14 @@ import path from "node:path";
 import { run } from "node:test";
 import { spec as Spec } from "node:test/reporters";
 import { fileURLToPath } from "node:url";
+import { Passed } from "./passed.mjs";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const words = process.argv.slice(2);
 /** Those that take long begin first, so that no process is left with one at the end. */
 const LONG = ["webkit", "firefox", "choices", "settings", "compare", "map", "connection-virtual", "floor-plan", "bench", "near-optimal", "connection-stop", "connection-window", "connection-bridge", "connection-fake", "connection-usb"];
 const rank = (name) => (LONG.indexOf(name.replace(".test.mjs", "")) + LONG.length + 1) % (LONG.length + 1);
-const files = fs
+const all = fs
   .readdirSync(here)
   .filter((name) => name.endsWith(".test.mjs") && (words.length === 0 || words.some((word) => name.includes(word))))
   .sort((a, b) => rank(a) - rank(b))
@@ -23,14 +26,20 @@ function fail(message) {
   process.exit(1);
 }
 if (!fs.existsSync(path.join(here, "../../dist/index.html"))) fail("dist/ is missing: run ./dev build first");
-if (files.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/e2e/*.test.mjs"}`);
+if (all.length === 0) fail(`no test file matches: ${words.join(" ") || "tests/e2e/*.test.mjs"}`);
+
+const passed = process.env.KEEP_PASSED && !process.env.ALL && !process.env.ONLY ? new Passed() : undefined;
+const files = all.filter((file) => !passed?.has(file));
+if (files.length < all.length) console.log(`${all.length - files.length} of ${all.length} files passed before with all that they test unchanged, and are left out; ALL=1 runs them`);
 
 /** Where a robot's stop is due soon, the machine has nothing heavy to do besides. */
 const isUrgent = (file) => /^connection(-bridge|-fake|-program|-serial|-stop|-usb|-window)?\.test/.test(path.basename(file));
-/** Nothing runs beside these. */
-const isAlone = (file) => /^connection-(bridge|stop|window)\.test/.test(path.basename(file));
+/** That a robot stops in time is measured there: beside little else. */
+const isStop = (file) => /^connection-(bridge|stop|window)\.test/.test(path.basename(file));
 /** That a robot stops in time has to hold at the first try. */
 const hasOneTry = (file) => /^connection-(bridge|stop)\.test/.test(path.basename(file));
+/** Of each file, the tests with these names; the ends of files are always among them. */
+const testNamePatterns = process.env.ONLY ? [process.env.ONLY, "^end of "] : undefined;
 const timeout = 900_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10);
 /** How long every test took that has run, in ms, and what it is called. */
 const took = [];
@@ -56,7 +65,7 @@ async function runAll(files, lanes) {
   if (files.length === 0) return failed;
   const taken = fs.mkdtempSync(path.join(os.tmpdir(), "robovac-e2e-"));
   Object.assign(process.env, { E2E_FILES: JSON.stringify(files), E2E_TAKEN: taken });
-  const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, "lane.mjs")), concurrency: lanes, timeout })
+  const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, "lane.mjs")), concurrency: lanes, timeout, testNamePatterns })
     .on("test:pass", note)
     .on("test:fail", (test) => {
       note(test);
@@ -74,8 +83,10 @@ async function runAll(files, lanes) {
 const urgent = files.filter(isUrgent);
 const failed = [...(await runAll(files.filter((file) => !isUrgent(file)), 3))];
 // They wait for most of their time.
-failed.push(...(await runAll(urgent.filter((file) => !isAlone(file)), 2)));
-failed.push(...(await runAll(urgent.filter(isAlone), 1)));
+failed.push(...(await runAll(urgent.filter((file) => !isStop(file)), 3)));
+failed.push(...(await runAll(urgent.filter(isStop), 2)));
+// A process that ended by itself says nothing of any file.
+if (process.exitCode === undefined) for (const file of files.filter((file) => !failed.includes(file))) passed?.add(file);
 // A busy machine may have made it fail; what fails alone, too, is broken.
 const again = failed.filter((file) => !hasOneTry(file));
 if (again.length > 0) console.log(`\nOnce more, one at a time: ${again.map((file) => path.basename(file)).join(" ")}`);
@@ -85,6 +96,6 @@ const unreliable = failed.filter((file) => !broken.includes(file));
 if (unreliable.length > 0) {
   console.log(`\nUnreliable: failed, then passed: ${unreliable.map((file) => path.basename(file)).join(" ")}`);
 }
-if (took.length === 0) fail("no end-to-end test ran");
+if (took.length === 0 && files.length > 0) fail("no end-to-end test ran");
 const slowest = took.sort(([a], [b]) => b - a).slice(0, Number(process.env.SLOWEST ?? 0));
 for (const [ms, what] of slowest) console.log(`${(ms / 1000).toFixed(1).padStart(6)} s  ${what}`);

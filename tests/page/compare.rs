@@ -21,11 +21,16 @@ fn session(room: &str) -> Session {
 
 fn comparison(session: &Session, planners: &[&str]) -> Comparison {
     let mut comparison = Comparison::new();
-    for info in PLANNERS {
-        comparison.choose(info.id, planners.contains(&info.id)).expect("the planner exists");
+    for (entrant, info) in PLANNERS.iter().enumerate() {
+        comparison.choose(entrant, planners.contains(&info.id));
     }
     comparison.take(session);
     comparison
+}
+
+/// Number of a planner among the entrants.
+fn planner(id: &str) -> usize {
+    PLANNERS.iter().position(|info| info.id == id).expect("the planner exists")
 }
 
 /// Serves all trials; returns the planners of the requests.
@@ -72,11 +77,11 @@ fn only_what_changed_is_tried_again() {
     let mut session = session("thesis8");
     let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
     work(&mut comparison);
-    comparison.set_param("snake", "patience", "0").expect("the value is in range");
+    comparison.set_param(planner("snake"), "patience", "0").expect("the value is in range");
     assert_eq!(work(&mut comparison), ["snake~patience:0"]);
-    comparison.set_param("snake", "patience", "2").expect("the value is in range");
-    comparison.choose("boustrophedon", false).expect("it exists");
-    comparison.choose("boustrophedon", true).expect("it exists");
+    comparison.set_param(planner("snake"), "patience", "2").expect("the value is in range");
+    comparison.choose(planner("boustrophedon"), false);
+    comparison.choose(planner("boustrophedon"), true);
     comparison.take(&session);
     assert_eq!(work(&mut comparison), [""; 0], "both are known");
     session.select_room("lshape").expect("it ships");
@@ -93,7 +98,7 @@ fn trial_under_way_does_not_answer_for_another_parameter() {
     let session = session("thesis8");
     let mut comparison = comparison(&session, &["snake"]);
     let before = comparison.take_trial().expect("there is work");
-    comparison.set_param("snake", "patience", "0").expect("it is in range");
+    comparison.set_param(planner("snake"), "patience", "0").expect("it is in range");
     assert!(!comparison.is_wanted(before.id));
     comparison.trial_finished(before.id, serve(&before));
     assert_eq!(comparison.count(), (0, 1));
@@ -199,7 +204,7 @@ fn robots_race_under_one_clock_and_come_back_to_the_bit() {
 fn link_brings_the_comparison_back() {
     let session = session("thesis8");
     let mut comparison = comparison(&session, &["boustrophedon", "snake"]);
-    comparison.set_param("snake", "patience", "5").expect("the value is in range");
+    comparison.set_param(planner("snake"), "patience", "5").expect("the value is in range");
     comparison.set_rooms("all").expect("there are rooms");
     comparison.set_seeds(5);
     let link = comparison.to_link();
@@ -397,7 +402,7 @@ fn behaviours_race_too_and_stop_after_the_slowest_plan() {
     let mut comparison = comparison(&session, &["boustrophedon"]);
     let is_bounce = |entrant: &Entrant| entrant.algorithm.kind() == "behaviour" && entrant.id() == "random_walk";
     let bounce = comparison.entrants().iter().position(is_bounce).expect("it cleans");
-    comparison.choose_entrant(bounce, true);
+    comparison.choose(bounce, true);
     assert_eq!(work(&mut comparison), ["boustrophedon"], "a behaviour needs no plan");
     assert!(comparison.to_link().contains("vs=boustrophedon&behaviours=random_walk&"), "{}", comparison.to_link());
     let race = comparison.race_mut().expect("there is a plan");
@@ -419,11 +424,11 @@ fn behaviours_race_too_and_stop_after_the_slowest_plan() {
 fn a_planner_races_against_itself_with_other_parameters() {
     let session = session("thesis8");
     let mut comparison = comparison(&session, &["snake"]);
-    let snake = PLANNERS.iter().position(|info| info.id == "snake").expect("it exists");
+    let snake = planner("snake");
     comparison.copy(snake);
     let copy = comparison.entrants().len() - 1;
     assert_eq!((comparison.copy_number(snake), comparison.copy_number(copy)), (1, 2));
-    comparison.set_entrant_param(copy, "patience", "0").expect("it is in range");
+    comparison.set_param(copy, "patience", "0").expect("it is in range");
     assert_eq!(work(&mut comparison), ["snake", "snake~patience:0"]);
     assert_eq!(comparison.race().map_or(0, |race| race.lanes().len()), 2);
     assert_eq!(comparison.table(None).rows.len(), 2);

@@ -1,6 +1,6 @@
 //! Studies as the page and the command line make them, without either.
 
-use robovac_app::{compare::Study, explore::Session};
+use robovac_app::{compare::ManyRuns, explore::Session};
 use robovac_core::{
     floor_plan::room,
     robot::{OdometryModel, model},
@@ -91,14 +91,14 @@ fn exploring_behaviours_are_measured_by_the_boundary() {
 #[test]
 fn a_study_offers_those_that_explore_and_exports_say_what_is_measured() {
     let session = session("room=room12ft&robot=roomba600");
-    let usual = Study::new();
+    let usual = ManyRuns::new();
     let explores =
-        |study: &Study| (0..study.entrants().len()).filter(|&i| study.entrants()[i].explores()).collect::<Vec<_>>();
+        |many: &ManyRuns| (0..many.entrants().len()).filter(|&i| many.entrants()[i].explores()).collect::<Vec<_>>();
     assert_eq!(explores(&usual).len(), 7);
-    assert!(explores(&usual).iter().all(|&i| !usual.is_chosen(i)), "a study of cleaners is as it was");
-    let mut study = study(&session, "bounce,explore_edge", "", 1);
-    work(&mut study);
-    let (head, entries) = study.export().expect("there is a room");
+    assert!(explores(&usual).iter().all(|&i| !usual.is_chosen(i)), "only cleaners are chosen at first");
+    let mut many = many(&session, "bounce,explore_edge", "", 1);
+    work(&mut many);
+    let (head, entries) = many.export().expect("there is a room");
     let csv = to_csv(&head, &entries);
     let ends: Vec<&str> = csv.lines().filter_map(|line| line.rsplit(',').next()).collect();
     assert_eq!(ends, ["measure", "floor", "boundary"]);
@@ -168,25 +168,25 @@ fn session(link: &str) -> Session {
     session
 }
 
-/// A short study of the session.
-fn study(session: &Session, behaviours: &str, planners: &str, seeds: u32) -> Study {
-    let mut study = Study::new();
-    study.choose_only(BEHAVIOUR, behaviours).expect("they exist");
-    study.choose_only(PLANNER, planners).expect("they exist");
-    study.set_seeds(seeds);
-    study.set_minutes(1);
-    study.take(session);
-    study
+/// Many runs, short and few, in the session's room.
+fn many(session: &Session, behaviours: &str, planners: &str, seeds: u32) -> ManyRuns {
+    let mut many = ManyRuns::new();
+    many.choose_only(BEHAVIOUR, behaviours).expect("they exist");
+    many.choose_only(PLANNER, planners).expect("they exist");
+    many.set_seeds(seeds);
+    many.set_minutes(1);
+    many.take(session);
+    many
 }
 
 /// Makes all missing runs; returns the names and seeds of the requests.
-fn work(study: &mut Study) -> Vec<(String, Vec<u64>)> {
+fn work(many: &mut ManyRuns) -> Vec<(String, Vec<u64>)> {
     let mut asked = Vec::new();
-    study.run();
-    while let Some(request) = study.take_batch() {
-        assert!(study.is_wanted(request.id));
+    many.run();
+    while let Some(request) = many.take_batch() {
+        assert!(many.is_wanted(request.id));
         let outcomes = request.lab().and_then(|lab| request.run(&lab, None));
-        study.batch_finished(request.id, outcomes);
+        many.batch_finished(request.id, outcomes);
         asked.push((request.entrant, request.seeds));
     }
     asked
@@ -195,22 +195,22 @@ fn work(study: &mut Study) -> Vec<(String, Vec<u64>)> {
 #[test]
 fn study_makes_each_run_once_and_only_what_is_missing() {
     let session = session("room=empty&robot=roomba600&seed=5");
-    let mut study = study(&session, "bounce", "boustrophedon", 2);
-    assert!(study.take_batch().is_none(), "not before it is told to");
-    let names: Vec<_> = work(&mut study);
+    let mut many = many(&session, "bounce", "boustrophedon", 2);
+    assert!(many.take_batch().is_none(), "not before it is started");
+    let names: Vec<_> = work(&mut many);
     assert_eq!(names.iter().map(|(_, seeds)| seeds.len()).sum::<usize>(), 4);
     assert!(names.iter().all(|(_, seeds)| *seeds == [5, 6]), "a request holds as many runs as it can: {names:?}");
-    assert_eq!((study.count(), study.is_running()), ((4, 4), false));
-    study.set_seeds(3);
-    assert_eq!(study.count(), (4, 6));
-    assert!(work(&mut study).iter().all(|(_, seeds)| *seeds == [7]));
-    study.set_seeds(2);
-    assert_eq!((study.count(), study.runs(0).len()), ((4, 4), 2), "fewer are shown than are known");
-    let bounce = (0..study.entrants().len()).find(|&i| study.entrants()[i].id() == "bounce").expect("it exists");
-    study.choose(bounce, false);
-    assert_eq!(study.count(), (2, 2));
-    study.choose(bounce, true);
-    assert!(work(&mut study).is_empty(), "what was known is still known");
+    assert_eq!((many.count(), many.is_running()), ((4, 4), false));
+    many.set_seeds(3);
+    assert_eq!(many.count(), (4, 6));
+    assert!(work(&mut many).iter().all(|(_, seeds)| *seeds == [7]));
+    many.set_seeds(2);
+    assert_eq!((many.count(), many.runs(0).len()), ((4, 4), 2), "fewer are shown than are known");
+    let bounce = (0..many.entrants().len()).find(|&i| many.entrants()[i].id() == "bounce").expect("it exists");
+    many.choose(bounce, false);
+    assert_eq!(many.count(), (2, 2));
+    many.choose(bounce, true);
+    assert!(work(&mut many).is_empty(), "what was known is still known");
 }
 
 #[test]
@@ -219,10 +219,10 @@ fn outcome_is_that_of_the_run_that_explore_shows() {
     let mut explore = session(&format!("{link}&behaviour=bounce"));
     explore.run_ahead(60.0);
     let shown = explore.recording().expect("it runs").run();
-    let mut study = study(&session(link), "bounce", "", 1);
-    work(&mut study);
-    let index = (0..study.entrants().len()).find(|&i| study.is_chosen(i)).expect("one is chosen");
-    let runs = study.runs(index);
+    let mut many = many(&session(link), "bounce", "", 1);
+    work(&mut many);
+    let index = (0..many.entrants().len()).find(|&i| many.is_chosen(i)).expect("one is chosen");
+    let runs = many.runs(index);
     assert_eq!((runs[0].seed, runs[0].digest), (3, shown.digest()));
     assert_eq!(runs[0].coverage(), shown.coverage());
 }
@@ -230,58 +230,57 @@ fn outcome_is_that_of_the_run_that_explore_shows() {
 #[test]
 fn cancelled_runs_are_dropped_and_begun_again() {
     let session = session("room=empty");
-    let mut study = study(&session, "bounce", "", 100);
-    study.run();
-    let request = study.take_batch().expect("there is something to do");
-    study.cancel();
-    assert!(!study.is_wanted(request.id) && study.take_batch().is_none());
-    study.batch_finished(request.id, Ok(vec![outcome(1, 1.0, [1.0, 1.0])]));
-    assert_eq!(study.count().0, 0, "what nobody waits for is not taken");
-    study.run();
-    assert_eq!(study.take_batch().expect("again").seeds, request.seeds);
+    let mut many = many(&session, "bounce", "", 100);
+    many.run();
+    let request = many.take_batch().expect("there is something to do");
+    many.cancel();
+    assert!(!many.is_wanted(request.id) && many.take_batch().is_none());
+    many.batch_finished(request.id, Ok(vec![outcome(1, 1.0, [1.0, 1.0])]));
+    assert_eq!(many.count().0, 0, "what nobody waits for is not taken");
+    many.run();
+    assert_eq!(many.take_batch().expect("again").seeds, request.seeds);
 }
 
 #[test]
 fn another_room_has_results_of_its_own_and_the_old_ones_are_kept() {
     let mut session = session("room=empty");
-    let mut study = study(&session, "bounce", "", 1);
-    work(&mut study);
+    let mut many = many(&session, "bounce", "", 1);
+    work(&mut many);
     session.select_room("lshape").expect("it ships");
-    study.take(&session);
-    assert_eq!(study.count(), (0, 1));
-    work(&mut study);
+    many.take(&session);
+    assert_eq!(many.count(), (0, 1));
+    work(&mut many);
     session.select_room("empty").expect("it ships");
-    study.take(&session);
-    assert_eq!(study.count(), (1, 1));
+    many.take(&session);
+    assert_eq!(many.count(), (1, 1));
     session.configure(|settings| settings.set_noise(None, NoiseLevel::Harsh.id())).expect("there is such a level");
-    study.take(&session);
-    assert_eq!(study.count(), (0, 1), "other conditions, other runs");
+    many.take(&session);
+    assert_eq!(many.count(), (0, 1), "other conditions, other runs");
     session.configure(|settings| settings.set_noise(None, NoiseLevel::Off.id())).expect("there is such a level");
     session.set_speed(1024.0);
-    study.take(&session);
-    assert_eq!(study.count(), (1, 1), "how fast Explore plays is nobody's business");
+    many.take(&session);
+    assert_eq!(many.count(), (1, 1), "how fast Explore plays is nobody's business");
 }
 
 #[test]
 fn failure_is_told_and_tried_again() {
     let session = session("room=empty");
-    let mut study = study(&session, "bounce", "", 1);
-    study.run();
-    let request = study.take_batch().expect("there is something to do");
-    study.batch_finished(request.id, Err("no room".to_owned()));
-    let index = (0..study.entrants().len()).find(|&i| study.is_chosen(i)).expect("one is chosen");
-    assert_eq!((study.failure(index), study.is_running()), (Some("no room"), false));
-    study.run();
-    assert!(study.failure(index).is_none() && study.take_batch().is_some());
+    let mut many = many(&session, "bounce", "", 1);
+    many.run();
+    let request = many.take_batch().expect("there is something to do");
+    many.batch_finished(request.id, Err("no room".to_owned()));
+    let index = (0..many.entrants().len()).find(|&i| many.is_chosen(i)).expect("one is chosen");
+    assert_eq!((many.failure(index), many.is_running()), (Some("no room"), false));
+    many.run();
+    assert!(many.failure(index).is_none() && many.take_batch().is_some());
 }
 
 #[test]
 fn link_brings_back_the_choices_and_bad_ones_are_refused() {
-    let mut study = Study::new();
-    study
-        .restore("#room=flat&runs=spiral_out,bounce&paths=spiral,snake~patience:3&times=10&minutes=60")
+    let mut many = ManyRuns::new();
+    many.restore("#room=flat&runs=spiral_out,bounce&paths=spiral,snake~patience:3&times=10&minutes=60")
         .expect("it is good");
-    let link = study.to_link();
+    let link = many.to_link();
     assert!(link.contains("runs=spiral_out,bounce&") && link.ends_with("&times=10&minutes=60"), "{link}");
     assert!(link.contains("paths=spiral,snake~patience:3&"), "{link}");
     for (bad, why) in [
@@ -292,18 +291,18 @@ fn link_brings_back_the_choices_and_bad_ones_are_refused() {
         ("times=0", "can't be \"0\"; use a whole number from 1 to 1000"),
         ("minutes=1e9", "whole minutes from 1 to 600"),
     ] {
-        let message = study.restore(&format!("minutes=10&{bad}")).expect_err(bad).to_string();
+        let message = many.restore(&format!("minutes=10&{bad}")).expect_err(bad).to_string();
         assert!(message.contains(why), "{message}");
-        assert_eq!(study.minutes(), 60, "nothing is changed");
+        assert_eq!(many.minutes(), 60, "nothing is changed");
     }
 }
 
 #[test]
 fn exports_tell_every_run_and_the_same_summary() {
     let session = session("room=empty&slip=typical");
-    let mut study = study(&session, "bounce", "boustrophedon", 2);
-    work(&mut study);
-    let (head, entries) = study.export().expect("there is a room");
+    let mut many = many(&session, "bounce", "boustrophedon", 2);
+    work(&mut many);
+    let (head, entries) = many.export().expect("there is a room");
     let csv = to_csv(&head, &entries);
     let lines: Vec<&str> = csv.lines().collect();
     let columns = lines[0].split(',').count();
@@ -325,14 +324,14 @@ fn exports_tell_every_run_and_the_same_summary() {
 
 #[test]
 fn time_of_a_run_follows_from_the_room_until_it_is_chosen() {
-    let minutes = |link: &str, study: &mut Study| {
-        study.take(&session(link));
-        study.minutes()
+    let minutes = |link: &str, many: &mut ManyRuns| {
+        many.take(&session(link));
+        many.minutes()
     };
-    let mut study = Study::new();
-    let small = minutes("room=room12ft&robot=roomba600", &mut study);
-    let large = minutes("room=flat&robot=roomba600", &mut study);
+    let mut many = ManyRuns::new();
+    let small = minutes("room=room12ft&robot=roomba600", &mut many);
+    let large = minutes("room=flat&robot=roomba600", &mut many);
     assert!(small < large, "{small} and {large}");
-    study.set_minutes(10);
-    assert_eq!(minutes("room=warehouse&robot=roomba600", &mut study), 10);
+    many.set_minutes(10);
+    assert_eq!(minutes("room=warehouse&robot=roomba600", &mut many), 10);
 }

@@ -4,7 +4,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { LAYOUT } from "../../programs/javascript/layout.js";
-import { camel, makeRobot } from "../../programs/javascript/robot.js";
+import { camel, makeRobot } from "../../programs/javascript/readings.js";
 import { ROOT, example, loaded } from "./files.mjs";
 import { FACTS, Toy } from "./toy.mjs";
 

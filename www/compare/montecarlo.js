@@ -10,8 +10,8 @@ import { atMostEvery } from "../shared/frame-pacer.js";
 import { showTable } from "./runs-table.js";
 
 /**
- * @typedef {import("../types").StudyView} View
- * @typedef {import("../types").StudyOffer} Offer
+ * @typedef {import("../types").ManyRunsView} View
+ * @typedef {import("../types").ManyRunsOffer} Offer
  */
 
 /** Milliseconds between redraws while results come. */
@@ -94,7 +94,7 @@ export function startRuns(app, module, guard, mirror) {
     setHidden(byId("runs-empty"), any);
     for (const id of ["runs-scroll", "runs-note"]) setHidden(byId(id), !any);
     setHidden(byId("runs-chart"), known.length === 0);
-    /** @type {import("../types").StudyPlace | null} */
+    /** @type {import("../types").ManyRunsPlace | null} */
     const place = study.place();
     setText(byId("runs-title"), place ? titleOf(app, place, view, rows) : "");
     setText(byId("runs-note"), "Lines and large numbers are medians; bands and small numbers span the 10 % to 90 % quantiles.");
@@ -138,7 +138,7 @@ export function bandsOf(flat) {
   return { low: flat.subarray(0, third), median: flat.subarray(third, 2 * third), high: flat.subarray(2 * third) };
 }
 
-/** @param {import("../main.js").App} app @param {import("../types").StudyPlace} place @param {View} view @param {{ explores: boolean }[]} rows */
+/** @param {import("../main.js").App} app @param {import("../types").ManyRunsPlace} place @param {View} view @param {{ explores: boolean }[]} rows */
 function titleOf({ catalogue }, { room, robot, slip, noise, quantised, start_charge_percent: charge }, { minutes }, rows) {
   const all = rows.every(({ explores }) => explores);
   const what = all ? "Boundary found" : rows.some(({ explores }) => explores) ? "Coverage (boundary found, for explorers)" : "Coverage";

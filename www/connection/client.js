@@ -1,7 +1,7 @@
 // @ts-check
-// The page's end of a connection to a robot. Everything critical runs in two workers, as the page can be busy: one drives, the
-// other holds the line, and each watches the other.
+// The page's end of a connection to a robot. Everything critical runs in two workers, as the page can be busy.
 import { accessBy } from "./access.js";
+import { ConnectionWorkers } from "./connection-workers.js";
 import { choosePort } from "./ports.js";
 import { watchPage } from "./safety.js";
 
@@ -27,16 +27,8 @@ export class ConnectionClient {
   /** @type {(failure: Failure) => void} */
   onfailed = () => {};
 
-  #module;
-  /** @type {Worker} */
-  #worker;
-  /** Holds the line. @type {Worker} */
-  #holder;
-  #isBroken = false;
+  #workers;
   #beats = 0;
-  #asked = 0;
-  /** Pending requests by id. @type {Map<number, (value: boolean | string) => void>} */
-  #waiting = new Map();
   #release;
   /** @type {import("./types").ConnectionView | undefined} */
   #view;
@@ -44,36 +36,14 @@ export class ConnectionClient {
 
   /** @param {WebAssembly.Module} module workshop_bg.wasm, compiled */
   constructor(module) {
-    this.#module = module;
-    [this.#worker, this.#holder] = this.#start();
+    this.#workers = new ConnectionWorkers(module);
+    this.#workers.onreport = (message) => this.#heard(message);
+    this.#workers.onbroke = () => this.#rest();
     const leave = (/** @type {string} */ why) => {
-      if (this.#mayMove()) this.#holder.postMessage({ type: "stop" });
-      this.#tell({ type: "leave", why });
+      if (this.#mayMove()) this.#workers.stop();
+      this.leave(why);
     };
     this.#release = watchPage(leave, () => this.#mayMove());
-  }
-
-  /** @returns {[driver: Worker, holder: Worker]} */
-  #start() {
-    const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-    const holder = new Worker(new URL("./line-worker.js", import.meta.url), { type: "module" });
-    for (const either of [worker, holder]) {
-      either.addEventListener("message", ({ data }) => this.#heard(data));
-      either.addEventListener("error", (event) => this.#broke(event.message || "it could not be started"));
-    }
-    const { port1, port2 } = new MessageChannel();
-    worker.postMessage({ type: "init", module: this.#module, holder: port1 }, [port1]);
-    holder.postMessage({ type: "init", driver: port2 }, [port2]);
-    return [worker, holder];
-  }
-
-  /** After an error of the program, the next connection has a worker of its own. */
-  #revive() {
-    if (!this.#isBroken) return;
-    this.#worker.terminate();
-    this.#holder.terminate();
-    this.#isBroken = false;
-    [this.#worker, this.#holder] = this.#start();
   }
 
   /** Whether something is connected, or about to be. */
@@ -92,10 +62,10 @@ export class ConnectionClient {
       const known = target.kind === "serial" || target.kind === "usb" ? await choosePort(accessBy(target.kind), target.port) : target;
       if (!known) return false;
       if (this.isOpen) await this.close();
-      this.#revive();
+      this.#workers.revive();
       // A hidden page counts as gone, as its timers are unreliable.
-      this.#beats = window.setInterval(() => document.visibilityState === "visible" && this.#tell({ type: "beat", at: performance.now() / 1000 }), BEAT_MS);
-      const opened = await this.#ask({ type: "open", id: 0, target: known });
+      this.#beats = window.setInterval(() => document.visibilityState === "visible" && this.#workers.tell({ type: "beat", at: performance.now() / 1000 }), BEAT_MS);
+      const opened = await this.#workers.ask({ type: "open", id: 0, target: known });
       if (!opened) this.#rest();
       return opened === true;
     } catch (error) {
@@ -106,21 +76,21 @@ export class ConnectionClient {
 
   /** Stops the robot, ends the interface and lets the line go. Takes a second at most. */
   async close() {
-    await this.#ask({ type: "close", id: 0 });
+    await this.#workers.ask({ type: "close", id: 0 });
     this.#rest();
   }
 
   /** Brings the worker's copy of room and settings up to date; to be done before a virtual robot and before a ride.
    * @param {import("./types").Followed} followed @returns {Promise<boolean>} */
   async follow({ snapshot, algorithm }) {
-    this.#revive();
-    return (await this.#ask({ type: "follow", id: 0, snapshot, algorithm })) === true;
+    this.#workers.revive();
+    return (await this.#workers.ask({ type: "follow", id: 0, snapshot, algorithm })) === true;
   }
 
   /** Says whether it was done. @param {import("./types").Request} request @returns {Promise<boolean>} */
   async request(request) {
     if (request.do !== "stop") this.#movesUntil = performance.now() + 500;
-    return (await this.#ask({ type: "request", id: 0, request })) === true;
+    return (await this.#workers.ask({ type: "request", id: 0, request })) === true;
   }
 
   /**
@@ -133,87 +103,51 @@ export class ConnectionClient {
    */
   async ride(corners, cleans, knots = new Float64Array()) {
     this.#movesUntil = performance.now() + 500;
-    return (await this.#ask({ type: "ride", id: 0, corners: Float64Array.from(corners), knots, cleans })) === true;
+    return (await this.#workers.ask({ type: "ride", id: 0, corners: Float64Array.from(corners), knots, cleans })) === true;
   }
 
   /** Facts about the robot for the user's program, as JSON; empty if there are none. */
   async facts() {
-    const facts = await this.#ask({ type: "facts", id: 0 });
+    const facts = await this.#workers.ask({ type: "facts", id: 0 });
     return typeof facts === "string" ? facts : "";
   }
 
   /** What the user's program answers: speeds of both wheels, mm/s; NaN if it is done. @param {number} left @param {number} right */
   answer(left, right) {
-    this.#tell({ type: "answer", left, right });
+    this.#workers.tell({ type: "answer", left, right });
   }
 
   /** Stops the robot and gives control up. @param {string} why A sentence for a returning user. */
   leave(why) {
-    this.#tell({ type: "leave", why });
+    this.#workers.tell({ type: "leave", why });
   }
 
   /** An action of a person on the virtual robot. @param {import("./types").Touch} touch */
   virtual(touch) {
-    this.#tell({ type: "virtual", touch });
+    this.#workers.tell({ type: "virtual", touch });
   }
 
   /** All traffic so far, as a recording. @returns {Promise<string>} */
   async recording() {
-    return String(await this.#ask({ type: "recording", id: 0 }));
+    return String(await this.#workers.ask({ type: "recording", id: 0 }));
   }
 
   /** Closes, and ends the workers. It can't be used any more. */
   async end() {
     await this.close();
     this.#release();
-    this.#worker.terminate();
-    this.#holder.terminate();
+    this.#workers.end();
   }
 
-  /** @param {import("./types").ToConnection} message */
-  #tell(message) {
-    this.#worker.postMessage(message);
-  }
-
-  /** @param {Extract<import("./types").ToConnection, { id: number }>} message @returns {Promise<boolean | string>} */
-  #ask(message) {
-    message.id = ++this.#asked;
-    return new Promise((resolve) => {
-      if (this.#isBroken) return resolve(false);
-      this.#waiting.set(message.id, resolve);
-      this.#tell(message);
-    });
-  }
-
-  /** @param {import("./types").FromConnection} message */
+  /** @param {Parameters<ConnectionWorkers["onreport"]>[0]} message */
   #heard(message) {
-    if (message.type === "line-gone") this.#holder.terminate();
-    else if (message.type === "driver-gone") {
-      this.#worker.terminate();
-      this.#broke("it stopped responding, and a stop command was sent");
-    } else if (message.type === "line-broke") this.#broke(message.why);
-    else if (message.type === "view") {
+    if (message.type === "view") {
       this.#view = message.view;
       this.onview(message.view);
     } else if (message.type === "traffic") this.ontraffic(message.traffic);
     else if (message.type === "trace") this.ontrace(message.trace);
     else if (message.type === "readings") this.onreadings(message.readings);
-    else if (message.type === "answer") {
-      this.#waiting.get(message.id)?.(message.value);
-      this.#waiting.delete(message.id);
-    } else {
-      if (message.failure.kind === "broken") this.#broke();
-      this.onfailed(message.failure);
-    }
-  }
-
-  /** Nothing will be answered any more. @param {string} [why] */
-  #broke(why) {
-    this.#isBroken = true;
-    this.#rest();
-    for (const answered of this.#waiting.values()) answered(false);
-    this.#waiting.clear();
-    if (why) this.onfailed({ kind: "broken", what: `The connection's worker failed: ${why}.`, remedy: "Connect again, or reload the page." });
+    else this.onfailed(message.failure);
   }
 
   #rest() {

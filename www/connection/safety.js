@@ -95,6 +95,27 @@ export class Watch {
   }
 }
 
+/** From when on a worker that didn't run is taken for asleep, ms. */
+const SLEEP_MS = 1000;
+
+/** Whether the computer slept, or the browser stood still, and didn't mind the robot. */
+export class SleepWatch {
+  /** By the time of day: a worker's own clock may stand still while the computer sleeps, ms. */
+  #ranAt = Date.now();
+
+  /** Whether it slept before this moment. */
+  hasSlept() {
+    const slept = Date.now() - this.#ranAt > SLEEP_MS;
+    this.awake();
+    return slept;
+  }
+
+  /** A pause that ends here was no sleep. */
+  awake() {
+    this.#ranAt = Date.now();
+  }
+}
+
 /**
  * Says when the page was alive, by a worker's clock, s: what is returned takes the time when a beat arrives there, and the
  * page's when it was sent. On a busy computer a beat may come late, and must not prolong a hung page's life by that. Both

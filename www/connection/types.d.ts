@@ -171,8 +171,8 @@ export interface Transport {
   readonly view: TransportView;
   /** Opens it at 115200 baud; throws a `Failure`. */
   open(): Promise<void>;
-  /** Sends bytes at once; never throws. */
-  write(bytes: Uint8Array): void;
+  /** Sends bytes at once; never throws. `isActing`: whether the robot may move because of them. */
+  write(bytes: Uint8Array, isActing?: boolean): void;
   /** Changes the baud rate; bytes written before are sent at the old one. */
   setBaud(baud: number): Promise<void>;
   /** Pulls the BRC wire low, or lets it go. */

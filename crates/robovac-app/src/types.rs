@@ -3,7 +3,7 @@
 use crate::{
     CatalogueEntry, ExplainerEntry,
     bench::BenchResult,
-    compare::{ComparisonView, StudyOffer, StudyPlace, StudyView, TableView},
+    compare::{ComparisonView, ManyRunsOffer, ManyRunsPlace, ManyRunsView, TableView},
     explore::{Catalogue, PageView, SessionSnapshot},
     floor_plan::FloorPlanView,
     map::MapView,
@@ -65,9 +65,9 @@ pub fn declarations() -> String {
     all.visit::<Question>();
     all.visit::<Request>();
     all.visit::<SessionSnapshot>();
-    all.visit::<StudyOffer>();
-    all.visit::<StudyPlace<'static>>();
-    all.visit::<StudyView<'static>>();
+    all.visit::<ManyRunsOffer>();
+    all.visit::<ManyRunsPlace<'static>>();
+    all.visit::<ManyRunsView<'static>>();
     all.visit::<Summary>();
     all.visit::<TableView>();
     all.visit::<Timeline>();

@@ -58,13 +58,16 @@ struct FormArguments {
     html: bool,
 }
 
-/// One answer's runs for one goal with one seed.
+/// One answer's runs for one goal, with one seed or with some.
 struct Piece<'a> {
     /// Index of the answer and of the job.
     at: (usize, usize),
     job: &'a Job,
-    seed: u64,
+    seeds: &'a [u64],
 }
+
+/// Most runs of a program that are made together.
+const TOGETHER: usize = 20;
 
 /// Marks the answers and returns the report.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
@@ -139,16 +142,26 @@ fn make(jobs: &[Vec<Job>], programs: Option<&Programs>, threads: usize) -> Vec<R
         Ok::<Ready, String>((lab, None))
     });
     let labs: BTreeMap<(usize, usize), Result<Ready, String>> = all.iter().map(|(at, _)| *at).zip(labs).collect();
-    let able = all.iter().filter(|(at, _)| labs.get(at).is_some_and(Result::is_ok));
-    let pieces: Vec<Piece<'_>> =
-        able.flat_map(|(at, job)| job.request.seeds.iter().map(|&seed| Piece { at: *at, job, seed })).collect();
-    let outcomes = in_parallel(&pieces, threads, |piece| match labs.get(&piece.at) {
-        Some(Ok((lab, None))) => piece.job.request.run_one(lab, piece.seed),
-        Some(Ok((lab, Some(pupil)))) => match programs {
-            Some(programs) => programs.run(piece.job, pupil, lab, piece.seed),
-            None => Err("programs can't be run".to_owned()),
-        },
-        _ => Err("it has no room".to_owned()),
+    let able: Vec<_> = all.iter().filter(|(at, _)| labs.get(at).is_some_and(Result::is_ok)).collect();
+    // As many as keep all threads busy to the end.
+    let by_programs: usize =
+        able.iter().filter(|(_, job)| job.by_program()).map(|(_, job)| job.request.seeds.len()).sum();
+    let together = by_programs.div_ceil(4 * threads.max(1)).clamp(1, TOGETHER);
+    let pieces: Vec<Piece<'_>> = able
+        .iter()
+        .flat_map(|(at, job)| {
+            let size = if job.by_program() { together } else { 1 };
+            job.request.seeds.chunks(size).map(|seeds| Piece { at: *at, job, seeds })
+        })
+        .collect();
+    let outcomes = in_parallel(&pieces, threads, |Piece { at, job, seeds }| {
+        let alone = |make: &dyn Fn(u64) -> Result<RunOutcome, String>| seeds.iter().map(|&seed| make(seed)).collect();
+        match (labs.get(at), programs) {
+            (Some(Ok((lab, None))), _) => alone(&|seed| job.request.run_one(lab, seed)),
+            (Some(Ok((lab, Some(pupil)))), Some(programs)) => programs.run(job, pupil, lab, seeds),
+            (Some(Ok((_, Some(_)))), None) => alone(&|_| Err("programs can't be run".to_owned())),
+            _ => alone(&|_| Err("it has no room".to_owned())),
+        }
     });
     let mut results: Vec<Results> =
         jobs.iter().map(|jobs| jobs.iter().map(|job| (job.goal, Ok(Vec::new()))).collect()).collect();
@@ -157,7 +170,11 @@ fn make(jobs: &[Vec<Job>], programs: Option<&Programs>, threads: usize) -> Vec<R
             results[at.0][at.1].1 = Err(fault.clone());
         }
     }
-    for (piece, outcome) in pieces.iter().zip(outcomes) {
+    let of_pieces = pieces
+        .iter()
+        .zip(outcomes)
+        .flat_map(|(piece, runs): (_, Vec<_>)| runs.into_iter().map(move |run| (piece, run)));
+    for (piece, outcome) in of_pieces {
         let result = &mut results[piece.at.0][piece.at.1].1;
         match (&mut *result, outcome) {
             (Ok(runs), Ok(outcome)) => runs.push(outcome),

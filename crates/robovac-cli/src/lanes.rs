@@ -13,7 +13,7 @@ use robovac_core::{
 };
 use robovac_sim::{
     Conditions,
-    experiment::planning::{Driven, PlanningError, RoomSetup},
+    experiment::planning::{PathToDrive, PlanningError, RoomSetup},
 };
 use serde::Serialize;
 use std::{fs, ops::ControlFlow, path::PathBuf, sync::Arc, time::Instant};
@@ -180,7 +180,7 @@ fn planned_for(arguments: &Arguments) -> f64 {
 }
 
 fn drive(room: &RoomSetup, found: &LanesPlan, smooth: Option<Arc<Trajectory>>) -> DrivenReport {
-    let driven = Driven { line: found.path.clone().into(), smooth };
+    let driven = PathToDrive { line: found.path.clone().into(), smooth };
     let mut run = room.run_driven(&driven, Conditions::default(), OdometryModel::Arc, 0);
     while !run.is_finished() {
         run.step();

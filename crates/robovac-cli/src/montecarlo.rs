@@ -10,7 +10,7 @@ use super::{
 use robovac_sim::{
     Conditions,
     experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, planning::Placement},
-    montecarlo::{Band, EntrantRuns, Lab, StudyHeader, Summary, Terms, TimeTo, to_csv, to_json},
+    montecarlo::{Band, EntrantRuns, Lab, RunsHeader, Summary, Terms, TimeTo, to_csv, to_json},
 };
 use std::fmt::Write;
 
@@ -83,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let result = |who: usize| failures[who].as_deref().map_or_else(|| Ok(of(who).collect()), Err);
     let entries: Vec<EntrantRuns<'_>> =
         entrants.iter().enumerate().map(|(who, entrant)| (entrant, result(who))).collect();
-    let head = StudyHeader {
+    let head = RunsHeader {
         room: &placement.plan.name,
         robot: placement.robot.id,
         cell_size_m: placement.cell_size,
@@ -116,7 +116,7 @@ impl EntrantArguments {
 }
 
 /// A Markdown table: medians, with 10 to 90 % of the runs in brackets.
-fn table(head: &StudyHeader<'_>, placement: &Placement, arguments: &Arguments, entries: &[EntrantRuns<'_>]) -> String {
+fn table(head: &RunsHeader<'_>, placement: &Placement, arguments: &Arguments, entries: &[EntrantRuns<'_>]) -> String {
     let Conditions { slip, noise, quantised, start_charge_percent: charge, .. } = head.conditions;
     let quantised = if quantised { ", quantised wheel speeds" } else { "" };
     let charge = if charge < 100 { format!(", start charge {charge} %") } else { String::new() };

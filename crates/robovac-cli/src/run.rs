@@ -1,11 +1,12 @@
 //! `run`: a user's program drives the simulated robot, or plans its walk. See docs/program-protocol.md.
 
 mod child;
+mod frames;
 mod language;
 mod protocol;
 mod runtimes;
+mod sandbox;
 mod talk;
-mod walls;
 
 use super::{
     conditions::ConditionsArguments, failure::Failure, montecarlo::parse_minutes, output, signals::end_requested,
@@ -13,30 +14,32 @@ use super::{
 };
 pub use child::{ProgramProcess, Task};
 use coverage_planners::{CoveragePath, metrics::WalkMetrics};
+pub use frames::drive_framed;
 pub use language::Language;
 pub use protocol::{Reply, Words};
-use robovac_core::{grid::Cell, robot::OdometryModel};
+use robovac_core::grid::Cell;
 use robovac_sim::{
-    Conditions, Run, STEP_S, What,
+    Conditions, Run, What,
     experiment::{
-        PlanAnswer, Planned, RoomSetup,
+        PlanAnswer, Planned,
         planning::{Placement, choose_robot},
     },
-    montecarlo::quantile,
-    program::{Lockstep, ProgramRoom, check_walk},
+    montecarlo::{Lab, ProgramRun, Terms, quantile},
+    program::{ProgramRoom, RobotFacts, check_walk},
 };
+pub use sandbox::Sandbox;
 use serde::Serialize;
 use std::{
     fmt::Write,
     path::{Path, PathBuf},
+    slice,
     sync::{
         Arc, Mutex,
         atomic::{AtomicBool, AtomicUsize, Ordering},
     },
     thread,
 };
-pub use talk::{drive, greet, hello, plan};
-pub use walls::Walls;
+pub use talk::{Prints, Ready, drive, greet, hello, plan};
 
 /// Run your own program on the simulated robot: Python, JavaScript, or any program that speaks the protocol
 #[derive(clap::Args)]
@@ -85,11 +88,8 @@ pub struct Arguments {
 /// What all runs have in common.
 struct Study {
     language: Language,
-    prepared: RoomSetup,
+    lab: Lab,
     placement: Placement,
-    conditions: Conditions,
-    odometry: OdometryModel,
-    most_steps: u64,
     memory_mb: u64,
     end: Arc<AtomicBool>,
 }
@@ -156,13 +156,17 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let (robot, cell_size) = choose_robot(&arguments.robot, &plan, arguments.cell)
         .ok_or_else(|| Failure::unknown("robot", &arguments.robot, "robots"))?;
     let placement = Placement { plan, robot, cell_size, start: arguments.start, heading_deg: arguments.heading };
-    let study = Study {
-        language,
-        prepared: placement.prepare()?,
-        placement,
+    let terms = Terms {
         conditions: arguments.conditions.conditions(),
         odometry: arguments.conditions.odometry,
-        most_steps: (60.0 * arguments.minutes / STEP_S).round() as u64,
+        smooth: false,
+        duration_s: 60.0 * arguments.minutes,
+        plan_seed: arguments.seed,
+    };
+    let study = Study {
+        language,
+        lab: Lab::on(placement.prepare()?, terms),
+        placement,
         memory_mb: arguments.memory,
         end: end_requested()?,
     };
@@ -171,7 +175,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let runs = study
         .make_all(&seeds, jobs)
         .map_err(|(seed, fault)| Failure::planner(format!("{}, seed {seed}: {fault}", program.display())))?;
-    let Conditions { slip, noise, quantised, start_charge_percent, .. } = study.conditions;
+    let Conditions { slip, noise, quantised, start_charge_percent, .. } = terms.conditions;
     let report = ProgramReport {
         program: program.display().to_string(),
         room: study.placement.plan.name.clone(),
@@ -218,24 +222,31 @@ impl Study {
 
     fn make(&self, seed: u64) -> Result<ProgramOutcome, String> {
         let mut process = ProgramProcess::start(self.language.command(), self.memory_mb, Arc::clone(&self.end))?;
-        let mut lockstep = Lockstep::new(&self.prepared, self.conditions, seed, Vec::new());
-        let mut prints = Vec::new();
-        if !greet(&mut process, &lockstep.facts(), seed)? {
-            return self.plan(seed, &mut process);
+        let mut prints = Prints::new();
+        let robot = RobotFacts::of(&self.lab.prepared().robot);
+        let ready = greet(&mut process, &robot, &[seed], &mut prints)?;
+        if ready == Ready::Plans {
+            return self.plan(seed, &mut process, prints);
         }
-        let end = drive(&mut process, &mut lockstep, self.most_steps, &mut prints)?;
-        Ok(ProgramOutcome::of(lockstep.run(), seed, "behaviour", end, prints))
+        let mut run = ProgramRun::new(&self.lab, seed);
+        let end = if ready == Ready::DrivesFramed {
+            let ends = drive_framed(&mut process, slice::from_mut(&mut run), slice::from_mut(&mut prints));
+            ends.map_err(|(_, fault)| fault)?.first().copied().unwrap_or_default()
+        } else {
+            drive(&mut process, &mut run, &mut prints)?
+        };
+        Ok(ProgramOutcome::of(run.lockstep().run(), seed, "behaviour", end, prints))
     }
 
-    fn plan(&self, seed: u64, process: &mut ProgramProcess) -> Result<ProgramOutcome, String> {
-        let room = ProgramRoom::of(&self.prepared.job, self.placement.cell_size);
-        let mut prints = Vec::new();
+    fn plan(&self, seed: u64, process: &mut ProgramProcess, mut prints: Prints) -> Result<ProgramOutcome, String> {
+        let (prepared, terms) = (self.lab.prepared(), self.lab.terms());
+        let room = ProgramRoom::of(&prepared.job, self.placement.cell_size);
         let cells = plan(process, &room, &mut prints)?;
-        let missed = check_walk(&self.prepared.job, &cells).map_err(|fault| fault.to_string())?;
+        let missed = check_walk(&prepared.job, &cells).map_err(|fault| fault.to_string())?;
         let answer = PlanAnswer { path: CoveragePath::walk(cells), seconds: 0.0, proof: None, trace: Vec::new() };
-        let planned = Planned::new(&self.prepared, &answer).map_err(|error| error.to_string())?;
-        let mut run = planned.run(&self.prepared, self.conditions, self.odometry, seed);
-        while !run.is_finished() && run.steps() < self.most_steps {
+        let planned = Planned::new(prepared, &answer).map_err(|error| error.to_string())?;
+        let mut run = planned.run(prepared, terms.conditions, terms.odometry, seed);
+        while !run.is_finished() && run.steps() < terms.steps() {
             run.step();
         }
         let end = if run.is_finished() { "done" } else { "time" };

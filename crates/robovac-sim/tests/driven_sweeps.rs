@@ -27,7 +27,7 @@ const SHARE: f64 = 0.9999;
 const MOST_STEPS: u64 = 6 * 3600 * 100;
 
 /// How a sweep was driven.
-struct Driven {
+struct SweepRun {
     /// Least distance of the body, with [`SHARE`] of its size, from everything, m.
     least: f64,
     /// Coverage by the planner's own cells, 0 to 1.
@@ -49,7 +49,7 @@ fn own(outline: &Outline, turns: bool) -> OwnRobot {
     OwnRobot { radius, corners, cleans_all: true, wheels, ..OwnRobot::default() }
 }
 
-fn drive(plan: &FloorPlan, setup: &SweepSetup, found: &Sweep) -> Driven {
+fn drive(plan: &FloorPlan, setup: &SweepSetup, found: &Sweep) -> SweepRun {
     let octagon = model("octagon").unwrap();
     let own = own(&setup.outline, setup.turns);
     assert_eq!(own.check(octagon), Ok(()));
@@ -65,7 +65,7 @@ fn drive(plan: &FloorPlan, setup: &SweepSetup, found: &Sweep) -> Driven {
         least = least.min(distance(plan, &solids, &setup.outline, run.pose()));
     }
     let (promised, ideal, reached) = (found.coverage, planned.drive.coverage, run.coverage());
-    Driven { least, promised, ideal, reached, bumps: run.bumps(), finished: run.is_finished() }
+    SweepRun { least, promised, ideal, reached, bumps: run.bumps(), finished: run.is_finished() }
 }
 
 /// Distance of the body from everything, m.
@@ -97,7 +97,7 @@ fn what_is_planned_is_driven(rounds: std::ops::Range<u64>) -> Vec<[f64; 2]> {
             Err(SweepError::FitsNowhere { .. } | SweepError::Value { .. }) => continue,
             Err(error) => panic!("round {round}: {error}"),
         };
-        let Driven { least, promised, ideal, reached, bumps, finished } = drive(&plan, &setup, &found);
+        let SweepRun { least, promised, ideal, reached, bumps, finished } = drive(&plan, &setup, &found);
         println!(
             "round {round}: {} corners, {}, {}; promised {promised:.4}, ideal {ideal:.4}, reached {reached:.4}, {bumps} bumps, {:.3} mm",
             found.path.len(),

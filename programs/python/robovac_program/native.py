@@ -2,8 +2,10 @@
 
 import io
 import json
+import os
 import sys
 
+from .frames import Alone, Framed
 from .program import Program, error_of
 
 VERSION = 1
@@ -53,7 +55,17 @@ def _converse(path, hello, read, answer):
 
         random.seed(hello["seed"])
         with open(path, encoding="utf-8") as file:
-            program = Program(file.read(), path, hello["robot"], hello["seed"])
+            source = file.read()
+        if "frames" in hello and hasattr(os, "readv"):
+            try:
+                framed = Framed(path, source, hello, sys.stdout)
+                answer({"ready": "behaviour", "frames": True})
+                return framed.serve() or 0
+            except Alone:
+                # The first run alone, from its start.
+                random.seed(hello["seed"])
+                sys.stdout.take()
+        program = Program(source, path, hello["robot"], hello["seed"])
         holds = hello.get("holds", False)
         at = 0
         answer({"ready": "planner" if program.kind == "plan" else "behaviour"})

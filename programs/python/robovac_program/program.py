@@ -26,9 +26,9 @@ def whole(speed, top_speed):
 class Program:
     """Runs `source`. Errors in it are raised as they come; error_of says them with their line."""
 
-    def __init__(self, source, name, facts, seed, extra=None):
+    def __init__(self, source, name, facts, seed, extra=None, robot_class=Robot):
         self.name = name
-        self.robot = robot = Robot(facts, seed)
+        self.robot = robot = robot_class(facts, seed)
         self.has_printed = False
         self.scope = scope = {"__name__": "__main__", "print": self.print}
         if extra:

@@ -39,6 +39,18 @@ class Robot:
         beams = beams["beams"] if beams else 0
         self._beams = beams
         self._f = array("d", [0.0] * (len(FLOATS) + beams))
+        self._clear()
+        # Left and right wheel (m/s), number of events, whether it is done.
+        self._out = array("d", [0.0] * 4)
+        self._half = RADIANS * self.wheel_base * 0.5
+        self._chance = Chance(seed)
+        self._events = []
+        # Whether the program is a generator, and the motion that it has made but not yet yielded.
+        self._waits = False
+        self._made = None
+
+    def _clear(self):
+        """Sensors that have read nothing yet."""
         for name in FLAGS:
             setattr(self, name, False)
         for name in WHOLE:
@@ -49,14 +61,6 @@ class Robot:
         self._old_b = self._old_s = True
         self._b = self._s = None
         self._s0 = self._s1 = self._s2 = self._s3 = self._s4 = self._s5 = 0
-        # Left and right wheel (m/s), number of events, whether it is done.
-        self._out = array("d", [0.0] * 4)
-        self._half = RADIANS * self.wheel_base * 0.5
-        self._chance = Chance(seed)
-        self._events = []
-        # Whether the program is a generator, and the motion that it has made but not yet yielded.
-        self._waits = False
-        self._made = None
 
     # Sensors.
 

@@ -75,8 +75,8 @@ impl Playground {
     pub fn diary(&self) -> Array {
         let follows_plan = self.session.planned().is_some();
         let lines = self.session.recording().map_or(Vec::new(), |recording| diary(recording.run(), follows_plan));
-        let told = |line: DiaryEntry| [JsValue::from(line.time_s), line.text.into(), line.is_felt.into()];
-        lines.into_iter().flat_map(told).collect()
+        let values = |line: DiaryEntry| [JsValue::from(line.time_s), line.text.into(), line.is_felt.into()];
+        lines.into_iter().flat_map(values).collect()
     }
 }
 
@@ -102,7 +102,7 @@ impl Playground {
     }
 
     /// Puts the robot down at `at`, unless it is held there; returns whether it did.
-    pub(crate) fn put_down_at(&mut self, at: Point) -> bool {
+    pub(super) fn put_down_at(&mut self, at: Point) -> bool {
         if self.carried.is_none() || self.is_on_robot(at) {
             return false;
         }

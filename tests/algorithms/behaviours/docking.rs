@@ -15,7 +15,7 @@ use robovac_core::{
 use robovac_sim::{
     Conditions, Input, NoiseLevel, Run, RunSetup, World, berth,
     controller::{self, BehaviourInfo, Recharge},
-    experiment::planning::{Driven, RoomSetup},
+    experiment::planning::{PathToDrive, RoomSetup},
 };
 use std::sync::Arc;
 
@@ -136,7 +136,7 @@ fn follows(is_smooth: bool, start_charge_percent: u8, low: f64, level: NoiseLeve
     let line: Arc<[Point]> = line.map(|(x, y)| Point::new(x, y)).into();
     let rounded = is_smooth.then(|| prepared.smooth(&line, &SmoothSetup::default(), false).expect("it has two wheels"));
     let smooth = rounded.map(|path| Arc::new(path.trajectory));
-    let driven = Driven { line: Arc::clone(&line), smooth };
+    let driven = PathToDrive { line: Arc::clone(&line), smooth };
     let follower = driven.follower(robot, prepared.follower(robot, &line, OdometryModel::Arc));
     let docks = &prepared.world.docks;
     let recharge = Recharge::new(&follower, &prepared.floor, docks, seed).expect("it can dock").between(low, low + 2.0);

@@ -1,11 +1,14 @@
 //! The diagnosis of every kind of robot.
 
-use super::wire::{Wire, hall, moves, setup_in};
+use super::wire::{Wire, hall, moves, roomba, setup_in};
+use robovac_core::geometry::Point;
 use robovac_link::{
-    connection::{Request, TransportKind, TransportState, TransportView},
-    emulator::PERSONALITIES,
+    connection::{Calibration, Request, TransportKind, TransportState, TransportView},
+    emulator::{PERSONALITIES, Personality, personality},
 };
-use robovac_sim::Conditions;
+use robovac_sim::{Conditions, controller::FollowPath};
+use roomba_oi::Packet;
+use std::sync::Arc;
 
 fn opened(personality: &str, seconds: f64) -> Wire {
     let mut wire = Wire::new(&setup_in(&hall(), Conditions::default(), 1), personality);
@@ -94,6 +97,54 @@ fn a_slow_robot_is_found_at_19200_with_what_fits_into_its_slot() {
     wire.arm();
     wire.hold_ahead(1.0);
     assert!(wire.is_rolling());
+}
+
+/// Of the packets of a Create 1, at its rate, and at the only rate of a Roomba 900's own USB port (`create_robot`, issue 106).
+#[test]
+fn a_robot_without_counts_drives_by_distance_and_angle() {
+    let create = personality("create1").unwrap();
+    let own_usb = Personality { default_baud: 115_200, baud: 115_200, ..create.clone() };
+    for (who, is_own_usb) in [(create, false), (&own_usb, true)] {
+        let mut wire = Wire::with(&setup_in(&hall(), Conditions::default(), 1), who);
+        let (kind, state) = (TransportKind::Serial, TransportState::Open);
+        let can_baud = !is_own_usb;
+        wire.link.set_transport(TransportView { kind, state, is_own_usb, can_baud, ..Default::default() });
+        wire.connect();
+        let view = wire.view();
+        assert_eq!((view.diagnosis.finding, view.statistics.baud), ("robot", who.baud), "{view:?}");
+        assert!(view.notice.is_some_and(|notice| notice.text.contains("Create 1")));
+        assert!(!wire.link.receives(Packet::LeftEncoder) && wire.link.receives(Packet::Voltage));
+        assert!(wire.link.request(wire.now, Request::Calibrate { what: Calibration::Nudge }).is_err());
+        wire.arm();
+        let start = wire.pose();
+        let line: Arc<[Point]> =
+            [(3.0, 2.5), (4.5, 2.5), (4.5, 3.5), (3.0, 3.5)].into_iter().map(|(x, y)| Point::new(x, y)).collect();
+        let follower = FollowPath::new(&wire.link.calibrated(&roomba()), wire.link.odometry(), start, line);
+        wire.link.ride(wire.now, "Line", Box::new(follower), start, false).unwrap();
+        wire.pass_until(60.0, |wire| wire.view().ride.unwrap().done);
+        wire.pass(1.0);
+        let (end, [x, y, _]) = (wire.pose(), wire.view().pose);
+        let [missed, off] = [(3.0, 3.5), (x, y)].map(|(x, y)| (end.position() - Point::new(x, y)).norm());
+        assert!(missed < 0.15 && off < 0.15, "{who:?}: ended at {end}, {missed} m away; it believes {x}, {y}");
+        // A page that hangs stops it as any other.
+        wire.hold_ahead(1.0);
+        assert!(wire.is_rolling());
+        wire.page_lives = false;
+        let stopped = wire.pass_until(1.0, |wire| wire.last_motion().is_some_and(|at| wire.now - at > 0.1));
+        assert!(stopped < 0.35, "{stopped}");
+        wire.pass(1.0);
+        assert!(!wire.is_rolling());
+    }
+}
+
+#[test]
+fn an_answer_without_any_stream_is_told() {
+    let mut wire = Wire::new(&setup_in(&hall(), Conditions::default(), 1), "model");
+    // Its answer is one byte.
+    wire.fault = Some(Box::new(|bytes| if bytes.len() > 1 { Vec::new() } else { bytes }));
+    wire.link.opened(wire.now);
+    wire.pass(8.0);
+    assert_eq!((wire.view().phase, wire.view().diagnosis.finding), ("waiting", "no_stream"), "{:?}", wire.view());
 }
 
 #[test]

@@ -77,6 +77,33 @@ fn a_page_that_hangs_stops_a_ride_in_time_and_lets_the_robot_go() {
 }
 
 #[test]
+fn a_page_that_hung_stopped_the_robot_only_when_a_reading_came() {
+    let mut wire = riding();
+    wire.page_lives = false;
+    let hung = wire.now;
+    wire.pass(0.12);
+    wire.fault = Some(Box::new(|_| Vec::new()));
+    wire.pass(1.0);
+    let last = wire.last_motion().unwrap();
+    let stop = wire.commands.iter().find(|(at, bytes)| *at > last && bytes[..] == [145, 0, 0, 0, 0]).unwrap();
+    assert!(stop.0 - hung < 0.2, "{} s", stop.0 - hung);
+}
+
+#[test]
+fn a_stick_that_arrives_late_prolonged_the_life_of_a_page_that_hangs() {
+    let mut wire = Wire::armed();
+    wire.hold_ahead(1.0);
+    wire.page_lives = false;
+    let hung = wire.now;
+    while wire.now - hung < 0.14 {
+        wire.ask(Request::Drive { forward: 1.0, left: 0.0 });
+        wire.pass(0.02);
+    }
+    wire.pass(1.0);
+    assert!(wire.last_motion().unwrap() - hung < 0.2);
+}
+
+#[test]
 fn a_page_that_is_slow_slows_the_robot_but_keeps_control() {
     let mut wire = riding();
     for _ in 0..40 {

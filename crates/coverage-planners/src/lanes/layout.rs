@@ -110,6 +110,11 @@ impl Layout {
         layout
     }
 
+    /// The first direction, of length 1.
+    pub fn along(&self) -> Vector {
+        self.turn
+    }
+
     /// A point of the frame, in samples.
     fn point(&self, x: f64, y: f64) -> Point {
         let at = self.origin + Vector::new(x, y) * self.spacing;

@@ -120,7 +120,7 @@ pub fn plan_lanes(
     cancelled(report(0.0))?;
     let layout = Layout::new(floor, &space);
     let mut lattice = Lattice::new(floor, &space);
-    let mut raster = SweptRaster::new(floor);
+    let mut raster = SweptRaster::new(floor, layout.along());
     let mut starts: Vec<(f64, Vec<Point>)> = Vec::new();
     for directions in [Directions::Both, Directions::First, Directions::Second] {
         cancelled(report(0.0))?;

@@ -36,7 +36,7 @@ pub enum Better {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
-pub enum Rounding {
+pub enum RoundingMode {
     /// Down, so that only all of a whole is 100 %.
     Down,
     /// To the nearest.
@@ -62,7 +62,7 @@ pub struct MetricInfo {
     /// Digits shown after the decimal point.
     pub decimals: u8,
     /// How the value is rounded to them.
-    pub rounding: Rounding,
+    pub rounding: RoundingMode,
     #[serde(skip)]
     value: fn(&PlanNumbers) -> Option<f64>,
 }
@@ -79,9 +79,9 @@ impl MetricInfo {
         let scaled = value * unit;
         // What is whole but for an error of computing stays so.
         let whole = match self.rounding {
-            Rounding::Down => (scaled + ROUNDING_ERROR).floor(),
-            Rounding::Nearest => scaled.round(),
-            Rounding::Up => (scaled - ROUNDING_ERROR).ceil(),
+            RoundingMode::Down => (scaled + ROUNDING_ERROR).floor(),
+            RoundingMode::Nearest => scaled.round(),
+            RoundingMode::Up => (scaled - ROUNDING_ERROR).ceil(),
         };
         whole / unit
     }
@@ -107,7 +107,7 @@ const fn lower(
     definition: &'static str,
     value: fn(&PlanNumbers) -> Option<f64>,
 ) -> MetricInfo {
-    MetricInfo { id, label, unit, definition, better: Better::Lower, decimals, rounding: Rounding::Nearest, value }
+    MetricInfo { id, label, unit, definition, better: Better::Lower, decimals, rounding: RoundingMode::Nearest, value }
 }
 
 /// Every number of a plan, in the order of tables.
@@ -119,11 +119,11 @@ pub const METRICS: &[MetricInfo] = &[
         definition: "Swept share of the floor that the robot's tool can reach from the start.",
         better: Better::Higher,
         decimals: 1,
-        rounding: Rounding::Down,
+        rounding: RoundingMode::Down,
         value: |n| Some(100.0 * n.drive.coverage),
     },
     MetricInfo {
-        rounding: Rounding::Up,
+        rounding: RoundingMode::Up,
         ..lower(
             "above_bound",
             "Above the minimum",
@@ -142,7 +142,7 @@ pub const METRICS: &[MetricInfo] = &[
         |n| Some(n.drive.duration_s),
     ),
     MetricInfo {
-        rounding: Rounding::Up,
+        rounding: RoundingMode::Up,
         ..lower(
             "excess_length",
             "Excess length",
@@ -152,7 +152,7 @@ pub const METRICS: &[MetricInfo] = &[
         )
     },
     MetricInfo {
-        rounding: Rounding::Up,
+        rounding: RoundingMode::Up,
         ..lower(
             "excess_time",
             "Excess time",

@@ -11,5 +11,5 @@ mod walk;
 pub use crate::{Bounds, TURN_STEPS};
 pub use drive::DriveMetrics;
 pub use excess::{MetricExcess, SweepBound, sweeps_as_disc};
-pub use list::{Better, METRICS, MetricInfo, PlanNumbers, Rounding};
+pub use list::{Better, METRICS, MetricInfo, PlanNumbers, RoundingMode};
 pub use walk::WalkMetrics;

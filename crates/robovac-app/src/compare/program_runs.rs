@@ -1,4 +1,4 @@
-//! Runs of a user's program for a study: repeated from its logs, so that the numbers are the simulator's own.
+//! Many runs of a user's program: repeated from its logs, so that the numbers are the simulator's own.
 
 use crate::explore::{LaidOutJob, ProgramJob};
 use robovac_core::grid::Cell;
@@ -35,7 +35,7 @@ impl ProgramRuns {
 mod tests {
     use super::*;
     use crate::{
-        compare::{Comparison, Study},
+        compare::{Comparison, ManyRuns},
         explore::Session,
     };
     use robovac_core::{
@@ -81,17 +81,17 @@ mod tests {
 
     #[test]
     fn many_runs_of_a_program_are_repeated_from_its_logs() {
-        let mut study = Study::new();
-        let program = number(study.entrants(), ProgramKind::Behaviour);
-        study.take(&Session::new());
-        assert!(!study.is_there(program) && !study.to_link().contains("program"));
-        study.take(&session(ProgramKind::Behaviour));
-        assert!(study.is_there(program) && !study.is_there(number(study.entrants(), ProgramKind::Planner)));
-        study.choose_only("behaviour", "program").unwrap();
-        study.set_seeds(2);
-        study.set_minutes(1);
-        study.run();
-        let request = study.take_batch().unwrap();
+        let mut many = ManyRuns::new();
+        let program = number(many.entrants(), ProgramKind::Behaviour);
+        many.take(&Session::new());
+        assert!(!many.is_there(program) && !many.to_link().contains("program"));
+        many.take(&session(ProgramKind::Behaviour));
+        assert!(many.is_there(program) && !many.is_there(number(many.entrants(), ProgramKind::Planner)));
+        many.choose_only("behaviour", "program").unwrap();
+        many.set_seeds(2);
+        many.set_minutes(1);
+        many.run();
+        let request = many.take_batch().unwrap();
         let job = request.job.clone().unwrap();
         assert!(request.behaves && request.seeds == [3, 4]);
         let runs = ProgramRuns::new(&job, request.duration_s).unwrap();
@@ -104,8 +104,8 @@ mod tests {
         let outcomes: Vec<RunOutcome> = request.seeds.iter().map(&mut make).collect();
         assert_eq!(outcomes.iter().map(|outcome| outcome.digest).collect::<Vec<_>>(), digests);
         assert_ne!(digests[0], digests[1]);
-        study.batch_finished(request.id, Ok(outcomes));
-        assert!(study.summary(program).is_some() && !study.is_running());
+        many.batch_finished(request.id, Ok(outcomes));
+        assert!(many.summary(program).is_some() && !many.is_running());
         assert!(runs.behave(3, b"no log").is_err());
         // A log that is too short doesn't wait for ever.
         assert_eq!(runs.behave(3, &drive(&job, Some(3), 1.5).log_bytes(0)).unwrap().time_s, 100.0 * STEP_S);
@@ -119,7 +119,7 @@ mod tests {
         comparison.restore("vs=&behaviours=bounce").unwrap();
         let program = number(comparison.entrants(), ProgramKind::Behaviour);
         assert_eq!(comparison.copy_number(program), 1);
-        comparison.choose_entrant(program, true);
+        comparison.choose(program, true);
         let job = comparison.take_race_job().unwrap();
         assert!(comparison.take_race_job().is_none(), "once");
         let race = comparison.race_mut().unwrap();
@@ -153,7 +153,7 @@ mod tests {
         comparison.take(&session(ProgramKind::Planner));
         comparison.restore("vs=").unwrap();
         let program = number(comparison.entrants(), ProgramKind::Planner);
-        comparison.choose_entrant(program, true);
+        comparison.choose(program, true);
         let request = comparison.take_trial().unwrap();
         assert!(request.job.is_some());
         let arena = request.arena().unwrap();

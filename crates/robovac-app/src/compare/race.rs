@@ -7,7 +7,7 @@ use robovac_sim::{
     Conditions, Run, RunRecording, STEP_S, SlipLevel,
     experiment::{
         Entrant,
-        planning::{Driven, RoomSetup},
+        planning::{PathToDrive, RoomSetup},
     },
     program::{Logged, SharedLog},
 };
@@ -107,7 +107,7 @@ impl Race {
         }
         let Some(line) = self.line(path) else { return };
         let RaceSetup { conditions, odometry, seed, .. } = self.setup;
-        let driven = Driven { line: Arc::clone(&line), smooth };
+        let driven = PathToDrive { line: Arc::clone(&line), smooth };
         let run = self.prepared.run_driven(&driven, conditions, odometry, seed);
         self.add(racer, run, line, None);
     }

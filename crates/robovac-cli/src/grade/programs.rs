@@ -1,19 +1,21 @@
-//! Runs of learners' programs: strangers', so they run within walls.
+//! Runs of learners' programs, in a sandbox, as they are strangers'.
 
 use crate::{
     failure::Failure,
-    run::{Language, ProgramProcess, Walls, drive, greet, plan},
+    run::{Language, Prints, ProgramProcess, Ready, Sandbox, drive, drive_framed, greet, plan},
 };
 use robovac_core::program::Program;
 use robovac_lessons::Job;
 use robovac_sim::{
-    STEP_S,
-    montecarlo::{Lab, RunOutcome},
-    program::{Lockstep, ProgramRoom},
+    montecarlo::{Lab, ProgramRun, RunOutcome},
+    program::{ProgramRoom, RobotFacts},
 };
-use std::sync::{
-    Arc,
-    atomic::{AtomicBool, Ordering},
+use std::{
+    slice,
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
 };
 
 /// Memory of a program, MB, and its processor time in a run, s.
@@ -24,33 +26,35 @@ const PROCESSOR_S: u64 = 60;
 pub struct Pupil {
     language: Language,
     has_failed: AtomicBool,
+    /// Whether its runs can't be made together.
+    is_alone: AtomicBool,
 }
 
 /// Makes the runs of programs.
 pub struct Programs {
-    walls: Walls,
+    sandbox: Sandbox,
     end: Arc<AtomicBool>,
 }
 
 impl Programs {
-    /// Within walls, or if the user says so without. They end when `end` becomes true.
+    /// In a sandbox, or if the user says so without. They end when `end` becomes true.
     pub fn new(is_unconfined: bool, end: Arc<AtomicBool>) -> Result<Self, Failure> {
-        let walls = if is_unconfined {
-            Walls::limits_only()
+        let sandbox = if is_unconfined {
+            Sandbox::limits_only()
         } else {
-            Walls::probe().map_err(|why| {
+            Sandbox::probe().map_err(|why| {
                 Failure::system(format!(
                     "the answers have programs, and these can't be kept from your files and the network here: {why}. On a computer \
                      that may be lost, such as one in a cloud, --unconfined runs them without"
                 ))
             })?
         };
-        Ok(Self { walls, end })
+        Ok(Self { sandbox, end })
     }
 
     /// How they are run, in words.
     pub fn words(&self) -> &'static str {
-        self.walls.words()
+        self.sandbox.words()
     }
 
     /// Gets the program of a job ready. Errors are for users.
@@ -58,11 +62,22 @@ impl Programs {
         let Program { language, source, .. } =
             job.program.as_ref().ok_or("the answer says that a program drives, and has none")?;
         let language = Language::of_text(*language, source).map_err(|error| error.to_string())?;
-        Ok(Pupil { language, has_failed: AtomicBool::new(false) })
+        Ok(Pupil { language, has_failed: AtomicBool::new(false), is_alone: AtomicBool::new(false) })
     }
 
-    /// A run; after one that has failed, none of that pupil's. Errors are for users.
-    pub fn run(&self, job: &Job, pupil: &Pupil, lab: &Lab, seed: u64) -> Result<RunOutcome, String> {
+    /// Runs with these seeds; after one that has failed, none of that pupil's. Errors are for users.
+    pub fn run(&self, job: &Job, pupil: &Pupil, lab: &Lab, seeds: &[u64]) -> Vec<Result<RunOutcome, String>> {
+        // What goes wrong together is told by the runs alone, which have all of their limits for themselves.
+        if seeds.len() > 1 && job.request.behaves && !pupil.is_alone.load(Ordering::Relaxed) {
+            match self.run_together(pupil, lab, seeds) {
+                Ok(outcomes) => return outcomes.into_iter().map(Ok).collect(),
+                Err(_) => pupil.is_alone.store(true, Ordering::Relaxed),
+            }
+        }
+        seeds.iter().map(|&seed| self.run_alone(job, pupil, lab, seed)).collect()
+    }
+
+    fn run_alone(&self, job: &Job, pupil: &Pupil, lab: &Lab, seed: u64) -> Result<RunOutcome, String> {
         if pupil.has_failed.load(Ordering::Relaxed) {
             return Err(String::new());
         }
@@ -73,28 +88,50 @@ impl Programs {
         made
     }
 
+    fn start(&self, pupil: &Pupil, runs: u64) -> Result<ProgramProcess, String> {
+        let command = self.sandbox.command(&pupil.language, MEMORY_MB, PROCESSOR_S * runs)?;
+        ProgramProcess::start(command, MEMORY_MB, Arc::clone(&self.end))
+    }
+
+    /// Runs of a behaviour in one process, which takes a question for each at a time.
+    fn run_together(&self, pupil: &Pupil, lab: &Lab, seeds: &[u64]) -> Result<Vec<RunOutcome>, String> {
+        let mut process = self.start(pupil, seeds.len() as u64)?;
+        if greet(&mut process, &RobotFacts::of(&lab.prepared().robot), seeds, &mut Prints::new())?
+            != Ready::DrivesFramed
+        {
+            return Err("it takes no frames".to_owned());
+        }
+        let mut runs: Vec<ProgramRun> = seeds.iter().map(|&seed| ProgramRun::new(lab, seed)).collect();
+        let mut prints = vec![Prints::new(); seeds.len()];
+        drive_framed(&mut process, &mut runs, &mut prints).map_err(|(_, fault)| fault)?;
+        Ok(runs.into_iter().map(ProgramRun::outcome).collect())
+    }
+
     fn try_run(&self, job: &Job, pupil: &Pupil, lab: &Lab, seed: u64) -> Result<RunOutcome, String> {
-        let command = self.walls.command(&pupil.language, MEMORY_MB, PROCESSOR_S)?;
-        let mut process = ProgramProcess::start(command, MEMORY_MB, Arc::clone(&self.end))?;
+        let mut process = self.start(pupil, 1)?;
         let request = &job.request;
-        let mut prints = Vec::new();
-        let mut lockstep = Lockstep::new(lab.prepared(), lab.terms().conditions, seed, Vec::new());
+        let mut prints = Prints::new();
         // A plan is the same for all seeds.
         let seed_of_program = if request.behaves { seed } else { request.plan_seed };
-        let drives = greet(&mut process, &lockstep.facts(), seed_of_program)?;
-        match (drives, request.behaves) {
-            (true, true) => {
-                let steps = (request.duration_s / STEP_S).round() as u64;
-                drive(&mut process, &mut lockstep, steps, &mut prints)?;
-                Ok(lab.repeat(lockstep.log(), seed))
-            }
-            (false, false) => {
+        let ready = greet(&mut process, &RobotFacts::of(&lab.prepared().robot), &[seed_of_program], &mut prints)?;
+        match (ready, request.behaves) {
+            (Ready::Plans, false) => {
                 let room = ProgramRoom::of(&lab.prepared().job, request.cell_size()?);
                 let cells = plan(&mut process, &room, &mut prints)?;
                 lab.follow(&[seed], cells)?.pop().ok_or_else(|| "there is no run".to_owned())
             }
-            (true, false) => Err("the program drives, and the answer says that it plans".to_owned()),
-            (false, true) => Err("the program plans, and the answer says that it drives".to_owned()),
+            (Ready::Plans, true) => Err("the program plans, and the answer says that it drives".to_owned()),
+            (_, false) => Err("the program drives, and the answer says that it plans".to_owned()),
+            (ready, true) => {
+                let mut run = ProgramRun::new(lab, seed);
+                if ready == Ready::DrivesFramed {
+                    let driven = drive_framed(&mut process, slice::from_mut(&mut run), slice::from_mut(&mut prints));
+                    driven.map_err(|(_, fault)| fault)?;
+                } else {
+                    drive(&mut process, &mut run, &mut prints)?;
+                }
+                Ok(run.outcome())
+            }
         }
     }
 }

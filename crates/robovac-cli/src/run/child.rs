@@ -103,10 +103,10 @@ impl ProgramProcess {
         })
     }
 
-    /// Sends a line.
-    pub fn send(&mut self, line: &str) -> Result<(), String> {
+    /// Sends these bytes.
+    fn put(&mut self, bytes: &[u8]) -> Result<(), String> {
         let Some(input) = &mut self.input else { return Err("the program has ended".to_owned()) };
-        let sent = input.write_all(line.as_bytes()).and_then(|()| input.write_all(b"\n")).and_then(|()| input.flush());
+        let sent = input.write_all(bytes).and_then(|()| input.flush());
         // Its last words say more than a broken pipe.
         if sent.is_err() { Err(self.last_words("ended before the run was over")) } else { Ok(()) }
     }
@@ -114,7 +114,7 @@ impl ProgramProcess {
     /// Sends a line and waits for the answer.
     pub fn ask(&mut self, line: &str, task: Task) -> Result<Reply, String> {
         self.watch.due_in(task.limit());
-        let answer = self.send(line).and_then(|()| self.answer(task));
+        let answer = self.put(format!("{line}\n").as_bytes()).and_then(|()| self.answer(task));
         self.watch.due.store(0, Ordering::Relaxed);
         answer
     }
@@ -127,9 +127,45 @@ impl ProgramProcess {
         answer
     }
 
+    /// Sends a frame and waits for the answer, whose length is before it. Both are for a step.
+    pub fn exchange(&mut self, frame: &[u8]) -> Result<&[u8], String> {
+        self.watch.due_in(Task::Step.limit());
+        let answer = self.put(frame).and_then(|()| self.framed());
+        self.watch.due.store(0, Ordering::Relaxed);
+        answer.map(|()| self.line.as_slice())
+    }
+
+    fn framed(&mut self) -> Result<(), String> {
+        let mut length = [0; 4];
+        let read = self.output.read_exact(&mut length);
+        let length = u64::from(u32::from_le_bytes(length));
+        let whole = read.and_then(|()| {
+            self.line.clear();
+            (&mut self.output).take(length.min(LONGEST_LINE)).read_to_end(&mut self.line)
+        });
+        self.in_time(Task::Step)?;
+        match whole {
+            Ok(_) if length > LONGEST_LINE => Err(too_long()),
+            Ok(read) if read as u64 == length => Ok(()),
+            _ => Err(self.last_words("ended before the run was over")),
+        }
+    }
+
     fn answer(&mut self, task: Task) -> Result<Reply, String> {
         self.line.clear();
         let read = (&mut self.output).take(LONGEST_LINE + 1).read_until(b'\n', &mut self.line);
+        self.in_time(task)?;
+        if self.line.len() as u64 > LONGEST_LINE {
+            return Err(too_long());
+        }
+        if read.is_err() || !self.line.ends_with(b"\n") {
+            return Err(self.last_words("ended before the run was over"));
+        }
+        Reply::parse(&self.line)
+    }
+
+    /// An error if the task took too long.
+    fn in_time(&self, task: Task) -> Result<(), String> {
         if self.watch.was_late.load(Ordering::Relaxed) {
             let seconds = task.limit().as_secs();
             return Err(match task {
@@ -142,13 +178,7 @@ impl ProgramProcess {
                 }
             });
         }
-        if self.line.len() as u64 > LONGEST_LINE {
-            return Err(format!("the program wrote a line of more than {} KB; print less", LONGEST_LINE / 1024));
-        }
-        if read.is_err() || !self.line.ends_with(b"\n") {
-            return Err(self.last_words("ended before the run was over"));
-        }
-        Reply::parse(&self.line)
+        Ok(())
     }
 
     /// What the program wrote to its error output last, behind `what` happened.
@@ -257,6 +287,10 @@ impl Task {
             Self::Plan => PLAN_LIMIT,
         }
     }
+}
+
+fn too_long() -> String {
+    format!("the program wrote a line of more than {} KB; print less", LONGEST_LINE / 1024)
 }
 
 /// Kills a child with all that it has started.

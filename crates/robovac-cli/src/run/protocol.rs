@@ -14,6 +14,8 @@ const MOST_LETTERS: usize = 400;
 pub struct Reply {
     /// The answer to the greeting: `behaviour` or `planner`.
     pub ready: Option<String>,
+    /// Whether it takes frames, which the greeting offers.
+    pub frames: bool,
     /// Speed of the left wheel, mm/s.
     pub left: Option<f64>,
     /// Speed of the right wheel, mm/s.

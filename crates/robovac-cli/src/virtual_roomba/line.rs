@@ -15,6 +15,8 @@ use std::{
 const MOST_WAITING: usize = 1 << 16;
 /// Portions of standard input that are read ahead at most; whoever writes more has to wait.
 const MOST_LUMPS: usize = 4;
+/// Bytes of such a portion at most.
+const LUMP: usize = 4096;
 
 /// The host's end of a line. Nothing here ever waits for the host.
 pub trait HostLine {
@@ -63,11 +65,14 @@ pub struct StandardStreams {
 
 impl StandardStreams {
     pub fn new(baud: u32) -> Self {
+        Self::over(baud, std::io::stdin(), std::io::stdout())
+    }
+
+    fn over(baud: u32, mut input: impl Read + Send + 'static, mut output: impl Write + Send + 'static) -> Self {
         let (sender, incoming) = sync_channel(MOST_LUMPS);
         thread::spawn(move || {
-            let mut buffer = [0; 4096];
-            let mut stdin = std::io::stdin().lock();
-            while let Ok(count @ 1..) = stdin.read(&mut buffer) {
+            let mut buffer = [0; LUMP];
+            while let Ok(count @ 1..) = input.read(&mut buffer) {
                 if sender.send(buffer.get(..count).unwrap_or_default().to_vec()).is_err() {
                     return;
                 }
@@ -83,8 +88,7 @@ impl StandardStreams {
                 }
                 let bytes: Vec<u8> = waiting.drain(..).collect();
                 drop(waiting);
-                let mut stdout = std::io::stdout().lock();
-                if stdout.write_all(&bytes).and_then(|()| stdout.flush()).is_err() {
+                if output.write_all(&bytes).and_then(|()| output.flush()).is_err() {
                     return;
                 }
             }
@@ -120,5 +124,35 @@ impl HostLine for StandardStreams {
             self.outgoing.1.notify_one();
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// Never ends, and counts what was taken of it.
+    struct Endless(Arc<AtomicUsize>);
+
+    impl Read for Endless {
+        fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+            buffer.fill(128);
+            self.0.fetch_add(buffer.len(), Ordering::SeqCst);
+            Ok(buffer.len())
+        }
+    }
+
+    #[test]
+    fn standard_input_was_kept_without_limit() {
+        let taken = Arc::new(AtomicUsize::new(0));
+        let mut line = StandardStreams::over(115_200, Endless(Arc::clone(&taken)), std::io::sink());
+        let mut bytes = Vec::new();
+        while bytes.len() < 100 * LUMP {
+            assert!(line.read(512, &mut bytes).is_ok());
+            // What waits, what waits for a place there, and the rest that isn't passed on yet.
+            assert!(taken.load(Ordering::SeqCst) <= bytes.len() + (MOST_LUMPS + 2) * LUMP);
+            thread::yield_now();
+        }
     }
 }

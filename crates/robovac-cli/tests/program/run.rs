@@ -26,7 +26,9 @@ fn file(name: &str, content: &str) -> PathBuf {
 fn run(program: &PathBuf, command: &str, more: &[&str]) -> Output {
     let mut robovac = Command::new(env!("CARGO_BIN_EXE_robovac"));
     let room = if more.contains(&"--room") { &[][..] } else { &["--room", "bedroom"] };
-    robovac.arg("run").arg(program).args(["--command", command]).args(room).args(more).output().unwrap()
+    // Without a command it is run as its language is.
+    let command = if command.is_empty() { &[][..] } else { &["--command", command] };
+    robovac.arg("run").arg(program).args(command).args(room).args(more).output().unwrap()
 }
 
 /// A program in the shell's language: it greets, then answers each line as `step` says.
@@ -208,13 +210,13 @@ fn a_program_that_hangs_is_ended_and_its_robot_stopped_before() {
 }
 
 #[test]
-fn a_kept_command_saves_questions_and_changes_no_bit() {
+fn kept_commands_and_frames_save_questions_and_change_no_bit() {
     let package = concat!(env!("CARGO_MANIFEST_DIR"), "/../../programs/python");
-    // The client of `robovac run`; with `offer` as the host's word for what it offers.
+    // The client of `robovac run`, by lines; with `offer` as the host's word for what it offers.
     let client = |name: &str, offer: &str| {
         let text = format!(
             "import sys\nsys.path.insert(0, {package:?})\nfrom robovac_program import native\nasked = 0\n\
-             def read():\n    global asked\n    asked += 1\n    return sys.__stdin__.readline().replace('\"holds\"', '\"{offer}\"')\n\
+             def read():\n    global asked\n    asked += 1\n    return sys.__stdin__.readline().replace('\"frames\"', '\"no\"').replace('\"holds\"', '\"{offer}\"')\n\
              def write(text):\n    sys.__stdout__.write(text)\n    sys.__stdout__.flush()\n\
              try:\n    native.serve(sys.argv[1], read, write)\nfinally:\n    open(sys.argv[0] + '.asked', 'w').write(str(asked))\n"
         );
@@ -231,6 +233,8 @@ fn a_kept_command_saves_questions_and_changes_no_bit() {
             (report["runs"][0]["digest"].clone(), asked)
         });
         assert_eq!(kept.0, each.0, "slip: {slip}");
+        let framed = report(&run(&program, "", &["--json", "--minutes", "3", "--slip", slip, "--noise", "harsh"]));
+        assert_eq!(framed["runs"][0]["digest"], each.0, "by frames, slip: {slip}");
         assert!(each.1 > 12_000 && kept.1 < each.1 / 2, "{} of {} questions", kept.1, each.1);
     }
 }

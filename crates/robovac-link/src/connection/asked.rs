@@ -1,6 +1,6 @@
 //! User requests to a robot, executed or refused.
 
-use super::{Calibrated, Calibrating, Connection, RecordedEvent, Request, RequestRefused, refuse};
+use super::{Calibrated, Calibrating, Calibration, Connection, RecordedEvent, Request, RequestRefused, refuse};
 use robovac_core::registry::Params;
 use robovac_sim::controller::{self, Joystick as Stick, Setup};
 use roomba_oi::{Command, CommandRefusal, Lamps, Mode, Motors, ScheduleLamps, Weekdays};
@@ -45,7 +45,8 @@ impl Connection {
                 self.end_ride("Disconnected.");
                 self.driver.leave(now);
                 // The next one may be another robot.
-                (self.known, self.calibrating, self.is_old) = (Calibrated::default(), None, false);
+                (self.known, self.calibrating) = (Calibrated::default(), None);
+                (self.is_old, self.is_older) = (false, false);
                 self.use_known();
             }
             Request::Arm { full } => {
@@ -102,7 +103,6 @@ impl Connection {
                 in_control()?;
                 self.nothing_asked()?;
                 self.end_ride("Another action started.");
-                self.page.heard(now);
                 self.driver.drive_by_power(now, right, left).map_err(invalid)?;
             }
             Request::Clock { day, hour, minute } => {
@@ -136,6 +136,9 @@ impl Connection {
                     return refuse("Take control of the robot first.");
                 }
                 self.nothing_asked()?;
+                if what == Calibration::Nudge && self.driver.is_older() {
+                    return refuse("This robot has no encoders whose sides could be mixed up. Use Spin and Metre.");
+                }
                 let began =
                     self.encoders().ok_or_else(|| RequestRefused("No encoder readings yet. Wait a moment.".into()))?;
                 let controller = what.controller(&self.known.apply(&self.model));
@@ -216,8 +219,8 @@ impl Connection {
 
     /// Drives by hand.
     fn steer(&mut self, now: f64, stick: Stick) -> Result<(), RequestRefused> {
+        // It is no sign of life: it can have waited for long. Those say when they were sent.
         self.stick_at = now;
-        self.page.heard(now);
         if self.ride.as_ref().is_none_or(|ride| !ride.is_manual || ride.is_done) {
             let manual = controller::find("manual")
                 .ok_or_else(|| RequestRefused("The manual mode is missing from this build.".into()))?;

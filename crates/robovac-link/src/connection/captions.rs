@@ -25,8 +25,8 @@ const OWN_USB_WAKE: &str = "Press CLEAN once on the robot; this page then contin
                             again. Still no answer? Pull out the USB plug and put it in again.";
 const OWN_USB_NO_STREAM: &str =
     "The robot answers over its own USB port, but doesn't send the sensor data that this page asks for.";
-const OWN_USB_OTHER: &str = "This page can't drive it. A Roomba 980 was reported to work with ROS and the settings of a Create 1, \
-                             which this page doesn't have.";
+const OWN_USB_OTHER: &str = "It sent neither the data of a Create 2 nor those of a Create 1, so this page can't drive it. Press CLEAN \
+                             once on the robot and connect again.";
 const OWN_USB_UNTRIED: &str =
     "The robot's own USB port. This page was never tried with a Roomba 900: stay within reach.";
 

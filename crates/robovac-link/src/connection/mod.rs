@@ -44,7 +44,7 @@ use crate::{
 };
 use robovac_core::{
     geometry::Pose,
-    robot::{self, Odometry, OdometryModel, RobotModel, RobotPort},
+    robot::{self, Drive, Odometry, OdometryModel, RobotModel, RobotPort},
 };
 use robovac_sim::controller::Controller;
 use roomba_oi::{Command, Mode, Motors, Packet, Readings};
@@ -102,8 +102,9 @@ pub struct Connection {
     is_odd: bool,
     wheel_watch: WheelWatch,
     transport: TransportView,
-    /// Whether the correction of packet 20 was reported.
+    /// Whether the correction of packet 20 was reported, and that the robot has the packets of a Create 1 only.
     is_old: bool,
+    is_older: bool,
     /// The robot's mode, and since when.
     mode: Option<(Mode, f64)>,
     notice: Option<Notice>,
@@ -144,6 +145,7 @@ impl Connection {
             wheel_watch: WheelWatch::default(),
             transport: TransportView::default(),
             is_old: false,
+            is_older: false,
             mode: None,
             notice: None,
             notices: 0,
@@ -242,6 +244,10 @@ impl Connection {
         let is_silent = self.page.hangs() || (!self.rides() && self.page.share() <= 0.0);
         if self.is_acting() && is_silent {
             self.leave(now, "The page stopped responding, so the robot was stopped.");
+        }
+        if self.rides() && self.page.share() <= 0.0 {
+            // Not only when the next reading comes, which can be late on a busy computer.
+            self.driver.drive(now, Drive::STOP);
         }
         if self.is_acting() && self.driver.is_stalled() {
             self.stalled();

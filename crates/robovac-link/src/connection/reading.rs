@@ -44,6 +44,14 @@ impl Connection {
                     .to_owned(),
             );
         }
+        if self.driver.is_older() && !std::mem::replace(&mut self.is_older, true) {
+            self.say(
+                "notice",
+                "This robot reports what a Create 1 does: no encoder counts and no light bumper. Its position is less exact, \
+                 and it notices walls only by touching them."
+                    .to_owned(),
+            );
+        }
         let is_held = now - self.stick_at <= STICK_S;
         let Some(ride) = self.ride.as_mut().filter(|ride| !ride.is_done) else { return };
         if !self.driver.is_armed() {

@@ -1,8 +1,6 @@
 //! Commands sent to the robot.
 
-use super::{
-    Actuators, ConnectionPhase, Driver, Finding, Happening, STOP, Step, distance_angle_poll::subscriptions, happened,
-};
+use super::{Actuators, ConnectionPhase, Driver, Finding, Happening, STOP, Step, happened};
 use robovac_core::robot::Drive;
 use roomba_oi::{Command, CommandDecoder, CommandRefusal, MAX_WRITTEN, Mode, Motors};
 
@@ -94,7 +92,7 @@ impl Driver {
         if !matches!(self.phase, ConnectionPhase::Connected | ConnectionPhase::Lost) {
             return;
         }
-        let tells = self.has_read && subscriptions(self.baud).tells_speeds;
+        let tells = self.has_read && self.subscriptions().tells_speeds;
         let reported = (self.is_armed() && tells && !self.is_stalled)
             .then_some((self.readings.requested_right, self.readings.requested_left));
         let before = self.wheels.sent();

@@ -1,6 +1,6 @@
 //! Connecting: identifies the device on the line, step by step.
 
-use super::{ConnectionPhase, Driver, Finding, LineRequest, Step};
+use super::{ConnectionPhase, Driver, Finding, LineRequest, Step, distance_angle_poll::CREATE_1};
 use roomba_oi::{Command, Mode};
 
 /// Time to listen before sending anything, s.
@@ -89,6 +89,10 @@ impl Driver {
                     if self.diagnosis.tries < SUBSCRIPTIONS {
                         self.diagnosis.tries += 1;
                         self.subscribe(now);
+                    } else if !self.is_older && CREATE_1.fits(self.baud) {
+                        self.diagnosis
+                            .note("It sends no sensor data of a Create 2: asking for those of a Create 1.".to_owned());
+                        self.begin_stream(now, true);
                     } else {
                         self.diagnosis.finding = Finding::NoStream;
                         self.diagnosis.note("It doesn't send sensor data.".to_owned());
@@ -165,10 +169,16 @@ impl Driver {
         self.phase = ConnectionPhase::Diagnosing;
         self.parser.clear();
         self.filter.forget();
+        self.begin_stream(now, false);
+        true
+    }
+
+    /// Requests the stream; with `is_older`, of what a Create 1 can report.
+    fn begin_stream(&mut self, now: f64, is_older: bool) {
         self.diagnosis.go(Step::Subscribing, now);
         self.diagnosis.tries = 1;
+        self.has_packets_of_create_1(is_older);
         self.subscribe(now);
-        true
     }
 
     fn nobody_answered(&mut self, now: f64) {

@@ -109,8 +109,8 @@ impl Finding {
                  wire from the adapter's TXD to pin 3 of the robot's socket."
             }
             Self::NoStream => {
-                "It may be a Create 1 or a Roomba 400, whose older protocol this page doesn't support. Otherwise, \
-                 press CLEAN and connect again."
+                "It may be a Roomba 400, whose older protocol this page doesn't support. Otherwise, press CLEAN and connect \
+                 again."
             }
         }
     }

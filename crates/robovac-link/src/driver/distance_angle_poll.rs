@@ -10,13 +10,15 @@
 //! - A lost or garbled frame loses its values, as the robot has restarted at 0. Encoder counts aren't lost.
 //! - A held-back frame is added to the next one if that confirms it or if only a signal jumped; otherwise it is lost.
 //! - The first one covers time before the request: it is ignored.
+//! - A robot with the packets of a Create 1 has no counts: it always reports them, and its counts are
+//!   [reckoned](super::reckoned_counts).
 //! - Firmware up to 3.4.0 shows a third of every angle. A robot that turns three times as far by its counts (43, 44)
 //!   has it: the missing part is reported at once, and whole angles from then on.
 
 use super::{ConnectionPhase, Driver, FRAME_S};
 use robovac_core::robot::{DistanceAngle, READINGS_PER_DISTANCE_ANGLE};
 use roomba_oi::{
-    Command, FRAMING, Packet, Readings, StreamFrame,
+    Command, FRAMING, Packet, PacketId, Readings, StreamFrame,
     motion::{MM_PER_COUNT, WHEEL_BASE_MM, encoder_delta, true_angle},
     slot_bytes,
 };
@@ -47,8 +49,27 @@ pub(super) struct Subscriptions {
     pub tells_speeds: bool,
 }
 
+/// The packets of a Create 1: the last that drivers of it request are 26 and 35. Group 1 has those up to 16, group 3 those
+/// from 21 on. A Roomba 980 sent these over its own USB port (`create_robot`, issue 106). Buttons can wait for the next frame.
+pub(super) const CREATE_1: Subscriptions = {
+    const OWN: &[u8] = &[1, 17, 18, 3, 35];
+    Subscriptions { usual: OWN, without: OWN, with: &[1, 17, 3, 35, 19, 20], tells_speeds: false }
+};
+
+impl Subscriptions {
+    /// Whether even the longest list fits into the slot.
+    pub fn fits(&self, baud: u32) -> bool {
+        frame_bytes(self.with) <= slot_bytes(baud)
+    }
+}
+
+/// Bytes of a frame with these packets.
+pub(super) fn frame_bytes(packets: &[u8]) -> usize {
+    packets.iter().filter_map(|&id| PacketId::size_of(id)).map(|size| size + 1).sum::<usize>() + FRAMING
+}
+
 /// All packets, or those that fit into the slot.
-pub(super) fn subscriptions(baud: u32) -> Subscriptions {
+fn subscriptions(baud: u32) -> Subscriptions {
     const ALL: &[u8] = &[100];
     // Group 1 holds bumps, wheel drops and cliffs.
     const FEW: &[u8] = &[1, 21, 34, 35, 43, 44];
@@ -64,6 +85,8 @@ pub(super) fn subscriptions(baud: u32) -> Subscriptions {
 #[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Default)]
 pub(super) struct DistanceAnglePoll {
+    /// Wanted by the user, and wanted at all: by the user, or because nothing else tells the way.
+    is_chosen: bool,
     pub is_wanted: bool,
     /// It was in use on this line, so frames of either subscription can arrive.
     was_wanted: bool,
@@ -88,7 +111,7 @@ pub(super) struct DistanceAnglePoll {
 impl DistanceAnglePoll {
     /// The initial state on a reopened line.
     pub fn anew(&self) -> Self {
-        Self { is_wanted: self.is_wanted, ..Self::default() }
+        Self { is_chosen: self.is_chosen, is_wanted: self.is_chosen, ..Self::default() }
     }
 
     /// A frame waits for confirmation.
@@ -166,12 +189,14 @@ fn told(frame: StreamFrame<'_>) -> Option<DistanceAngle> {
 impl Driver {
     /// Enables or disables reports of distance and angle, which some
     /// [readings](robovac_core::robot::SensorReadings::moved) then contain.
-    pub fn tell_moved(&mut self, now: f64, is_wanted: bool) {
+    pub fn tell_moved(&mut self, now: f64, is_chosen: bool) {
+        self.poll.is_chosen = is_chosen;
+        let is_wanted = is_chosen || self.is_older;
         if is_wanted == self.poll.is_wanted {
             return;
         }
         let was_wanted = self.poll.was_wanted || is_wanted;
-        self.poll = DistanceAnglePoll { is_wanted, was_wanted, ..DistanceAnglePoll::default() };
+        self.poll = DistanceAnglePoll { is_chosen, is_wanted, was_wanted, ..DistanceAnglePoll::default() };
         self.sensors.moved = None;
         if matches!(self.phase, ConnectionPhase::Connected | ConnectionPhase::Lost) {
             self.subscribe(now);
@@ -183,14 +208,30 @@ impl Driver {
         self.poll.is_old
     }
 
+    /// Sets whether the robot has the packets of a Create 1 only.
+    pub(super) fn has_packets_of_create_1(&mut self, is_older: bool) {
+        self.is_older = is_older;
+        self.poll.is_wanted = is_older || self.poll.is_chosen;
+    }
+
+    /// Whether the robot reports neither encoder counts nor a light bumper: it has the packets of a Create 1 only.
+    pub fn is_older(&self) -> bool {
+        self.is_older
+    }
+
+    /// The subscriptions for this robot.
+    pub(super) fn subscriptions(&self) -> Subscriptions {
+        if self.is_older { CREATE_1 } else { subscriptions(self.baud) }
+    }
+
     /// The subscription between reports.
     pub(super) fn subscription(&self) -> &'static [u8] {
-        let Subscriptions { usual, without, .. } = subscriptions(self.baud);
+        let Subscriptions { usual, without, .. } = self.subscriptions();
         if self.poll.is_wanted { without } else { usual }
     }
 
     pub(super) fn subscribe(&mut self, now: f64) {
-        let Subscriptions { usual, without, with, .. } = subscriptions(self.baud);
+        let Subscriptions { usual, without, with, .. } = self.subscriptions();
         self.poll.was_wanted |= self.poll.is_wanted;
         // All of them exist.
         let _ =
@@ -223,7 +264,7 @@ impl Driver {
                 self.subscribe(now);
             } else if now >= due_at {
                 self.poll.asked_at = Some(now);
-                let packets = subscriptions(self.baud).with;
+                let packets = self.subscriptions().with;
                 let _ = self.send(now, Command::Stream { packets });
             }
         }
@@ -236,8 +277,8 @@ mod tests {
 
     #[test]
     fn no_list_resets_a_robot_that_missed_its_beginning() {
-        for baud in [19_200, 115_200] {
-            let Subscriptions { usual, without, with, .. } = subscriptions(baud);
+        for known in [subscriptions(19_200), subscriptions(115_200), CREATE_1] {
+            let Subscriptions { usual, without, with, .. } = known;
             for list in [usual, without, with] {
                 assert!(list.len() != 7 && !list.contains(&7), "{list:?}");
             }

@@ -1,7 +1,7 @@
 //! Known properties of a robot and its line.
 
-use super::{ConnectionPhase, Diagnosis, Driver, Happening, LinkStats, WheelCommand};
-use roomba_oi::{FRAMING, Packet, PacketId, PacketSet, Readings, StreamCounts, slot_bytes};
+use super::{ConnectionPhase, Diagnosis, Driver, Happening, LinkStats, WheelCommand, distance_angle_poll::frame_bytes};
+use roomba_oi::{Packet, PacketId, PacketSet, Readings, StreamCounts, slot_bytes};
 
 impl Driver {
     /// Phase of the connection.
@@ -66,9 +66,7 @@ impl Driver {
 
     /// Bytes of a frame, and of the slot into which it must fit.
     pub fn slot(&self) -> [usize; 2] {
-        let packets = self.subscription().iter();
-        let size = packets.filter_map(|&id| PacketId::size_of(id)).map(|size| size + 1).sum::<usize>() + FRAMING;
-        [size, slot_bytes(self.baud)]
+        [frame_bytes(self.subscription()), slot_bytes(self.baud)]
     }
 
     /// Whether the stream contains this packet.
@@ -84,7 +82,7 @@ impl Driver {
 
     /// Sets whether encoder packets 43 and 44 are swapped.
     pub fn swap_encoders(&mut self, swapped: bool) {
-        if swapped != self.swapped {
+        if swapped != self.swapped && !self.is_older {
             std::mem::swap(&mut self.sensors.left_counts, &mut self.sensors.right_counts);
         }
         self.swapped = swapped;

@@ -25,6 +25,7 @@ mod mode_loss;
 mod modes;
 mod question;
 mod raw;
+mod reckoned_counts;
 mod refusal;
 mod wheels;
 
@@ -41,6 +42,7 @@ use self::{
     distance_angle_poll::DistanceAnglePoll,
     line_classifier::LineClassifier,
     question::{Next, Question},
+    reckoned_counts::ReckonedCounts,
 };
 use robovac_core::robot::{DistanceAngle, Drive, RobotPort, SensorReadings};
 use roomba_oi::{Command, FRAMING, HEADER, Mode, PacketSet, Readings, Said, StreamEvent, StreamParser};
@@ -145,6 +147,9 @@ pub struct Driver {
     /// Whether encoder packets 43 and 44 are swapped on this robot.
     swapped: bool,
     question: Option<Question>,
+    /// Whether the robot has the packets of a Create 1 only, and its counts then.
+    is_older: bool,
+    reckoned: ReckonedCounts,
     /// Whether the robot was controlled on this line.
     was_in_control: bool,
     /// Whether the line has neither a baud rate to try nor a BRC wire, as a bridge or a robot's own USB port.
@@ -314,13 +319,15 @@ impl Driver {
     fn reading_arrived(&mut self, now: f64, moved: Option<DistanceAngle>) {
         self.has_read = true;
         self.sensors = SensorReadings { moved, ..crate::sensors::to_sensors(&self.readings) };
-        if self.swapped {
-            std::mem::swap(&mut self.sensors.left_counts, &mut self.sensors.right_counts);
-        }
         // The robot's clock advances by one frame; if it falls too far behind, frames were lost.
         let before = self.robot_time.unwrap_or(now - FRAME_S);
         let time = (before + FRAME_S).max(now - LUMP_S);
         (self.fresh, self.robot_time) = (Some(time - before), Some(time));
+        if self.is_older {
+            self.reckon_counts(time - before, moved);
+        } else if self.swapped {
+            std::mem::swap(&mut self.sensors.left_counts, &mut self.sensors.right_counts);
+        }
         self.link_stats.arrived(now, (self.readings.requested_right, self.readings.requested_left));
         self.is_stalled = false;
         if self.diagnosis.step == Step::Subscribing {
@@ -335,6 +342,16 @@ impl Driver {
         self.watch_mode(now);
         self.turn_wheels(now);
         self.mind_telling(now, true);
+    }
+
+    /// Counts for a robot that has none.
+    fn reckon_counts(&mut self, seconds: f64, moved: Option<DistanceAngle>) {
+        let (right, left) = self.wheels.sent();
+        self.reckoned.roll(seconds, [left, right]);
+        if let Some(moved) = moved {
+            self.reckoned.report(moved);
+        }
+        [self.sensors.left_counts, self.sensors.right_counts] = self.reckoned.counts();
     }
 
     /// Seconds by which the robot's clock advanced with a new reading; `None` without one since the last call.

@@ -218,8 +218,8 @@ pub const PERSONALITIES: &[Personality] = &[
     },
     Personality {
         id: "create1",
-        title: "57600 baud",
-        summary: "Communicates at 57600 baud and has no packets after 42, like a Create 1 or Roomba 400.",
+        title: "Create 1",
+        summary: "Communicates at 57600 baud, without encoder counts and light bumper (no packets after 42), like a Create 1.",
         default_baud: 57_600,
         baud: 57_600,
         last_packet: 42,

@@ -81,7 +81,7 @@ impl Examination {
 
 /// Wheels that were told to turn.
 #[derive(Debug, Clone, Copy)]
-struct Driven {
+struct DriveEpisode {
     from: f64,
     /// When they were stopped.
     until: Option<f64>,
@@ -110,7 +110,7 @@ struct Notes {
     bumped: bool,
     /// Number of low charges mentioned.
     low: usize,
-    driven: Option<Driven>,
+    driven: Option<DriveEpisode>,
     commands: Cluster<Opcode>,
     frames: Cluster<()>,
     last_loss: f64,
@@ -173,12 +173,12 @@ impl Notes {
 
     fn asked(&mut self, now: f64, json: &str) {
         #[derive(serde::Deserialize)]
-        struct Ride {
+        struct ProgramStart {
             title: String,
             #[serde(rename = "start")]
             _start: [f64; 3],
         }
-        if let Ok(Ride { title, .. }) = serde_json::from_str(json) {
+        if let Ok(ProgramStart { title, .. }) = serde_json::from_str(json) {
             self.add(now, EntryKind::Command, false, format!("\"{title}\" was started."));
         }
     }
@@ -233,7 +233,7 @@ impl Notes {
                 driven.until.get_or_insert(now);
             }
             None if moves => {
-                self.driven = Some(Driven { from: now, until: None, before_m: self.timeline.distance_m });
+                self.driven = Some(DriveEpisode { from: now, until: None, before_m: self.timeline.distance_m });
             }
             None => {}
         }
@@ -352,7 +352,7 @@ impl Notes {
         }
     }
 
-    fn tell_driven(&mut self, driven: Driven, now: f64) {
+    fn tell_driven(&mut self, driven: DriveEpisode, now: f64) {
         self.driven = None;
         let duration = driven.until.unwrap_or(now) - driven.from;
         let metres = self.timeline.distance_m - driven.before_m;

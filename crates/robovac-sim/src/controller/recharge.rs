@@ -37,13 +37,13 @@ pub struct Recharge {
     /// Shares of the charge at which it goes and leaves.
     low: f64,
     full: f64,
-    errand: Errand,
+    state: RechargeState,
     /// Where it left the line.
     left: Point,
 }
 
 /// What it does instead of following the line.
-enum Errand {
+enum RechargeState {
     None,
     /// Drives to the place before the dock.
     Go(FollowPath),
@@ -82,7 +82,7 @@ impl Recharge {
             seed,
             low,
             full,
-            errand: Errand::None,
+            state: RechargeState::None,
             left: start,
         })
     }
@@ -98,65 +98,69 @@ impl Recharge {
         self.floor.way(place(from), place(to)).unwrap_or_else(|| vec![to])
     }
 
-    fn go(&self) -> Errand {
+    fn go(&self) -> RechargeState {
         let here = self.follower.path().pose().position();
         let mut line = vec![here];
         line.extend(self.way(here, self.before));
         // It ends facing the dock.
         let nearer = self.before + (self.berth.position() - self.before) * 0.5;
         line.push(nearer);
-        Errand::Go(self.follower.path().onto(line.into()))
+        RechargeState::Go(self.follower.path().onto(line.into()))
     }
 
-    fn dock(&self) -> Errand {
+    fn dock(&self) -> RechargeState {
         let params = Params::defaults(dock::INFO.params);
-        Errand::Dock((dock::BUILD)(&Setup { robot: self.follower.path().robot(), params: &params, seed: self.seed }))
+        RechargeState::Dock((dock::BUILD)(&Setup {
+            robot: self.follower.path().robot(),
+            params: &params,
+            seed: self.seed,
+        }))
     }
 
-    fn come_back(&self) -> Errand {
+    fn come_back(&self) -> RechargeState {
         let mut line = vec![self.follower.path().pose().position(), self.before];
         line.extend(self.way(self.before, self.left));
-        Errand::Return(self.follower.path().onto(line.into()))
+        RechargeState::Return(self.follower.path().onto(line.into()))
     }
 
-    /// Starts the next errand, if it is time.
+    /// Starts the next state, if it is time.
     fn decide(&mut self, sensed: &SensorReadings) {
         let (share, on_dock) = (sensed.battery.share(), sensed.battery.on_dock);
         if sensed.wheel_drop_left && sensed.wheel_drop_right {
-            if matches!(self.errand, Errand::None) {
+            if matches!(self.state, RechargeState::None) {
                 self.left = self.follower.path().pose().position();
                 self.follower.pause();
             }
-            self.errand = Errand::Lifted;
+            self.state = RechargeState::Lifted;
             return;
         }
-        let next = match &self.errand {
-            Errand::Lifted => self.dock(),
-            Errand::None if share < self.low && !self.follower.is_done() => {
+        let next = match &self.state {
+            RechargeState::Lifted => self.dock(),
+            RechargeState::None if share < self.low && !self.follower.is_done() => {
                 self.left = self.follower.path().pose().position();
                 self.follower.pause();
                 self.go()
             }
-            Errand::Go(trip) if trip.is_done() => self.dock(),
-            Errand::Dock(dock) if dock.is_done() && on_dock => {
+            RechargeState::Go(trip) if trip.is_done() => self.dock(),
+            RechargeState::Dock(dock) if dock.is_done() && on_dock => {
                 // An estimate that can be right is kept: it is more accurate than the contacts.
                 if !could_touch(self.berth, self.follower.path().pose()) {
                     self.follower.path_mut().relocate(self.berth);
                 }
                 let until = if share < self.low + ENOUGH { self.full } else { 0.0 };
-                Errand::Charge(until)
+                RechargeState::Charge(until)
             }
             // Pushed off the dock.
-            Errand::Charge(_) if !on_dock => self.dock(),
+            RechargeState::Charge(_) if !on_dock => self.dock(),
             // Charge is reported in whole mAh.
-            Errand::Charge(until) if share >= until - 0.001 => self.come_back(),
-            Errand::Return(trip) if trip.is_done() => {
+            RechargeState::Charge(until) if share >= until - 0.001 => self.come_back(),
+            RechargeState::Return(trip) if trip.is_done() => {
                 self.follower.path_mut().resume();
-                Errand::None
+                RechargeState::None
             }
             _ => return,
         };
-        self.errand = next;
+        self.state = next;
     }
 }
 
@@ -176,19 +180,19 @@ fn share(spec: &ParamSpec) -> f64 {
 impl Controller for Recharge {
     fn step(&mut self, sensed: &SensorReadings, dt_s: f64) -> Drive {
         self.decide(sensed);
-        if !matches!(self.errand, Errand::None) {
+        if !matches!(self.state, RechargeState::None) {
             self.follower.path_mut().watch(sensed);
         }
-        match &mut self.errand {
-            Errand::None => self.follower.step(sensed, dt_s),
-            Errand::Go(trip) | Errand::Return(trip) => trip.step(sensed, dt_s),
-            Errand::Dock(dock) => dock.step(sensed, dt_s),
-            Errand::Charge(_) | Errand::Lifted => Drive::STOP,
+        match &mut self.state {
+            RechargeState::None => self.follower.step(sensed, dt_s),
+            RechargeState::Go(trip) | RechargeState::Return(trip) => trip.step(sensed, dt_s),
+            RechargeState::Dock(dock) => dock.step(sensed, dt_s),
+            RechargeState::Charge(_) | RechargeState::Lifted => Drive::STOP,
         }
     }
 
     fn is_done(&self) -> bool {
-        matches!(self.errand, Errand::None) && self.follower.is_done()
+        matches!(self.state, RechargeState::None) && self.follower.is_done()
     }
 
     fn estimate(&self) -> Option<Pose> {
@@ -196,13 +200,13 @@ impl Controller for Recharge {
     }
 
     fn activity(&self) -> &'static str {
-        match &self.errand {
-            Errand::None => self.follower.activity(),
-            Errand::Go(_) => "driving back to its dock",
-            Errand::Dock(dock) => dock.activity(),
-            Errand::Charge(_) => "charging",
-            Errand::Return(_) => "driving back to its path",
-            Errand::Lifted => "lifted, waiting to be put down",
+        match &self.state {
+            RechargeState::None => self.follower.activity(),
+            RechargeState::Go(_) => "driving back to its dock",
+            RechargeState::Dock(dock) => dock.activity(),
+            RechargeState::Charge(_) => "charging",
+            RechargeState::Return(_) => "driving back to its path",
+            RechargeState::Lifted => "lifted, waiting to be put down",
         }
     }
 
@@ -211,14 +215,14 @@ impl Controller for Recharge {
     }
 
     fn boxed_clone(&self) -> Box<dyn Controller> {
-        let Self { follower, floor, berth, before, seed, low, full, errand, left } = self;
-        let errand = match errand {
-            Errand::None => Errand::None,
-            Errand::Go(trip) => Errand::Go(trip.clone()),
-            Errand::Dock(dock) => Errand::Dock(dock.boxed_clone()),
-            Errand::Charge(until) => Errand::Charge(*until),
-            Errand::Return(trip) => Errand::Return(trip.clone()),
-            Errand::Lifted => Errand::Lifted,
+        let Self { follower, floor, berth, before, seed, low, full, state, left } = self;
+        let state = match state {
+            RechargeState::None => RechargeState::None,
+            RechargeState::Go(trip) => RechargeState::Go(trip.clone()),
+            RechargeState::Dock(dock) => RechargeState::Dock(dock.boxed_clone()),
+            RechargeState::Charge(until) => RechargeState::Charge(*until),
+            RechargeState::Return(trip) => RechargeState::Return(trip.clone()),
+            RechargeState::Lifted => RechargeState::Lifted,
         };
         Box::new(Self {
             follower: follower.clone(),
@@ -228,7 +232,7 @@ impl Controller for Recharge {
             seed: *seed,
             low: *low,
             full: *full,
-            errand,
+            state,
             left: *left,
         })
     }

@@ -9,7 +9,7 @@ use std::fmt::Write;
 
 /// Settings that all runs have in common.
 #[derive(Debug, Clone, Copy, Serialize)]
-pub struct StudyHeader<'a> {
+pub struct RunsHeader<'a> {
     /// Name of the room.
     pub room: &'a str,
     /// Id of the robot.
@@ -31,7 +31,7 @@ pub type EntrantRuns<'a> = (&'a Entrant, Result<Vec<&'a RunOutcome>, &'a str>);
 #[derive(Serialize)]
 struct JsonStudy<'a> {
     #[serde(flatten)]
-    head: StudyHeader<'a>,
+    head: RunsHeader<'a>,
     slip: SlipLevel,
     noise: String,
     quantised: bool,
@@ -82,7 +82,7 @@ struct JsonRun {
 }
 
 /// A JSON object: the settings, and for each algorithm quantiles over its runs and every single run.
-pub fn to_json(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
+pub fn to_json(head: &RunsHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     let study = JsonStudy {
         head: *head,
         slip: head.conditions.slip,
@@ -97,7 +97,7 @@ pub fn to_json(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
 }
 
 /// A table with a header line, one line per run; empty for missing values.
-pub fn to_csv(head: &StudyHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
+pub fn to_csv(head: &RunsHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     let mut csv = String::from(
         "room,robot,slip,noise,quantised,start charge [%],minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
          time [s],distance [m],bumps,falls,dirt left [%],excess distance [%],\

@@ -4,7 +4,7 @@ use crate::{
     Conditions, Run, STEP_S,
     experiment::{
         Algorithm, Entrant, TrialError,
-        planning::{Driven, PlanAnswer, PlanRequest, Planned, RoomSetup},
+        planning::{PathToDrive, PlanAnswer, PlanRequest, Planned, RoomSetup},
     },
     program::{CommandLog, Logged, SharedLog, check_walk},
 };
@@ -39,7 +39,7 @@ pub struct Terms {
 }
 
 /// A line once it is planned, or the reason why there is none.
-type PlannedLine = Arc<OnceLock<Result<Driven, TrialError>>>;
+type PlannedLine = Arc<OnceLock<Result<PathToDrive, TrialError>>>;
 
 /// A room laid out for a robot, in which any number of runs are made.
 ///

@@ -61,37 +61,12 @@ impl RunOutcome {
 
     /// Measured by `share`, which is called after each step.
     fn by(mut run: Run, robot: &RobotModel, seed: u64, duration_s: f64, mut share: impl FnMut(&Run) -> f64) -> Self {
-        let steps = (duration_s / STEP_S).round() as u64;
-        let mut curve = Vec::with_capacity(SAMPLES + 1);
-        let mut now = share(&run);
-        curve.push(now);
-        let mut reached_s = [f64::INFINITY; GOALS.len()];
-        let mut next = 0;
-        let has_dirt = run.dirt_left() > 0.0;
-        for sample in 1..=SAMPLES as u64 {
-            let until = steps * sample / SAMPLES as u64;
-            while run.steps() < until && !run.is_finished() && !run.waits() {
-                run.step();
-                now = share(&run);
-                while GOALS.get(next).is_some_and(|&goal| now >= goal) {
-                    reached_s[next] = run.time_s();
-                    next += 1;
-                }
-            }
-            curve.push(now);
+        let mut meter = OutcomeMeter::new(&run, share(&run), duration_s);
+        while !meter.is_full() && !run.is_finished() && !run.waits() {
+            run.step();
+            meter.note(&run, share(&run));
         }
-        Self {
-            seed,
-            curve,
-            reached_s,
-            time_s: run.time_s(),
-            distance_m: run.distance_m(),
-            bumps: run.bumps(),
-            falls: run.falls(),
-            dirt_left: has_dirt.then(|| run.dirt_left()),
-            excess: excess(&run, robot),
-            digest: run.digest(),
-        }
+        meter.outcome(&run, robot, seed)
     }
 
     /// Share at the end, 0 to 1.
@@ -136,6 +111,91 @@ impl RunOutcome {
             numbers = rest;
         }
         outcomes
+    }
+}
+
+/// Measures a run while it is made.
+#[derive(Debug, Clone)]
+pub struct OutcomeMeter {
+    /// Steps of a whole run, and those noted so far.
+    steps: u64,
+    noted: u64,
+    /// Steps after which the next sample is due.
+    due: u64,
+    curve: Vec<f64>,
+    /// The latest share.
+    share: f64,
+    reached_s: [f64; GOALS.len()],
+    next: usize,
+    has_dirt: bool,
+}
+
+impl OutcomeMeter {
+    /// For a run of `duration_s` seconds that hasn't begun, with its share now.
+    pub fn new(run: &Run, share: f64, duration_s: f64) -> Self {
+        let steps = (duration_s / STEP_S).round() as u64;
+        let mut meter = Self {
+            steps,
+            noted: 0,
+            due: 0,
+            curve: Vec::with_capacity(SAMPLES + 1),
+            share,
+            reached_s: [f64::INFINITY; GOALS.len()],
+            next: 0,
+            has_dirt: run.dirt_left() > 0.0,
+        };
+        meter.sample();
+        meter
+    }
+
+    /// Whether the time is over.
+    #[inline]
+    pub fn is_full(&self) -> bool {
+        self.noted >= self.steps
+    }
+
+    /// Steps that are left of a whole run.
+    pub fn left(&self) -> u64 {
+        self.steps - self.noted
+    }
+
+    /// Takes the share after a step.
+    #[inline]
+    pub fn note(&mut self, run: &Run, share: f64) {
+        self.share = share;
+        self.noted = run.steps();
+        while GOALS.get(self.next).is_some_and(|&goal| share >= goal) {
+            self.reached_s[self.next] = run.time_s();
+            self.next += 1;
+        }
+        if self.noted >= self.due {
+            self.sample();
+        }
+    }
+
+    /// Takes the samples that are due.
+    fn sample(&mut self) {
+        while self.due <= self.noted && self.curve.len() <= SAMPLES {
+            self.curve.push(self.share);
+            self.due = self.steps * self.curve.len() as u64 / SAMPLES as u64;
+        }
+    }
+
+    /// The result. After a run has ended by itself, its share stays as it is.
+    pub fn outcome(mut self, run: &Run, robot: &RobotModel, seed: u64) -> RunOutcome {
+        self.curve.resize(SAMPLES + 1, self.share);
+        RunOutcome {
+            seed,
+            curve: self.curve,
+            reached_s: self.reached_s,
+            time_s: run.time_s(),
+            distance_m: run.distance_m(),
+            bumps: run.bumps(),
+            falls: run.falls(),
+            dirt_left: self.has_dirt.then(|| run.dirt_left()),
+            excess: excess(run, robot),
+            digest: run.digest(),
+        }
     }
 }
 

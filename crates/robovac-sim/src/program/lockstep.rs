@@ -8,7 +8,7 @@ use crate::{Conditions, Input, Run, experiment::RoomSetup};
 use robovac_core::robot::{RobotModel, SensorReadings};
 
 /// Most steps until a robot that got no more commands is at rest.
-const COAST: u32 = 400;
+const COAST: u64 = 400;
 
 /// One robot in one room, for a program that senses and drives in turn. It keeps the log, so that a [`Run`] with
 /// [`Logged`] repeats it to the last bit.
@@ -121,6 +121,7 @@ impl Lockstep {
     }
 
     /// A step; false once the run is over.
+    #[inline]
     fn take(&mut self, command: [i16; 2]) -> bool {
         if self.log.get().end().is_some() {
             return false;
@@ -141,8 +142,9 @@ impl Lockstep {
         self.senses.write(self.run.sensors());
     }
 
-    /// The same, until contact with a thing or with the floor changes: bumper, cliff sensors, wheel drops.
-    pub fn hold(&mut self, wheels_mm_s: [f64; 2], most: u32) -> u32 {
+    /// The same, until contact with a thing or with the floor changes: bumper, cliff sensors, wheel drops. `watch` sees the run
+    /// after each step.
+    pub fn hold(&mut self, wheels_mm_s: [f64; 2], most: u32, mut watch: impl FnMut(&Run)) -> u32 {
         let felt = |run: &Run| {
             let SensorReadings { bump_left, bump_right, wheel_drop_left, wheel_drop_right, cliff, .. } = *run.sensors();
             ([bump_left, bump_right, wheel_drop_left, wheel_drop_right], cliff)
@@ -150,6 +152,7 @@ impl Lockstep {
         let command = wheels_mm_s.map(|speed| wheel_command(&self.robot, speed));
         let (before, mut taken) = (felt(&self.run), 0);
         while taken < most && felt(&self.run) == before && self.take(command) {
+            watch(&self.run);
             taken += 1;
         }
         self.tell(command);
@@ -158,13 +161,19 @@ impl Lockstep {
 
     /// Ends the program here; the robot brakes until it is at rest.
     pub fn finish(&mut self, end: LogEnd) {
+        self.finish_within(end, u64::MAX, |_| ());
+    }
+
+    /// The same for at most `most` steps; `watch` sees the run after each.
+    pub fn finish_within(&mut self, end: LogEnd, most: u64, mut watch: impl FnMut(&Run)) {
         self.log.get_mut().finish(end);
-        for _ in 0..COAST {
+        for _ in 0..most.min(COAST) {
             self.apply_inputs();
             if self.run.is_finished() {
                 break;
             }
             self.run.step();
+            watch(&self.run);
             self.senses.take(self.run.sensors());
         }
         self.tell([0; 2]);

@@ -11,7 +11,7 @@ mod spec;
 pub use identity::fingerprint;
 pub use row::{StudyOutcome, StudyRow};
 pub use spec::{
-    AlgorithmEntry, ConditionsEntry, FlatsEntry, MOST_RUNS, RobotEntry, RoomEntry, STUDY_FORMAT, STUDY_VERSION,
+    AlgorithmEntry, ConditionsEntry, FlatsEntry, MOST_RUNS, RobotSpec, RoomSpec, STUDY_FORMAT, STUDY_VERSION,
     SeedRange, StudyError, StudySpec,
 };
 
@@ -35,7 +35,7 @@ pub struct Study {
     /// What was read.
     pub spec: StudySpec,
     rooms: Vec<StudyRoom>,
-    robots: Vec<RobotEntry>,
+    robots: Vec<RobotSpec>,
     entrants: Vec<Entrant>,
     conditions: Vec<StudyConditions>,
 }
@@ -72,7 +72,7 @@ pub struct StudyRun<'a> {
     /// The room.
     pub room: &'a StudyRoom,
     /// The robot.
-    pub robot: &'a RobotEntry,
+    pub robot: &'a RobotSpec,
     /// The algorithm with its parameters.
     pub entrant: &'a Entrant,
     /// The conditions.
@@ -173,7 +173,7 @@ impl Study {
             StudyRoom::File(name) => format!("--map '{}'", name.replace('\'', "'\\''")),
             StudyRoom::Flat(id) => format!("--flat {id}"),
         };
-        let RobotEntry { robot, cell_size_m } = run.robot;
+        let RobotSpec { robot, cell_size_m } = run.robot;
         let cell = cell_size_m.map_or_else(String::new, |cell| format!(" --cell {cell}"));
         let kind = if run.entrant.algorithm.planner().is_some() { PLANNER } else { BEHAVIOUR };
         let StudyConditions {

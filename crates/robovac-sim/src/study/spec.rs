@@ -39,9 +39,9 @@ pub struct StudySpec {
     #[serde(default)]
     pub name: String,
     /// The rooms.
-    pub rooms: Vec<RoomEntry>,
+    pub rooms: Vec<RoomSpec>,
     /// The robots.
-    pub robots: Vec<RobotEntry>,
+    pub robots: Vec<RobotSpec>,
     /// The algorithms.
     pub algorithms: Vec<AlgorithmEntry>,
     /// Slip, noise and battery; none of them if there is no entry.
@@ -72,7 +72,7 @@ pub struct SeedRange {
 /// Rooms of a study.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", expecting = "an object of one key: room, file or flats")]
-pub enum RoomEntry {
+pub enum RoomSpec {
     /// One that is built in, by its id.
     Room(String),
     /// A map file, relative to the study.
@@ -103,7 +103,7 @@ pub struct FlatsEntry {
 /// A robot.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct RobotEntry {
+pub struct RobotSpec {
     /// Its id.
     pub robot: String,
     /// Side of the planning cells, m; the robot's own if it isn't given.
@@ -267,7 +267,7 @@ impl StudySpec {
     }
 }
 
-impl RoomEntry {
+impl RoomSpec {
     fn check(&self, path: &str, rooms: &mut Vec<StudyRoom>) -> Result<(), Fault> {
         match self {
             Self::Room(id) => {

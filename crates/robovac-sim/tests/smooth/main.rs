@@ -16,7 +16,7 @@ use robovac_core::{
 };
 use robovac_sim::{
     Conditions, Run, SlipLevel,
-    experiment::planning::{Driven, PlanRequest, Planned, RoomSetup},
+    experiment::planning::{PathToDrive, PlanRequest, Planned, RoomSetup},
 };
 use std::sync::Arc;
 
@@ -174,7 +174,7 @@ fn there_and_back_is_turned_on_the_spot() {
     let path = smooth(&room, &line);
     assert_eq!((path.corners, path.rounded), (2, 0));
     assert!(path.trajectory.duration_s() < DriveMetrics::of(&room.floor, &room.robot, &line).duration_s);
-    let driven = Driven { line, smooth: Some(Arc::new(path.trajectory.clone())) };
+    let driven = PathToDrive { line, smooth: Some(Arc::new(path.trajectory.clone())) };
     let mut run = room.run_driven(&driven, Conditions::default(), OdometryModel::Arc, 1);
     assert!(drive(&mut run, &path.trajectory) < 0.005);
     assert!((run.time_s() / path.trajectory.duration_s() - 1.0).abs() < 0.05, "{}", run.time_s());

@@ -1,41 +1,38 @@
 //! One user's session: a room, a robot, a planner, a run.
 
+mod editing;
 mod objects;
 mod planning;
 mod program;
+mod saved;
 mod search;
 mod snapshot;
 
+pub use self::saved::LoadError;
+
 use self::program::ProgramRun;
-use crate::explore::{Action, Brush, Editor, PlanSearch, SessionState, Showing};
+pub(super) use self::saved::known_room;
+use crate::explore::{Action, Editor, PlanSearch, SessionState, Showing};
 use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
-use crate::{Import, ImportError, ScenarioChoices, ScenarioError};
 use coverage_planners::{CoveragePath, Film, Proof};
 use robovac_core::{
-    floor_plan::{self, FloorPlan, RoomInfo, Scenario, SourceFile},
+    floor_plan::{self, FloorPlan},
     geometry::{Point, Pose},
-    registry::Params,
-    robot::CustomRobot,
 };
 use robovac_sim::{
     Input, Run, RunRecording, STEP_S,
     controller::{self, Behaviours, Joystick},
     experiment::{
-        KEPT_PATH, Settings, SettingsError,
+        Settings, SettingsError,
         planning::{PlanRequest, Planned, RoomSetup},
     },
 };
-use std::{collections::BTreeMap, sync::Arc};
+use std::sync::Arc;
 
 /// Message for a robot that was put down elsewhere and can't sense that.
 const CARRIED: &str = "The robot follows its plan by odometry and can't detect that it was kidnapped.";
 /// Least distance from its estimated position at which a robot is put down for that message, m.
 const CARRIED_M: f64 = 0.1;
-
-/// Name in links of a room that was drawn or loaded: it is kept.
-const OWN_ROOM: &str = "own";
-/// Key in links of whether the search is shown.
-const SEARCH: &str = "search";
 
 /// Room, settings, plan and run, with all actions on them.
 ///
@@ -71,17 +68,6 @@ pub struct Session {
     holds_films: bool,
     /// The picture of it that was shown last.
     film_at: Option<usize>,
-}
-
-/// Reasons why files can't be loaded.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum LoadError {
-    /// They aren't a map.
-    #[error(transparent)]
-    Import(#[from] ImportError),
-    /// They are a scenario that can't be run.
-    #[error(transparent)]
-    Scenario(#[from] ScenarioError),
 }
 
 /// A planner running elsewhere.
@@ -315,8 +301,8 @@ impl Session {
         if !self.is_lifted() {
             return;
         }
-        let believed = self.recording.as_ref().and_then(|recording| recording.run().estimate());
-        let is_elsewhere = believed.is_some_and(|at| (at.position() - pose.position()).norm() > CARRIED_M);
+        let estimate = self.recording.as_ref().and_then(|recording| recording.run().estimate());
+        let is_elsewhere = estimate.is_some_and(|at| (at.position() - pose.position()).norm() > CARRIED_M);
         self.input(Input::PutDown(rounded(pose)));
         if is_elsewhere && self.settings.algorithm.planner().is_some() {
             self.say("notice", CARRIED.into());
@@ -373,221 +359,6 @@ impl Session {
         self.pacer.restart();
     }
 
-    /// Loads a map or scenario from files that belong together. Changes nothing on an error.
-    pub fn load(&mut self, files: &[SourceFile]) -> Result<(), LoadError> {
-        Ok(self.take_import(Import::read(files)?)?)
-    }
-
-    /// Takes the result of reading files. Changes nothing on an error.
-    pub fn take_import(&mut self, import: Import) -> Result<(), ScenarioError> {
-        if let Some(choices) = &import.choices {
-            self.settings = choices.settings(&self.settings)?;
-        }
-        self.message = None;
-        // A sweep of a room that ships brings that room back: with its name, all of it fits into a link.
-        let swept = self.settings.path.as_ref().and_then(|_| {
-            floor_plan::ROOMS.iter().find(|room| room.title == import.plan.name && (room.build)() == import.plan)
-        });
-        self.editor.replace(import.plan, swept.map(|room| room.id), None);
-        self.prepare();
-        Ok(())
-    }
-
-    /// Takes a link's `key=value` pairs, joined by `&`. Changes nothing on an error.
-    pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
-        let mut settings = self.settings.clone();
-        let mut room = None;
-        let mut shows_search = None;
-        let pairs = link.trim_start_matches('#').split('&').filter(|p| !p.is_empty());
-        let pairs = pairs.map(|p| p.split_once('=').unwrap_or((p, "")));
-        // Robot and planner bring defaults of their own, which must not override the link's other values.
-        let (first, others): (Vec<_>, Vec<_>) =
-            pairs.partition(|(key, _)| matches!(*key, "robot" | "planner" | "behaviour"));
-        for (key, value) in first.into_iter().chain(others) {
-            if key == "room" {
-                room = Some(value);
-            } else if key == "path" && value == KEPT_PATH {
-                // It came with the room.
-                settings.path = Some(self.settings.path.clone().ok_or(SettingsError::FarPath)?);
-            } else if key == SEARCH {
-                shows_search = Some(value == "1");
-            } else {
-                settings.take_link(key, value)?;
-            }
-        }
-        let room = room.filter(|&id| id != OWN_ROOM).map(known_room).transpose()?;
-        let start = settings.start.take();
-        self.shows_search = shows_search.unwrap_or(self.shows_search);
-        self.replace(settings, room.map(|room| ((room.build)(), Some(room.id))), start);
-        Ok(())
-    }
-
-    /// Applies settings, another room if there is one, and a start in it, as one undoable change.
-    pub(super) fn replace(
-        &mut self,
-        settings: Settings,
-        room: Option<(FloorPlan, Option<&'static str>)>,
-        start: Option<Pose>,
-    ) {
-        self.settings = settings;
-        self.message = None;
-        match room {
-            Some((plan, id)) => self.editor.replace(plan, id, start),
-            None if start.is_some() => self.editor.set_start(start),
-            None => {}
-        }
-        self.prepare();
-    }
-
-    /// Room and settings as a scenario file that [`Session::load`] reads.
-    pub fn scenario_json(&self) -> String {
-        self.scenario().to_json()
-    }
-
-    /// Room and settings as a scenario.
-    pub fn scenario(&self) -> Scenario {
-        let settings = &self.settings;
-        let defaults = Params::defaults(settings.algorithm.params());
-        let changed = settings.params.iter().filter(|&(id, value)| defaults.get(id) != Some(value));
-        let params = changed.filter_map(|(id, value)| Some((id.to_owned(), serde_json::to_value(value).ok()?)));
-        let choices = ScenarioChoices::of_settings(settings);
-        let mut scenario = self.own_room();
-        scenario.robot = choices.robot;
-        scenario.twin = settings.custom.as_ref().and_then(CustomRobot::twin);
-        scenario.own_robot = settings.custom.as_ref().and_then(CustomRobot::own).cloned();
-        scenario.path.clone_from(&settings.path);
-        scenario.planner = choices.planner;
-        scenario.behaviour = choices.behaviour;
-        scenario.program = choices.program;
-        scenario.params.extend(params);
-        scenario.cell_size = choices.cell_size;
-        scenario.seed = Some(settings.seed);
-        scenario.slip = choices.slip;
-        scenario.noise = choices.noise.map(|levels| {
-            let mut by_kind = BTreeMap::new();
-            by_kind.extend(levels);
-            by_kind
-        });
-        scenario.quantised = choices.quantised;
-        scenario.start_charge_percent = choices.start_charge_percent;
-        scenario.odometry = choices.odometry;
-        scenario.smooth = choices.smooth;
-        scenario
-    }
-
-    /// The room and the robot's start in it.
-    pub fn own_room(&self) -> Scenario {
-        let mut scenario = Scenario::of(self.plan());
-        // A start inside a wall would be refused, and is of no use.
-        let start = self.editor.start().or(self.plan().start);
-        scenario.start = start.filter(|_| self.prepared.is_some()).map(Into::into);
-        scenario
-    }
-
-    /// The session as a link's `key=value` pairs. A room that was drawn or loaded isn't in it: see [`Session::scenario_json`].
-    pub fn link(&self) -> String {
-        self.link_pairs().map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join("&")
-    }
-
-    /// Keys and values of [`Session::link`].
-    pub fn link_pairs(&self) -> impl Iterator<Item = (String, String)> + use<> {
-        let mut settings = self.settings.clone();
-        settings.start = self.editor.start();
-        // A path that is too long for a link is kept with the room.
-        let is_linked = settings.path_link().is_none_or(|path| path != KEPT_PATH);
-        let room = self.editor.room().filter(|_| is_linked).unwrap_or(OWN_ROOM);
-        let room = ("room".to_owned(), room.to_owned());
-        let search = self.shows_search.then(|| (SEARCH.to_owned(), "1".to_owned()));
-        std::iter::once(room).chain(settings.to_link()).chain(search)
-    }
-
-    // ---- drawing
-
-    /// Begins to draw or erase walls at a point in metres.
-    pub fn begin_stroke(&mut self, brush: Brush, at: Point) {
-        self.editor.begin(brush, at);
-    }
-
-    /// Goes on drawing to a point in metres.
-    pub fn go_on_stroke(&mut self, at: Point) {
-        self.editor.go_on(at);
-    }
-
-    /// Cancels the current stroke.
-    pub fn abandon_stroke(&mut self) {
-        self.editor.abandon();
-    }
-
-    /// Ends drawing and plans again; walls can't replace floor needed by objects.
-    pub fn end_stroke(&mut self) {
-        if let Err(refusal) = self.plan().check_objects(None) {
-            self.editor.abandon();
-            self.say("error", sentence(&refusal.fault.to_string()));
-        }
-        if self.editor.end() {
-            self.message = None;
-            self.prepare_changed();
-        }
-    }
-
-    /// Moves the start; if the robot can't stand there, reports that and leaves it.
-    pub fn move_start(&mut self, to: Pose) {
-        if let Err(refusal) = self.plan().check_objects(Some(to)) {
-            self.say("error", sentence(&refusal.fault.to_string()));
-            return;
-        }
-        if self.settings.path.is_some() {
-            self.say("error", "The path begins here. Choose a planner to start elsewhere.".to_owned());
-            return;
-        }
-        let robot = self.settings.robot_model();
-        match RoomSetup::new(self.editor.plan(), &robot, self.settings.cell_size, Some(to)) {
-            Ok(prepared) => {
-                self.message = None;
-                self.editor.set_start(Some(rounded(prepared.floor.start)));
-                self.prepare_changed();
-            }
-            Err(error) => self.say("error", sentence(&error.to_string())),
-        }
-    }
-
-    /// Undoes the last change of the room.
-    pub fn undo(&mut self) {
-        let lineage = self.editor.lineage();
-        if self.editor.undo() {
-            self.message = None;
-            self.prepare_if_same(lineage);
-        }
-    }
-
-    /// Redoes the last undone change.
-    pub fn redo(&mut self) {
-        let lineage = self.editor.lineage();
-        if self.editor.redo() {
-            self.message = None;
-            self.prepare_if_same(lineage);
-        }
-    }
-
-    fn prepare_if_same(&mut self, lineage: u32) {
-        if self.editor.lineage() == lineage { self.prepare_changed() } else { self.prepare() }
-    }
-
-    /// A number that changes with the room, but not with changes of it.
-    pub fn room_lineage(&self) -> u32 {
-        self.editor.lineage()
-    }
-
-    /// Renames the room, which is then an own one.
-    pub fn rename_room(&mut self, name: &str) {
-        self.editor.rename(name);
-    }
-
-    /// Clears the undo and redo history.
-    pub fn forget_changes(&mut self) {
-        self.editor.forget();
-    }
-
     /// Reports an error from outside to the user.
     pub fn report_error(&mut self, text: &str) {
         self.say("error", sentence(text));
@@ -602,14 +373,6 @@ impl Default for Session {
     fn default() -> Self {
         Self::new()
     }
-}
-
-/// The built-in room with that id.
-pub(super) fn known_room(id: &str) -> Result<&'static RoomInfo, SettingsError> {
-    floor_plan::room(id).ok_or_else(|| {
-        let known = floor_plan::ROOMS.iter().map(|r| r.id).collect::<Vec<_>>().join(", ");
-        SettingsError::Unknown { kind: "room", id: id.to_owned(), known }
-    })
 }
 
 /// Rounded to millimetres and tenths of a degree, as in links: a link must reproduce exactly the same run.

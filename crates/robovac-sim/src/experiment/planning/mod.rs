@@ -11,6 +11,6 @@ mod task;
 
 pub use error::PlanningError;
 pub use fit_cells::FittedCells;
-pub use pipeline::{Driven, MOST_SEARCH_CELLS, PlanAnswer, PlanRequest, Planned, RoomSetup, WHOLE};
+pub use pipeline::{MOST_SEARCH_CELLS, PathToDrive, PlanAnswer, PlanRequest, Planned, RoomSetup, WHOLE};
 pub use report::{PlanReport, RoomReport, TaskReport};
 pub use task::{CELL_ROBOT, Placement, PlanSolution, PlanningTask, choose_robot};

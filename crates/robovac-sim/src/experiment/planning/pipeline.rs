@@ -146,13 +146,13 @@ impl RoomSetup {
 
     /// A run along `line` (corners, m), with a stop at each; see [`RoomSetup::run_driven`].
     pub fn run_along(&self, line: &Arc<[Point]>, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
-        self.run_driven(&Driven { line: Arc::clone(line), smooth: None }, conditions, odometry, seed)
+        self.run_driven(&PathToDrive { line: Arc::clone(line), smooth: None }, conditions, odometry, seed)
     }
 
     /// A run by dead reckoning. A robot that can dock goes to its dock when the battery is low, and goes on where it stopped.
     /// Without a dock empty batteries are replaced, as plans are compared by the floor that they clean, with energy as a
     /// separate number.
-    pub fn run_driven(&self, driven: &Driven, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
+    pub fn run_driven(&self, driven: &PathToDrive, conditions: Conditions, odometry: OdometryModel, seed: u64) -> Run {
         let follower = driven.follower(&self.robot, self.follower_in_room(&driven.line, odometry));
         if let Some(recharge) = Recharge::new(&follower, &self.floor, &self.world.docks, seed) {
             return Run::new(&self.setup(conditions, seed), Box::new(recharge));
@@ -215,14 +215,14 @@ impl RoomSetup {
 
 /// A line, and how it is driven.
 #[derive(Debug, Clone)]
-pub struct Driven {
+pub struct PathToDrive {
     /// Corners, m.
     pub line: Arc<[Point]>,
     /// Its trajectory with rounded corners; `None` with stops at all corners.
     pub smooth: Option<Arc<Trajectory>>,
 }
 
-impl Driven {
+impl PathToDrive {
     /// What drives it: `path`, which follows the line, or its trajectory if there is one and `robot` can.
     pub fn follower(&self, robot: &RobotModel, path: FollowPath) -> Follower {
         let smooth = self.smooth.as_ref();
@@ -315,8 +315,8 @@ impl Planned {
     }
 
     /// The line, and how it is driven.
-    pub fn driven(&self) -> Driven {
-        Driven { line: Arc::clone(&self.line), smooth: self.smooth.clone() }
+    pub fn driven(&self) -> PathToDrive {
+        PathToDrive { line: Arc::clone(&self.line), smooth: self.smooth.clone() }
     }
 
     /// A run along the line by dead reckoning.

@@ -4,6 +4,7 @@ use super::{
     DistanceField,
     landmark::{DARK, Landmarks},
     likelihood::Reading,
+    particles::{BestPlace, Particle, Particles, moved, scattered},
     scan_reading::{ScanReading, ScanSearch},
 };
 use crate::{
@@ -12,12 +13,12 @@ use crate::{
 };
 use rand::RngExt;
 use robovac_core::{
-    geometry::{Point, Pose, difference, normalize},
+    geometry::{Point, Pose, difference},
     math,
-    rng::{Rng, normal, seeded},
+    rng::{Rng, seeded},
     robot::{Odometry, OdometryModel, RobotModel, SensorReadings},
 };
-use std::{collections::BTreeMap, sync::Arc};
+use std::sync::Arc;
 
 /// Stream of its random numbers.
 const STREAM: u64 = 12;
@@ -33,8 +34,6 @@ const CHANCE: f64 = 0.03;
 const COUNT: (usize, usize) = (400, 8000);
 /// Particles for each possible place.
 const PER_PLACE: usize = 40;
-/// Extent of a place, m and rad.
-const PLACE: (f64, f64) = (0.2, 0.35);
 /// Errors of motion: rad per square root of a metre, rad per rad, m per square root of a metre.
 const MOTION: (f64, f64, f64) = (0.02, 0.03, 0.01);
 /// Particles for each pose that fits a scan, with their deviation from it, m and rad, and updates between searches while
@@ -61,8 +60,8 @@ const WORST_BY_SCAN: f64 = -40.0;
 /// Particles for each dock on which the robot can be, with their deviation from its pose there, m and rad.
 const PER_DOCK: usize = 200;
 const MOORED: (f64, f64) = (0.01, 0.03);
-/// It is sure if this share of the weight lies within this many metres of its estimate.
-const SURE: (f64, f64) = (0.85, 0.25);
+/// It is sure if this share of the weight is in one place.
+const SURE: f64 = 0.85;
 /// And for this many updates.
 const SURE_LOOKS: u32 = 30;
 
@@ -103,23 +102,16 @@ pub struct Locator {
     /// Updates since the search, and those with nearly all weight in one place.
     looks: u32,
     agreed: u32,
-    particles: Vec<Particle>,
+    particles: Particles,
     /// Average fits of the latest readings: short and long.
     fits: Option<(f64, f64)>,
     estimate: Option<Estimate>,
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Particle {
-    pose: Pose,
-    /// Natural logarithm.
-    weight: f64,
-}
-
-#[derive(Debug, Clone, Copy)]
 struct Estimate {
     pose: Pose,
-    spread: PoseCovariance,
+    covariance: PoseCovariance,
     /// Odometry at the time of the estimate.
     odometry: Pose,
 }
@@ -154,7 +146,7 @@ impl Locator {
             draws: DRAWS.1,
             looks: 0,
             agreed: 0,
-            particles: Vec::new(),
+            particles: Particles::default(),
             fits: None,
             estimate: None,
             setup,
@@ -220,7 +212,7 @@ impl Locator {
 
     /// Forgets everything except the map.
     pub fn forget(&mut self) {
-        self.particles.clear();
+        self.particles.0.clear();
         self.draws = DRAWS.1;
         self.agreed = 0;
         self.fits = None;
@@ -236,7 +228,7 @@ impl Locator {
 
     /// Covariance of the possible poses; `None` while there are none.
     pub fn pose_covariance(&self) -> Option<PoseCovariance> {
-        self.estimate.map(|estimate| estimate.spread)
+        self.estimate.map(|estimate| estimate.covariance)
     }
 
     /// Whether hardly any other place is possible.
@@ -246,8 +238,7 @@ impl Locator {
 
     /// Possible poses with their weights, which add up to 1.
     pub fn particles(&self) -> Vec<(Pose, f64)> {
-        let weights = self.weights();
-        self.particles.iter().map(|p| p.pose).zip(weights).collect()
+        self.particles.0.iter().map(|p| p.pose).zip(self.particles.weights()).collect()
     }
 
     /// Moves all particles by the wheels' motion, each with its own errors.
@@ -257,14 +248,13 @@ impl Locator {
         if self.scans.is_some() {
             (heading, along) = (heading + STIR.1, along + STIR.0);
         }
-        for particle in &mut self.particles {
+        for particle in &mut self.particles.0 {
             let mut pose = moved(particle.pose, from, now);
             if self.scans.is_some() && self.rng.random_bool(HELD) {
                 let share = self.rng.random_range(0.0..1.0);
                 pose = between(particle.pose, pose, share);
             }
-            let [a, b, c] = [normal(&mut self.rng), normal(&mut self.rng), normal(&mut self.rng)];
-            particle.pose = Pose::new(pose.x + along * a, pose.y + along * b, normalize(pose.heading + heading * c));
+            particle.pose = scattered(pose, (along, heading), &mut self.rng);
         }
     }
 
@@ -277,13 +267,10 @@ impl Locator {
         if self.is_sure() && self.pose().is_some_and(can_be) {
             return;
         }
-        self.particles.clear();
+        self.particles.0.clear();
         for berth in &berths {
             for _ in 0..PER_DOCK {
-                let [a, b, c] = [normal(&mut self.rng), normal(&mut self.rng), normal(&mut self.rng)];
-                let heading = normalize(berth.heading + MOORED.1 * c);
-                let pose = Pose::new(berth.x + MOORED.0 * a, berth.y + MOORED.0 * b, heading);
-                self.particles.push(Particle { pose, weight: 0.0 });
+                self.particles.scatter(*berth, MOORED, &mut self.rng);
             }
         }
         (self.draws, self.fits, self.looked) = (0, None, self.odometry.pose());
@@ -308,7 +295,7 @@ impl Locator {
         self.draws = self.draws.saturating_sub(1);
         let reach = if reading.meets_something() { self.setup.robot.radius + reading.reach() } else { f64::INFINITY };
         let half = 0.5 * self.field.resolution();
-        let mut drawn = Vec::new();
+        let mut drawn = Particles::default();
         for _ in 0..count {
             let at = places[self.rng.random_range(0..places.len())];
             let [x, y] = [0.0; 2].map(|_: f64| self.rng.random_range(-half..half));
@@ -320,11 +307,11 @@ impl Locator {
             let pose = Pose::new(at.x, at.y, heading);
             let fit = fit(&self.field, pose);
             if fit > -8.0 {
-                drawn.push(Particle { pose, weight: fit });
+                drawn.0.push(Particle { pose, weight: fit });
             }
         }
-        let drawn = resampled(&drawn, share.min(drawn.len()), &mut self.rng);
-        self.join(drawn, is_searching);
+        let drawn = drawn.resampled(share.min(drawn.0.len()), &mut self.rng);
+        self.particles.join(drawn, (!is_searching).then_some(CHANCE));
     }
 
     /// During a search, draws poses around those that fit a scan.
@@ -337,71 +324,48 @@ impl Locator {
             return;
         }
         self.draws = 0;
-        let mut drawn = Vec::with_capacity(found.len() * PER_MATCH);
+        let mut drawn = Particles::default();
         for Match { pose, .. } in found {
             for _ in 0..PER_MATCH {
-                let [a, b, c] = [normal(&mut self.rng), normal(&mut self.rng), normal(&mut self.rng)];
-                let heading = normalize(pose.heading + SCATTER.1 * c);
-                let pose = Pose::new(pose.x + SCATTER.0 * a, pose.y + SCATTER.0 * b, heading);
-                drawn.push(Particle { pose, weight: 0.0 });
+                drawn.scatter(pose, SCATTER, &mut self.rng);
             }
         }
-        self.join(drawn, is_searching);
+        self.particles.join(drawn, (!is_searching).then_some(CHANCE));
     }
 
     /// Moves the particles of the best place to where the scan fits best.
     fn polish(&mut self, scans: &ScanSearch, scan: &ScanReading) {
         let Some(Estimate { pose, .. }) = self.estimate else { return };
         let Some(best) = scans.polished(scan, pose) else { return };
-        for particle in &mut self.particles {
-            let is_near = (particle.pose.position() - pose.position()).norm() < SURE.1
-                && difference(particle.pose.heading, pose.heading).abs() < PLACE.1;
-            if is_near {
-                particle.pose = moved(particle.pose, pose, best);
-            }
-        }
+        self.particles.shift(pose, best);
         if let Some(estimate) = &mut self.estimate {
             estimate.pose = best;
         }
     }
 
-    /// Adds drawn particles.
-    fn join(&mut self, drawn: Vec<Particle>, is_searching: bool) {
-        // Existing particles have earned as much weight as new ones.
-        let old = self.particles.len().max(1) as f64;
-        let top = self.particles.iter().map(|p| p.weight).fold(f64::NEG_INFINITY, f64::max);
-        let mean = self.particles.iter().map(|p| math::exp(p.weight - top)).sum::<f64>() / old;
-        let mut weight = if self.particles.is_empty() { 0.0 } else { top + math::ln(mean.max(1e-300)) };
-        if !is_searching {
-            // All new ones together have a small weight.
-            weight += math::ln(CHANCE * old / drawn.len().max(1) as f64);
-        }
-        self.particles.extend(drawn.into_iter().map(|p| Particle { weight, ..p }));
-    }
-
     fn weigh(&mut self, fit: impl Fn(&DistanceField, Pose) -> f64) {
-        if self.particles.is_empty() {
+        if self.particles.0.is_empty() {
             return;
         }
-        let fits: Vec<f64> = self.particles.iter().map(|p| fit(&self.field, p.pose)).collect();
-        let before = self.weights();
+        let fits: Vec<f64> = self.particles.0.iter().map(|p| fit(&self.field, p.pose)).collect();
+        let before = self.particles.weights();
         let worst = if self.scans.is_some() { WORST_BY_SCAN } else { WORST };
         let mean: f64 = fits.iter().zip(&before).map(|(fit, weight)| fit.max(worst) * weight).sum();
-        for (particle, fit) in self.particles.iter_mut().zip(&fits) {
+        for (particle, fit) in self.particles.0.iter_mut().zip(&fits) {
             particle.weight += TEMPER * fit;
         }
         if self.draws == 0 {
             self.remember(mean);
         }
-        if self.particles.is_empty() {
+        if self.particles.0.is_empty() {
             return;
         }
-        let weights = self.weights();
+        let weights = self.particles.weights();
         let effective = 1.0 / weights.iter().map(|w| w * w).sum::<f64>();
         if effective < 0.5 * weights.len() as f64 {
-            let places = self.possible(&weights);
+            let places = self.particles.possible_places(&weights);
             let count = (PER_PLACE * places).clamp(COUNT.0, COUNT.1);
-            self.particles = resampled(&self.particles, count, &mut self.rng);
+            self.particles = self.particles.resampled(count, &mut self.rng);
         }
         self.judge();
     }
@@ -418,55 +382,11 @@ impl Locator {
         }
     }
 
-    /// Number of places that contain nearly all the weight.
-    fn possible(&self, weights: &[f64]) -> usize {
-        let mut places: BTreeMap<(i32, i32, i32), f64> = BTreeMap::new();
-        for (particle, weight) in self.particles.iter().zip(weights) {
-            let Pose { x, y, heading } = particle.pose;
-            let key = [x / PLACE.0, y / PLACE.0, heading / PLACE.1].map(math::floor);
-            *places.entry((key[0], key[1], key[2])).or_default() += weight;
-        }
-        places.values().filter(|&&weight| weight > 1e-4).count()
-    }
-
     /// Computes the estimate: the mean around the best place.
     fn judge(&mut self) {
-        let weights = self.weights();
-        let mut places: BTreeMap<(i32, i32), f64> = BTreeMap::new();
-        for (particle, weight) in self.particles.iter().zip(&weights) {
-            let key = [particle.pose.x, particle.pose.y].map(|v| math::floor(v / SURE.1));
-            *places.entry((key[0], key[1])).or_default() += weight;
-        }
-        let around = |&(x, y): &(i32, i32)| -> f64 {
-            let cells = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (x + dx, y + dy)));
-            cells.filter_map(|key| places.get(&key)).sum()
-        };
-        let best = places.keys().map(|key| (around(key), *key)).reduce(|a, b| if b.0 > a.0 { b } else { a });
-        let Some((_, (x, y))) = best else { return };
-        let is_near = |pose: Pose| {
-            let key = [pose.x, pose.y].map(|v| math::floor(v / SURE.1));
-            (key[0] - x).abs() <= 1 && (key[1] - y).abs() <= 1
-        };
-        let near: Vec<(Pose, f64)> =
-            self.particles.iter().zip(&weights).map(|(p, &w)| (p.pose, w)).filter(|(p, _)| is_near(*p)).collect();
-        let share: f64 = near.iter().map(|(_, w)| w).sum();
-        self.agreed = if share >= SURE.0 && self.draws == 0 { self.agreed + 1 } else { 0 };
-        let mean = |f: &dyn Fn(Pose) -> f64| near.iter().map(|&(p, w)| w * f(p)).sum::<f64>() / share;
-        let (mx, my) = (mean(&|p| p.x), mean(&|p| p.y));
-        let heading = math::atan2(mean(&|p| math::sin(p.heading)), mean(&|p| math::cos(p.heading)));
-        let position = [
-            mean(&|p| (p.x - mx) * (p.x - mx)),
-            mean(&|p| (p.x - mx) * (p.y - my)),
-            mean(&|p| (p.y - my) * (p.y - my)),
-        ];
-        let turned = |p: Pose| difference(heading, p.heading);
-        let spread = PoseCovariance { position, heading: mean(&|p| turned(p) * turned(p)).sqrt() };
-        self.estimate = Some(Estimate { pose: Pose::new(mx, my, heading), spread, odometry: self.odometry.pose() });
-    }
-
-    /// Weights that add up to 1.
-    fn weights(&self) -> Vec<f64> {
-        normalised(&self.particles)
+        let Some(BestPlace { pose, covariance, share }) = self.particles.best_place() else { return };
+        self.agreed = if share >= SURE && self.draws == 0 { self.agreed + 1 } else { 0 };
+        self.estimate = Some(Estimate { pose, covariance, odometry: self.odometry.pose() });
     }
 
     /// Places where the robot can stand, as centres of cells.
@@ -475,45 +395,8 @@ impl Locator {
     }
 }
 
-fn normalised(particles: &[Particle]) -> Vec<f64> {
-    let top = particles.iter().map(|p| p.weight).fold(f64::NEG_INFINITY, f64::max);
-    let weights: Vec<f64> = particles.iter().map(|p| math::exp(p.weight - top)).collect();
-    let sum: f64 = weights.iter().sum();
-    weights.into_iter().map(|w| w / sum).collect()
-}
-
-/// `count` particles of equal weight, drawn by theirs (low variance sampler; Probabilistic Robotics, table 4.4).
-fn resampled(particles: &[Particle], count: usize, rng: &mut Rng) -> Vec<Particle> {
-    let weights = normalised(particles);
-    let mut drawn = Vec::with_capacity(count);
-    if particles.is_empty() || count == 0 {
-        return drawn;
-    }
-    let step = 1.0 / count as f64;
-    let first = rng.random_range(0.0..step);
-    let (mut index, mut sum) = (0, weights[0]);
-    for i in 0..count {
-        let wanted = first + i as f64 * step;
-        while sum < wanted && index + 1 < particles.len() {
-            index += 1;
-            sum += weights[index];
-        }
-        drawn.push(Particle { weight: 0.0, ..particles[index] });
-    }
-    drawn
-}
-
 /// The pose that is a share of the way from one to another.
 fn between(from: Pose, to: Pose, share: f64) -> Pose {
     let (dx, dy) = (to.x - from.x, to.y - from.y);
     Pose::new(from.x + share * dx, from.y + share * dy, from.heading + share * difference(from.heading, to.heading))
-}
-
-/// `pose` after the motion from `from` to `to`, seen in its own frame.
-fn moved(pose: Pose, from: Pose, to: Pose) -> Pose {
-    let turn = pose.heading - from.heading;
-    let (sin, cos) = math::sin_cos(turn);
-    let way = to.position() - from.position();
-    let heading = normalize(pose.heading + difference(from.heading, to.heading));
-    Pose::new(pose.x + way.x * cos - way.y * sin, pose.y + way.x * sin + way.y * cos, heading)
 }

@@ -23,6 +23,7 @@ mod field;
 mod landmark;
 mod likelihood;
 mod locator;
+mod particles;
 mod scan_reading;
 
 pub use field::DistanceField;

@@ -1,25 +1,28 @@
 //! Builds the map and estimates the robot's pose on it.
 
+mod by_scan;
+mod setup;
+
+pub use setup::{MapperSetup, Tracking};
+
 use super::{
     CellMark, Marks, OccupancyMap, PoseCovariance,
-    locate::{Locator, LocatorSetup},
     memo::ReadingMemory,
     multiscan::Multiscan,
     observation::{ContactPoint, Observation, SensorModel},
     paint::{paint, paint_wall},
     pose_ekf::PoseEkf,
     reckoning::{Reckoning, Rolling, WheelErrors},
-    scan::{ScanMapper, paint_place},
 };
-use crate::docking::{berth, dock_at};
+use crate::docking::berth;
+use by_scan::ByScan;
 use nalgebra::{Matrix3, Vector3};
 use robovac_core::{
     geometry::{Pose, Vector, difference},
     math,
     rng::{normal, seeded},
-    robot::{Body, OdometryModel, RobotModel, SensorReadings},
+    robot::{Body, SensorReadings},
 };
-use std::sync::Arc;
 
 /// Stream of its random numbers.
 const STREAM: u64 = 60;
@@ -45,70 +48,10 @@ const UNDOCKED: f64 = 0.5;
 /// the wheels is increased before, as it gets the same evidence twice (ours).
 const LOOKS: [f64; 3] = [10.0, 25.0, 60.0];
 const AGAIN: f64 = 3.0;
-/// Motion below which a scan shows nothing new, m and rad.
-const STILL: (f64, f64) = (0.004, 0.004);
-/// Least number of points of a scan that can contradict a pose, and the share that agrees below which they do.
-const TELLING: usize = 15;
-const MISFIT: f64 = 0.45;
-/// Share of agreeing points below which a scan contradicts the map, and number of such scans in a row after which the robot
-/// must be elsewhere; and scans for which only one place must be possible before it is there.
-const CONTRADICTS: f64 = 0.2;
-const MISFITS: u32 = 25;
-const SURE: u32 = 50;
-/// Motion by which a scan tells whether the body is held, m, the information that it needs along the way, 1/m², and the share of the wheels' motion below which it is.
-const TELLS: f64 = 0.008;
-const TELLING_ALONG: f64 = 2e4;
-const HELD: f64 = 0.4;
-/// Window for a pose that fits better, m and rad, by how much it must, and its uncertainty.
-const WINDOW: [f64; 2] = [0.3, 0.35];
-const BETTER: f64 = 0.2;
-const FOUND: [f64; 2] = [0.02, 0.02];
-
 /// Side of the map's cells, m (ours: half of the thesis').
 pub const RESOLUTION: f64 = 0.05;
 
-/// How a mapper tracks the robot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Tracking {
-    /// By wheel counts alone.
-    Odometry,
-    /// By wheel counts, corrected by contacts and the light bumper.
-    #[default]
-    Corrected,
-}
-
-impl Tracking {
-    /// All kinds, with their names in links and on the command line.
-    pub const ALL: [(Self, &'static str); 2] = [(Self::Odometry, "odometry"), (Self::Corrected, "corrected")];
-
-    /// The kind of that name.
-    pub fn parse(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|(_, n)| *n == name).map(|(way, _)| way)
-    }
-
-    /// Name in links and on the command line.
-    pub fn id(self) -> &'static str {
-        Self::ALL[self as usize].1
-    }
-}
-
-/// Parameters of a mapper.
-#[derive(Debug, Clone)]
-pub struct MapperSetup {
-    /// The robot.
-    pub robot: RobotModel,
-    /// Its start, in the frame that the map is to have.
-    pub start: Pose,
-    /// How it tracks the robot.
-    pub tracking: Tracking,
-    /// How wheel counts are converted to motion.
-    pub odometry: OdometryModel,
-    /// Seed of its random numbers.
-    pub seed: u64,
-}
-
 /// Makes a map from a robot's readings, and tracks the robot on it.
-#[expect(clippy::struct_excessive_bools)]
 #[derive(Debug, Clone)]
 pub struct Mapper {
     setup: MapperSetup,
@@ -117,15 +60,7 @@ pub struct Mapper {
     /// Motion and observations since the last correction.
     way: Reckoning,
     scan: Multiscan,
-    /// Key frames of a robot with a laser scanner, and whether it has been in contact since the last scan.
-    laser: Option<ScanMapper>,
-    is_held: bool,
-    /// Scans in a row that contradict the map, and the search for a place on it that they fit.
-    misfits: u32,
-    finder: Option<Box<Locator>>,
-    sure: u32,
-    /// Whether the body stood still between the last two scans although the wheels turned.
-    is_blocked: bool,
+    by_scan: Option<ByScan>,
     ekf: PoseEkf,
     map: OccupancyMap,
     marks: Marks,
@@ -153,12 +88,7 @@ impl Mapper {
             rolling: Rolling::new(&setup.robot, setup.odometry),
             way: Reckoning::new(&setup.robot, setup.odometry, WheelErrors::default()),
             scan: Multiscan::default(),
-            laser: setup.robot.sensors.laser.map(ScanMapper::new),
-            is_held: false,
-            misfits: 0,
-            finder: None,
-            sure: 0,
-            is_blocked: false,
+            by_scan: setup.robot.sensors.laser.map(ByScan::new),
             ekf: PoseEkf::new(setup.start),
             map: OccupancyMap::new(RESOLUTION),
             marks: Marks::new(RESOLUTION),
@@ -180,7 +110,7 @@ impl Mapper {
     /// The same with an existing map, on which it must relocalise: it is lost until [`Mapper::relocate`]. From then on
     /// its pose is corrected by new observations, which are stored at a finer resolution than the cells of a map.
     pub fn knowing(mut self, map: OccupancyMap, marks: Marks) -> Self {
-        self.laser = self.laser.map(|laser| laser.knowing(&map, &marks));
+        self.by_scan = self.by_scan.map(|by_scan| by_scan.knowing(&map, &marks));
         (self.map, self.marks) = (map, marks);
         (self.memory, self.is_lost) = (None, true);
         self
@@ -206,10 +136,9 @@ impl Mapper {
     /// Sets the pose to `pose`, with the uncertainty `spread`. The map is kept.
     pub fn relocate(&mut self, pose: Pose, spread: &PoseCovariance) {
         self.memory = None;
-        self.finder = None;
         self.ekf.relocate(pose, spread);
-        if let Some(laser) = &mut self.laser {
-            laser.relocate(pose);
+        if let Some(by_scan) = &mut self.by_scan {
+            by_scan.relocate(pose);
         }
         self.begin_stretch();
         self.is_lost = false;
@@ -238,7 +167,8 @@ impl Mapper {
 
     /// Its estimated pose.
     pub fn pose(&self) -> Pose {
-        if self.is_blocked { self.ekf.pose() } else { self.ekf.after(&self.way) }
+        let is_blocked = self.by_scan.as_ref().is_some_and(ByScan::is_blocked);
+        if is_blocked { self.ekf.pose() } else { self.ekf.after(&self.way) }
     }
 
     /// Covariance of the pose.
@@ -285,8 +215,8 @@ impl Mapper {
     /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         let memory = self.memory.as_ref().map_or(0, ReadingMemory::bytes);
-        let laser = self.laser.as_ref().map_or(0, ScanMapper::bytes);
-        self.ekf.bytes() + self.map.bytes() + self.marks.bytes() + memory + laser
+        let scans = self.by_scan.as_ref().map_or(0, ByScan::bytes);
+        self.ekf.bytes() + self.map.bytes() + self.marks.bytes() + memory + scans
     }
 
     fn take(&mut self, sensed: &SensorReadings) {
@@ -315,9 +245,8 @@ impl Mapper {
         // With a laser, contacts of bodies that aren't round aren't needed, and their direction isn't known.
         let slides = corrects && (sensed.laser.is_none() || self.setup.robot.body == Body::Round);
         let is_stride = self.way.roll(rolled, contact.filter(|_| slides).map(|contact| contact.direction));
-        if sensed.laser.is_some() && self.laser.is_some() {
-            self.is_held |= contact.is_some();
-            self.take_scan(sensed, is_stride);
+        if sensed.laser.is_some() && self.by_scan.is_some() {
+            self.take_scan(sensed, contact.is_some(), is_stride);
             return;
         }
         if sensed.battery.on_dock && corrects {
@@ -361,112 +290,6 @@ impl Mapper {
         let walls = self.wall.into_iter().chain(self.ekf.axes()).map(|wall| difference(heading, wall));
         let wall = walls.into_iter().find(|&direction| contact.allows(direction));
         wall.map_or(contact, |direction| ContactPoint { direction, deviation: BY_WALL })
-    }
-
-    /// Takes the scan of a reading, if it is a new one.
-    fn take_scan(&mut self, sensed: &SensorReadings, is_stride: bool) {
-        let Some(laser) = &mut self.laser else { return };
-        if sensed.battery.on_dock && self.travelled + self.way.way < UNDOCKED {
-            self.docked = Some(0.0);
-        }
-        let fresh = laser.fresh(sensed);
-        let corrects = self.setup.tracking == Tracking::Corrected;
-        if self.is_lost {
-            self.find_place(sensed, fresh.is_some());
-            return;
-        }
-        if let Some(scan) = fresh {
-            if !corrects {
-                laser.paint(&mut self.map, self.ekf.after(&self.way), &scan);
-            } else if laser.is_empty() || self.way.way > STILL.0 || self.way.turned > STILL.1 {
-                self.match_scan(&scan);
-            }
-        }
-        if is_stride {
-            let (pose, is_dirty) = (self.pose(), sensed.dirt > DIRTY);
-            paint_place(&mut self.map, &mut self.marks, pose, &self.setup.robot, is_dirty);
-            if let Some(laser) = &mut self.laser {
-                laser.pass(pose, is_dirty);
-            }
-        }
-    }
-
-    /// Lost, it searches the place on its map that the scans fit.
-    fn find_place(&mut self, sensed: &SensorReadings, is_fresh: bool) {
-        if self.finder.is_none() && is_fresh {
-            let MapperSetup { robot, odometry, seed, .. } = self.setup.clone();
-            let docks: Vec<Pose> = self.berth.iter().map(|&berth| dock_at(berth, &robot)).collect();
-            let locator = Locator::new(&self.map, LocatorSetup { robot, odometry, seed });
-            self.finder = locator.map(|locator| Box::new(locator.knowing_docks(&docks)));
-            self.sure = 0;
-        }
-        let Some(finder) = &mut self.finder else { return };
-        finder.update(sensed);
-        if is_fresh {
-            self.sure = if finder.is_sure() { self.sure + 1 } else { 0 };
-        }
-        if self.sure >= SURE
-            && let Some((pose, spread)) = finder.pose().zip(finder.pose_covariance())
-        {
-            self.relocate(pose, &spread);
-        }
-    }
-
-    /// Ends the stretch: corrects the pose by a scan, and adds it to the map.
-    fn match_scan(&mut self, scan: &Arc<[f32]>) {
-        let Some(laser) = &mut self.laser else { return };
-        let [ahead, turning] = self.way.motion();
-        let is_held = std::mem::take(&mut self.is_held);
-        if self.is_blocked {
-            self.way = self.way.held();
-        }
-        self.way.settle();
-        self.way.doubt(is_held);
-        let before = self.ekf.pose();
-        self.ekf.advance(&self.way);
-        let is_first = laser.is_empty();
-        let points = laser.points(scan);
-        let surfaces = laser.surfaces(self.ekf.pose());
-        let walls = laser.walls(scan);
-        let mut fit = self.ekf.match_scan(&points, &walls, &surfaces);
-        if fit.points >= TELLING
-            && fit.share() < MISFIT
-            && let Some((pose, better)) = laser.search(self.ekf.pose(), &points, WINDOW)
-            && better.share() > fit.share() + BETTER
-        {
-            let [position, heading] = FOUND;
-            let square = position * position;
-            self.ekf.relocate(pose, &PoseCovariance { position: [square, 0.0, square], heading });
-            fit = better;
-        }
-        self.ekf.learn_axes(&walls);
-        let contradicts = fit.points >= TELLING && fit.share() < CONTRADICTS;
-        self.misfits = if contradicts { self.misfits + 1 } else { 0 };
-        if self.misfits >= MISFITS {
-            // It was carried elsewhere.
-            self.misfits = 0;
-            self.is_lost = true;
-        }
-        let after = self.ekf.pose();
-        let turned = 0.5 * self.setup.robot.wheel_base * difference(before.heading, after.heading);
-        let moved = (after.position() - before.position()).norm() + turned.abs();
-        let rolled = ahead.abs() + turning.abs();
-        // In a corridor, a scan doesn't tell how far along it the body has moved.
-        let along = Vector3::new(after.direction().x, after.direction().y, 0.0);
-        let tells = turning.abs() > ahead.abs() || (along.transpose() * fit.information * along)[0] > TELLING_ALONG;
-        if rolled > TELLS || !tells {
-            self.is_blocked = tells && moved < HELD * rolled;
-        }
-        if let Some(pose) = laser.add(self.ekf.pose(), scan, &points, &fit) {
-            self.ekf.shift(pose);
-        }
-        if laser.is_outdated() {
-            (self.map, self.marks) = laser.repaint(RESOLUTION, &self.setup.robot);
-        }
-        if is_first || !fit.is_doubtful() {
-            laser.paint(&mut self.map, self.ekf.pose(), scan);
-        }
-        self.begin_stretch();
     }
 
     /// Ends the stretch: corrects the pose by its observations.

@@ -1,6 +1,6 @@
-//! Walls around programs of strangers: nothing to read but the system and the program, nothing to write, no network, no other
+//! A sandbox for programs of strangers: nothing to read but the system and the program, nothing to write, no network, no other
 //! processes. Bubblewrap builds them (<https://github.com/containers/bubblewrap>); a filter of system calls closes what it
-//! leaves open. Where it can't, [`Walls::probe`] says why.
+//! leaves open. Where it can't, [`Sandbox::probe`] says why.
 
 use super::language::Language;
 use std::{
@@ -14,13 +14,13 @@ const MEND: &str = "install bubblewrap (Debian, Ubuntu: apt install bubblewrap);
 /// Where the program's own files are inside.
 const INSIDE: &str = "/robovac";
 
-/// Walls of one kind.
-pub struct Walls {
+/// Limits of programs, with or without a sandbox.
+pub struct Sandbox {
     /// Whether there are any but limits of time, memory and files to write.
     is_whole: bool,
 }
 
-impl Walls {
+impl Sandbox {
     /// Only what every system has: limits of time, memory and the size of files. The program can read files, reach the
     /// network and start others.
     pub fn limits_only() -> Self {
@@ -59,7 +59,7 @@ impl Walls {
         }
     }
 
-    /// The command that runs `language` within these walls, with at most `memory_mb` and `seconds` of processor time.
+    /// The command that runs `language` in the sandbox, with at most `memory_mb` and `seconds` of processor time.
     pub fn command(&self, language: &Language, memory_mb: u64, seconds: u64) -> Result<Command, String> {
         let mut command = Command::new("sh");
         // The limits are set before anything else runs, so nothing comes in between. Files can't grow, which holds for

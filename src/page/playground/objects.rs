@@ -16,39 +16,39 @@ impl Playground {
     /// `person` or `pet`.
     pub fn set_placing(&mut self, kind: &str) {
         if let Some(kind) = PlaceableKind::parse(kind) {
-            self.furnisher.kind = kind;
+            self.object_tool.kind = kind;
         }
     }
 
     /// Edits the selected object: `left`, `right`, `up` or `down` move it by a step, `turn_left` and `turn_right` by 15
     /// degrees, `larger` and `smaller` by a tenth; `delete`. Returns whether an object is selected.
     pub fn edit_selected(&mut self, action: &str) -> bool {
-        self.furnisher.edit(&mut self.session, action)
+        self.object_tool.edit(&mut self.session, action)
     }
 
     /// Selects an object by its index; none if the index is invalid.
     pub fn select_object(&mut self, index: Option<usize>) {
-        self.furnisher.select(&self.session, index);
+        self.object_tool.select(&self.session, index);
     }
 
     /// Selects the object after the selected one, or the first.
     pub fn select_next(&mut self) {
-        self.furnisher.select_next(&self.session);
+        self.object_tool.select_next(&self.session);
     }
 }
 
 impl Playground {
     /// Starts dragging the selected object, or one of its handles.
     pub(super) fn takes_selected(&mut self, at: Point) -> bool {
-        let selected = self.furnisher.selected(&self.session);
+        let selected = self.object_tool.selected(&self.session);
         let reach = GRIP_PX / self.viewport.scale;
-        selected.is_some_and(|index| self.furnisher.take_selected(&self.session, index, at, reach))
+        selected.is_some_and(|index| self.object_tool.take_selected(&self.session, index, at, reach))
     }
 
     /// Starts dragging an object.
     pub(super) fn takes_object(&mut self, at: Point) -> bool {
         let reach = GRIP_PX / self.viewport.scale;
-        self.furnisher.take_any(&self.session, at, reach)
+        self.object_tool.take_any(&self.session, at, reach)
     }
 
     /// Selects the object clicked on with the view tool; a robot that is held is put down there.
@@ -63,7 +63,7 @@ impl Playground {
                     if self.put_down_at(at) {
                         return;
                     }
-                    self.furnisher.click(&self.session, at, GRIP_PX / self.viewport.scale);
+                    self.object_tool.click(&self.session, at, GRIP_PX / self.viewport.scale);
                 }
             }
             _ => self.pressed = None,

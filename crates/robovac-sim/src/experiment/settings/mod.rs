@@ -1,17 +1,20 @@
-//! The user's settings and their form in a link.
+//! The user's settings.
 
-use super::Algorithm;
-use super::Shows;
-use crate::controller::{self, Behaviours};
-use crate::{Conditions, Noise, NoiseLevel, SensorKind, SlipLevel};
+mod error;
+mod link;
+
+pub use self::{error::SettingsError, link::KEPT_PATH};
+
+use super::{Algorithm, Shows};
+use crate::{
+    Conditions, Noise, NoiseLevel, SensorKind, SlipLevel,
+    controller::{self, Behaviours},
+};
 use robovac_core::{
     geometry::{MetricPath, Pose},
-    program::{Program, ProgramFault},
-    registry::{ParamError, Params},
-    robot::{
-        Body, CustomRobot, CustomRobotFault, OdometryModel, OwnRobot, RobotModel, TWIN_MODEL, Twin, WheelLayout,
-        cell_robot, model,
-    },
+    program::Program,
+    registry::Params,
+    robot::{Body, CustomRobot, OdometryModel, OwnRobot, RobotModel, TWIN_MODEL, Twin, WheelLayout, cell_robot, model},
 };
 use std::{collections::BTreeMap, sync::Arc};
 
@@ -23,11 +26,6 @@ pub const SPEEDS: [f64; 7] = [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0, 0.0];
 /// Default speed for watching, and for manual driving, times real time.
 const DEFAULT_SPEED: f64 = 16.0;
 const MANUAL_SPEED: f64 = 1.0;
-
-/// Longest path in a link, letters: about 1,500 corners. Some programs cut longer links off.
-const MOST_PATH: usize = 12_000;
-/// Stands in a link for a longer path: it is kept with the room.
-pub const KEPT_PATH: &str = "kept";
 
 /// Largest seed, which JavaScript can represent exactly.
 const MAX_SEED: u64 = u32::MAX as u64;
@@ -69,46 +67,6 @@ pub struct Settings {
     left_speed: f64,
     /// Layers drawn on the floor.
     pub shows: Shows,
-}
-
-/// Errors of settings.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SettingsError {
-    /// No such planner, robot, room, ...
-    #[error("there is no {kind} \"{id}\"; there are: {known}")]
-    Unknown {
-        /// Kind of the setting.
-        kind: &'static str,
-        /// The name given.
-        id: String,
-        /// The available names.
-        known: String,
-    },
-    /// A number that is invalid or out of range.
-    #[error("{kind} can't be \"{value}\"; use {expected}")]
-    Invalid {
-        /// Name of the setting.
-        kind: &'static str,
-        /// The value given.
-        value: String,
-        /// Accepted values.
-        expected: &'static str,
-    },
-    /// A path that a link is too short for, and that isn't here.
-    #[error("this link's path is too long for a link; ask its author for the scenario file and load that")]
-    FarPath,
-    /// The user's program isn't here.
-    #[error("this link's program isn't in it; ask its author for the whole link or for the program's file")]
-    NoProgram,
-    /// A program that isn't accepted.
-    #[error(transparent)]
-    Program(#[from] ProgramFault),
-    /// A planner's parameter.
-    #[error(transparent)]
-    Param(#[from] ParamError),
-    /// A twin's figure, or one of an own robot.
-    #[error(transparent)]
-    Robot(#[from] CustomRobotFault),
 }
 
 impl Settings {
@@ -280,12 +238,6 @@ impl Settings {
         Ok(())
     }
 
-    /// The path as in a link; [`KEPT_PATH`] for one that is too long.
-    pub fn path_link(&self) -> Option<String> {
-        let text = self.path.as_ref()?.to_string();
-        Some(if text.len() > MOST_PATH { KEPT_PATH.to_owned() } else { text })
-    }
-
     /// Chooses the side of the planning cells, m.
     pub fn set_cell_size(&mut self, metres: f64) -> Result<(), SettingsError> {
         if !(0.02..=2.0).contains(&metres) {
@@ -384,115 +336,6 @@ impl Settings {
             }
             _ => cell_robot(self.cell_size),
         }
-    }
-
-    /// The settings as `key=value` pairs for a link, without defaults.
-    pub fn to_link(&self) -> Vec<(String, String)> {
-        let default = self.defaults();
-        let mut pairs = Vec::new();
-        let mut push = |key: &str, value: String| pairs.push((key.to_owned(), value));
-        push(self.algorithm.kind(), self.algorithm.id().to_owned());
-        let defaults = Params::defaults(self.algorithm.params());
-        for (id, value) in self.params.iter().filter(|&(id, value)| defaults.get(id) != Some(value)) {
-            push(&format!("p.{id}"), value.to_string());
-        }
-        push("robot", self.robot.to_owned());
-        if let Some(custom) = &self.custom {
-            push(custom.key(), custom.to_string());
-        }
-        if let Some(path) = self.path_link() {
-            push("path", path);
-        }
-        push("cell", self.cell_size.to_string());
-        if self.seed != default.seed {
-            push("seed", self.seed.to_string());
-        }
-        let Conditions { slip, noise, quantised, start_charge_percent, .. } = self.conditions;
-        if slip != default.conditions.slip {
-            push("slip", slip.id().to_owned());
-        }
-        for (kind, name) in SensorKind::ALL.into_iter().filter(|&(kind, _)| noise.of(kind) != NoiseLevel::Off) {
-            push(&format!("noise.{name}"), noise.of(kind).id().to_owned());
-        }
-        if quantised {
-            push("quantised", quantised.to_string());
-        }
-        if start_charge_percent != default.conditions.start_charge_percent {
-            push("charge", start_charge_percent.to_string());
-        }
-        if self.odometry != default.odometry {
-            push("odometry", self.odometry.id().to_owned());
-        }
-        if self.smooth {
-            push("smooth", self.smooth.to_string());
-        }
-        if let Some(start) = self.start {
-            push("start", format!("{:.3},{:.3},{:.1}", start.x, start.y, start.heading.to_degrees()));
-        }
-        if self.speed != if self.is_manual() { MANUAL_SPEED } else { DEFAULT_SPEED } {
-            push("speed", self.speed.to_string());
-        }
-        if self.shows != default.shows {
-            push("show", self.shows.to_link());
-        }
-        pairs
-    }
-
-    /// Reads one `key=value` pair of a link. Unknown keys are ignored, as links of other versions can have more.
-    pub fn take_link(&mut self, key: &str, value: &str) -> Result<(), SettingsError> {
-        let number = |kind, expected| {
-            let wrong = || SettingsError::Invalid { kind, value: value.to_owned(), expected };
-            value.parse::<f64>().ok().filter(|n| n.is_finite()).ok_or_else(wrong)
-        };
-        match key {
-            "planner" | "behaviour" => self.select_fresh_algorithm(value)?,
-            "robot" => self.select_robot(value)?,
-            "twin" => self.set_twin(Twin::parse(value).ok_or_else(|| SettingsError::Invalid {
-                kind: "the twin",
-                value: value.to_owned(),
-                expected: "figures, e.g. base:242.1,speed:1.02",
-            })?)?,
-            "own" => self.set_own_robot(OwnRobot::parse(value).ok_or_else(|| SettingsError::Invalid {
-                kind: "the own robot",
-                value: value.to_owned(),
-                expected: "figures, e.g. radius:0.2,tool:0.25,speed:0.3",
-            })?)?,
-            "path" => {
-                self.path = Some(MetricPath::parse(value).ok_or_else(|| SettingsError::Invalid {
-                    kind: "the path",
-                    value: value.chars().take(40).collect(),
-                    expected: "a whole link, or the scenario file of the run",
-                })?);
-            }
-            "cell" => self.set_cell_size(number("the cell size", "a length from 0.02 to 2 (metres)")?)?,
-            "seed" => self.set_seed(value.parse().ok(), value)?,
-            "slip" => self.set_slip(value)?,
-            "noise" => self.set_noise(None, value)?,
-            "quantised" => self.conditions.quantised = value == "true",
-            "charge" => self.set_start_charge(value.parse().ok(), value)?,
-            "odometry" => self.set_odometry(value)?,
-            "smooth" => self.smooth = value == "true",
-            "show" => self.shows = Shows::from_link(value)?,
-            "speed" => self.speed = number("the speed", "a number, 0 for as fast as possible")?.max(0.0),
-            "start" => {
-                let expected = "x,y,heading in metres and degrees, e.g. 1.2,0.8,90";
-                let wrong = || SettingsError::Invalid { kind: "the start", value: value.to_owned(), expected };
-                let numbers: Vec<f64> = value.split(',').filter_map(|n| n.trim().parse().ok()).collect();
-                let [x, y, heading] = numbers[..] else { return Err(wrong()) };
-                if !(x.is_finite() && y.is_finite() && heading.is_finite()) {
-                    return Err(wrong());
-                }
-                self.start = Some(Pose::new(x, y, heading.to_radians()));
-            }
-            _ => {
-                if let Some(id) = key.strip_prefix("p.") {
-                    self.set_param(id, value)?;
-                } else if let Some(sensor) = key.strip_prefix("noise.") {
-                    self.set_noise(Some(sensor), value)?;
-                }
-            }
-        }
-        Ok(())
     }
 }
 

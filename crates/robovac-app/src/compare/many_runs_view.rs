@@ -1,26 +1,26 @@
-//! Monte Carlo studies as plain objects.
+//! Many runs as plain objects.
 
-use super::{MINUTES, SEEDS, Study};
+use super::{MINUTES, ManyRuns, SEEDS};
 use crate::{
     Mark,
     param::{Param, params},
 };
 use robovac_core::registry::Params;
-use robovac_sim::{Conditions, montecarlo::StudyHeader};
+use robovac_sim::{Conditions, montecarlo::RunsHeader};
 use serde::Serialize;
 
-/// The choices available for a study.
+/// The choices available for many runs.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-pub struct StudyOffer {
-    entrants: Vec<StudyEntrant>,
+pub struct ManyRunsOffer {
+    entrants: Vec<ManyRunsEntrant>,
     seeds: [u32; SEEDS.len()],
     minutes: [u32; MINUTES.len()],
 }
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-struct StudyEntrant {
+struct ManyRunsEntrant {
     id: &'static str,
     title: &'static str,
     summary: &'static str,
@@ -33,22 +33,22 @@ struct StudyEntrant {
     params: Vec<Param>,
 }
 
-/// Snapshot of a study, one per frame.
+/// Snapshot of many runs, one per frame.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-pub struct StudyView<'a> {
+pub struct ManyRunsView<'a> {
     version: u32,
     running: bool,
     done: usize,
     total: usize,
     seeds: u32,
     minutes: u32,
-    entrants: Vec<StudyEntrantView<'a>>,
+    entrants: Vec<ManyRunsEntrantView<'a>>,
 }
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-struct StudyEntrantView<'a> {
+struct ManyRunsEntrantView<'a> {
     chosen: bool,
     /// Whether it can take part: the user's program only if there is one of its kind.
     offered: bool,
@@ -61,7 +61,7 @@ struct StudyEntrantView<'a> {
 /// Place and conditions of all runs, in words.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-pub struct StudyPlace<'a> {
+pub struct ManyRunsPlace<'a> {
     room: &'a str,
     robot: &'a str,
     slip: &'static str,
@@ -70,12 +70,12 @@ pub struct StudyPlace<'a> {
     start_charge_percent: u8,
 }
 
-impl StudyOffer {
-    /// All algorithms available in `study`, in the order of the view's list, and the numbers in its menus.
-    pub fn new(study: &Study) -> Self {
-        let entrants = study.entrants().iter().map(|entrant| {
+impl ManyRunsOffer {
+    /// All algorithms available in `many`, in the order of the view's list, and the numbers in its menus.
+    pub fn new(many: &ManyRuns) -> Self {
+        let entrants = many.entrants().iter().map(|entrant| {
             let algorithm = entrant.algorithm;
-            StudyEntrant {
+            ManyRunsEntrant {
                 id: algorithm.id(),
                 title: algorithm.title(),
                 summary: algorithm
@@ -91,33 +91,33 @@ impl StudyOffer {
     }
 }
 
-impl<'a> StudyView<'a> {
-    /// Choices and progress of `study`.
-    pub fn new(study: &'a Study) -> Self {
-        let (done, total) = study.count();
-        let entrants = study.entrants().iter().enumerate().map(|(index, entrant)| StudyEntrantView {
-            chosen: study.is_chosen(index) && study.is_there(index),
-            offered: study.is_there(index),
+impl<'a> ManyRunsView<'a> {
+    /// Choices and progress of `many`.
+    pub fn new(many: &'a ManyRuns) -> Self {
+        let (done, total) = many.count();
+        let entrants = many.entrants().iter().enumerate().map(|(index, entrant)| ManyRunsEntrantView {
+            chosen: many.is_chosen(index) && many.is_there(index),
+            offered: many.is_there(index),
             params: &entrant.params,
-            runs: study.runs(index).len(),
-            failure: study.failure(index).unwrap_or(""),
+            runs: many.runs(index).len(),
+            failure: many.failure(index).unwrap_or(""),
         });
         Self {
-            version: study.version(),
-            running: study.is_running(),
+            version: many.version(),
+            running: many.is_running(),
             done,
             total,
-            seeds: study.seeds(),
-            minutes: study.minutes(),
+            seeds: many.seeds(),
+            minutes: many.minutes(),
             entrants: entrants.collect(),
         }
     }
 }
 
-impl<'a> StudyPlace<'a> {
-    /// The place of `study`'s runs; `None` before it has a room.
-    pub fn new(study: &'a Study) -> Option<Self> {
-        let (StudyHeader { room, robot, conditions, .. }, _) = study.export()?;
+impl<'a> ManyRunsPlace<'a> {
+    /// The place of `many`; `None` before it has a room.
+    pub fn new(many: &'a ManyRuns) -> Option<Self> {
+        let (RunsHeader { room, robot, conditions, .. }, _) = many.export()?;
         let (slip, noise) = (conditions.slip.id(), conditions.noise.to_string());
         let Conditions { quantised, start_charge_percent, .. } = conditions;
         Some(Self { room, robot, slip, noise, quantised, start_charge_percent })

@@ -1,4 +1,4 @@
-//! View model of a study: entrants, number of runs, missing runs, results.
+//! View model of many runs: entrants, number of runs, missing runs, results.
 
 use crate::explore::{ProgramJob, Session, SessionSnapshot};
 use robovac_core::{
@@ -7,7 +7,7 @@ use robovac_core::{
 };
 use robovac_sim::{
     experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, Settings, SettingsError},
-    montecarlo::{EntrantRuns, RunOutcome, RunTally, RunsRequest, StudyHeader, Summary},
+    montecarlo::{EntrantRuns, RunOutcome, RunTally, RunsHeader, RunsRequest, Summary},
 };
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -16,7 +16,7 @@ use std::{
 
 /// Numbers of seeds in the menu.
 pub const SEEDS: [u32; 3] = [10, 30, 100];
-/// Most seeds of a study.
+/// Most seeds.
 pub const MOST_SEEDS: u32 = 1000;
 /// Simulated times in the menu, min.
 pub const MINUTES: [u32; 4] = [10, 30, 60, 120];
@@ -28,10 +28,10 @@ pub const MOST_MINUTES: u32 = 600;
 /// a second that its runs take.
 const BATCH_MINUTES: u32 = 30;
 
-/// The entrants of a study, its settings and its results.
+/// The same experiment over many seeds: entrants, settings and results.
 ///
 /// Runs are kept when choices change: adding an algorithm or more seeds requires only the new runs.
-pub struct Study {
+pub struct ManyRuns {
     base: Option<StudyBase>,
     /// All available algorithms, in the order of the registries.
     entrants: Vec<Entrant>,
@@ -58,7 +58,7 @@ struct RunBatch {
     seeds: Vec<u64>,
 }
 
-/// The settings that a study takes over from the session.
+/// The settings that it takes over from the session.
 struct StudyBase {
     plan: Arc<FloorPlan>,
     title: String,
@@ -105,8 +105,8 @@ impl StudyBase {
     }
 }
 
-impl Study {
-    /// A study of the behaviours that clean, not started.
+impl ManyRuns {
+    /// The behaviours that clean, not started.
     pub fn new() -> Self {
         let takes_part = |algorithm: &Algorithm| {
             algorithm.behaviour().is_none_or(|info| (info.claims.cleans || info.claims.explores) && !info.claims.manual)
@@ -157,7 +157,7 @@ impl Study {
         self.changed();
     }
 
-    /// Includes an algorithm, or excludes it, by its number in [`Study::entrants`].
+    /// Includes an algorithm, or excludes it, by its number in [`ManyRuns::entrants`].
     pub fn choose(&mut self, entrant: usize, takes_part: bool) {
         if takes_part && entrant < self.entrants.len() {
             self.chosen.insert(entrant)
@@ -247,7 +247,7 @@ impl Study {
         format!("runs={}&paths={}&times={}&minutes={}", of(BEHAVIOUR), of(PLANNER), self.seeds, self.minutes)
     }
 
-    /// Reads the pairs that [`Study::to_link`] wrote, among others, joined by `&`. Changes nothing on an error.
+    /// Reads the pairs that [`ManyRuns::to_link`] wrote, among others, joined by `&`. Changes nothing on an error.
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
         let mut next = Self { entrants: self.entrants.clone(), chosen: self.chosen.clone(), ..Self::new() };
         (next.seeds, next.minutes) = (self.seeds, self.minutes);
@@ -426,9 +426,9 @@ impl Study {
     }
 
     /// The header of an export, and the included algorithms with their runs.
-    pub fn export(&self) -> Option<(StudyHeader<'_>, Vec<EntrantRuns<'_>>)> {
+    pub fn export(&self) -> Option<(RunsHeader<'_>, Vec<EntrantRuns<'_>>)> {
         let base = self.base.as_ref()?;
-        let head = StudyHeader {
+        let head = RunsHeader {
             room: &base.title,
             robot: base.settings.robot,
             cell_size_m: base.settings.cell_size,
@@ -450,7 +450,7 @@ fn whole(text: &str, most: u32, kind: &'static str, expected: &'static str) -> R
     text.parse().ok().filter(|number| (1..=most).contains(number)).ok_or_else(wrong)
 }
 
-impl Default for Study {
+impl Default for ManyRuns {
     fn default() -> Self {
         Self::new()
     }

@@ -1,0 +1,93 @@
+//! Changes of the session's room: walls, start and name.
+
+use super::{Session, rounded, sentence};
+use crate::explore::Brush;
+use robovac_core::geometry::{Point, Pose};
+use robovac_sim::experiment::planning::RoomSetup;
+
+impl Session {
+    /// Begins to draw or erase walls at a point in metres.
+    pub fn begin_stroke(&mut self, brush: Brush, at: Point) {
+        self.editor.begin(brush, at);
+    }
+
+    /// Goes on drawing to a point in metres.
+    pub fn go_on_stroke(&mut self, at: Point) {
+        self.editor.go_on(at);
+    }
+
+    /// Cancels the current stroke.
+    pub fn abandon_stroke(&mut self) {
+        self.editor.abandon();
+    }
+
+    /// Ends drawing and plans again; walls can't replace floor needed by objects.
+    pub fn end_stroke(&mut self) {
+        if let Err(refusal) = self.plan().check_objects(None) {
+            self.editor.abandon();
+            self.say("error", sentence(&refusal.fault.to_string()));
+        }
+        if self.editor.end() {
+            self.message = None;
+            self.prepare_changed();
+        }
+    }
+
+    /// Moves the start; if the robot can't stand there, reports that and leaves it.
+    pub fn move_start(&mut self, to: Pose) {
+        if let Err(refusal) = self.plan().check_objects(Some(to)) {
+            self.say("error", sentence(&refusal.fault.to_string()));
+            return;
+        }
+        if self.settings.path.is_some() {
+            self.say("error", "The path begins here. Choose a planner to start elsewhere.".to_owned());
+            return;
+        }
+        let robot = self.settings.robot_model();
+        match RoomSetup::new(self.editor.plan(), &robot, self.settings.cell_size, Some(to)) {
+            Ok(prepared) => {
+                self.message = None;
+                self.editor.set_start(Some(rounded(prepared.floor.start)));
+                self.prepare_changed();
+            }
+            Err(error) => self.say("error", sentence(&error.to_string())),
+        }
+    }
+
+    /// Undoes the last change of the room.
+    pub fn undo(&mut self) {
+        let lineage = self.editor.lineage();
+        if self.editor.undo() {
+            self.message = None;
+            self.prepare_if_same(lineage);
+        }
+    }
+
+    /// Redoes the last undone change.
+    pub fn redo(&mut self) {
+        let lineage = self.editor.lineage();
+        if self.editor.redo() {
+            self.message = None;
+            self.prepare_if_same(lineage);
+        }
+    }
+
+    fn prepare_if_same(&mut self, lineage: u32) {
+        if self.editor.lineage() == lineage { self.prepare_changed() } else { self.prepare() }
+    }
+
+    /// A number that changes with the room, but not with changes of it.
+    pub fn room_lineage(&self) -> u32 {
+        self.editor.lineage()
+    }
+
+    /// Renames the room, which is then an own one.
+    pub fn rename_room(&mut self, name: &str) {
+        self.editor.rename(name);
+    }
+
+    /// Clears the undo and redo history.
+    pub fn forget_changes(&mut self) {
+        self.editor.forget();
+    }
+}

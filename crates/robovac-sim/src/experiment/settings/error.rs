@@ -1,0 +1,43 @@
+//! Why settings can't be as wanted.
+
+use robovac_core::{program::ProgramFault, registry::ParamError, robot::CustomRobotFault};
+
+/// Errors of settings.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SettingsError {
+    /// No such planner, robot, room, ...
+    #[error("there is no {kind} \"{id}\"; there are: {known}")]
+    Unknown {
+        /// Kind of the setting.
+        kind: &'static str,
+        /// The name given.
+        id: String,
+        /// The available names.
+        known: String,
+    },
+    /// A number that is invalid or out of range.
+    #[error("{kind} can't be \"{value}\"; use {expected}")]
+    Invalid {
+        /// Name of the setting.
+        kind: &'static str,
+        /// The value given.
+        value: String,
+        /// Accepted values.
+        expected: &'static str,
+    },
+    /// A path that a link is too short for, and that isn't here.
+    #[error("this link's path is too long for a link; ask its author for the scenario file and load that")]
+    FarPath,
+    /// The user's program isn't here.
+    #[error("this link's program isn't in it; ask its author for the whole link or for the program's file")]
+    NoProgram,
+    /// A program that isn't accepted.
+    #[error(transparent)]
+    Program(#[from] ProgramFault),
+    /// A planner's parameter.
+    #[error(transparent)]
+    Param(#[from] ParamError),
+    /// A twin's figure, or one of an own robot.
+    #[error(transparent)]
+    Robot(#[from] CustomRobotFault),
+}

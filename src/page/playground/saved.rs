@@ -1,0 +1,59 @@
+//! The session as a link, as a file and for other tabs, and back.
+
+use super::{Playground, json};
+use robovac_playground::wire::{map_file, message, to_js};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl Playground {
+    /// Takes a map or scenario read by `read_map` in a worker.
+    pub fn take_map(&mut self, read: &JsValue) -> Result<(), JsValue> {
+        let import = map_file::import_from_js(read)?;
+        self.session.take_import(import).map_err(|e| JsValue::from(e.to_string()))
+    }
+
+    /// The room and the settings as a scenario file.
+    pub fn scenario_json(&self) -> Result<String, JsValue> {
+        json(&self.session.scenario())
+    }
+
+    /// Restores the result of `link`. Throws a message and changes nothing if that isn't possible.
+    pub fn restore(&mut self, link: &str) -> Result<(), JsValue> {
+        self.session.restore(link).map_err(message)?;
+        // A page that opens by a link begins there.
+        if std::mem::take(&mut self.is_opening) {
+            self.session.forget_changes();
+        }
+        Ok(())
+    }
+
+    /// The session as the part of a link behind `#`.
+    pub fn link(&self) -> String {
+        self.session.link()
+    }
+
+    /// Changes whenever the room does.
+    pub fn room_version(&self) -> f64 {
+        self.session.plan_version() as f64
+    }
+
+    /// A number that changes with the room, but not with changes of it: undo brings it back.
+    pub fn room_lineage(&self) -> u32 {
+        self.session.room_lineage()
+    }
+
+    /// Renames the room, which is then an own one.
+    pub fn rename_room(&mut self, name: &str) {
+        self.session.rename_room(name);
+    }
+
+    /// Room and settings for `SessionMirror.follow`, without an own room whose version is `known`.
+    #[wasm_bindgen(unchecked_return_type = "rust.SessionSnapshot")]
+    pub fn snapshot(&self, known: Option<f64>) -> Result<JsValue, JsValue> {
+        let mut snapshot = self.session.snapshot();
+        if snapshot.room.is_none() && known != Some(snapshot.room_version as f64) {
+            snapshot.own = Some(self.session.own_room());
+        }
+        to_js(&snapshot)
+    }
+}

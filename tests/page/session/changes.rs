@@ -1,0 +1,138 @@
+//! What a person changes: walls, start, and where the robot is.
+
+use super::opened;
+use robovac_app::explore::{Brush, Session, SessionState, diary};
+use robovac_core::geometry::{Point, Pose};
+
+#[test]
+fn wall_is_drawn_planned_around_and_undone() {
+    let mut session = opened();
+    session.select_room("empty").unwrap();
+    session.plan_now(|| 0.0);
+    let before = session.planned().unwrap().walk.unwrap().reachable_cells;
+    session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
+    session.go_on_stroke(Point::new(3.0, 2.5));
+    session.end_stroke();
+    assert_eq!(session.state(), SessionState::Planning);
+    session.plan_now(|| 0.0);
+    assert!(session.planned().unwrap().walk.unwrap().reachable_cells < before);
+    assert_eq!(session.view().room.id, "");
+    session.undo();
+    session.plan_now(|| 0.0);
+    assert_eq!((session.planned().unwrap().walk.unwrap().reachable_cells, session.view().room.id), (before, "empty"));
+    assert!(session.view().can.redo);
+}
+
+#[test]
+fn start_in_a_wall_is_refused_and_nothing_is_lost() {
+    let mut session = opened();
+    let run = session.view().run_end_s;
+    session.move_start(Pose::new(-3.0, 0.0, 0.0));
+    let view = session.view();
+    assert_eq!(view.message_kind, "error");
+    assert!(view.message.starts_with("The start at (-3.000 m, 0.000 m) lies outside the room"), "{}", view.message);
+    assert!(session.planned().is_some() && view.run_end_s == run);
+}
+
+#[test]
+fn robot_that_is_picked_up_drops_its_wheels_and_goes_on_elsewhere() {
+    let mut session = Session::new();
+    session.configure(|s| s.select_algorithm("bounce")).unwrap();
+    session.run_ahead(20.0);
+    let run = |session: &Session| session.recording().unwrap().run().pose();
+    let before = run(&session);
+    session.lift();
+    session.run_ahead(2.0);
+    assert!(session.is_lifted() && session.recording().unwrap().run().sensors().wheel_dropped());
+    assert_eq!(run(&session), before, "it hangs in the air");
+    session.put_down(Pose::new(4.0, 3.0, 1.0));
+    session.run_ahead(0.1);
+    let sensed = session.recording().unwrap().run().sensors();
+    assert!(!sensed.wheel_dropped() && (run(&session).position() - Point::new(4.0, 3.0)).norm() < 0.1);
+    let events: Vec<_> = session.recording().unwrap().run().events().iter().map(|e| e.what.to_string()).collect();
+    for expected in ["lifted", "wheel drop", "put down"] {
+        assert!(events.iter().any(|event| event == expected), "{expected} is missing in {events:?}");
+    }
+}
+
+#[test]
+fn planned_robot_that_is_carried_off_is_told_to_go_on_blindly() {
+    let mut session = opened();
+    session.run_ahead(20.0);
+    let there = session.recording().unwrap().run().pose();
+    session.lift();
+    session.put_down(there);
+    assert_eq!(session.view().message, "", "it stands where it stood");
+    session.lift();
+    session.put_down(Pose::new(there.x + 0.4, there.y, there.heading));
+    assert!(session.view().message.contains("can't detect that it was kidnapped"), "{}", session.view().message);
+    session.run_ahead(1.0);
+    let lines = diary(session.recording().unwrap().run(), true);
+    assert!(lines.iter().any(|line| line.text.contains("put down, follows its plan as before")), "{lines:?}");
+    // Before that it was not.
+    session.seek(10.0);
+    assert_eq!(session.view().message, "");
+    // A behaviour feels its way on.
+    session.configure(|s| s.select_algorithm("bounce")).unwrap();
+    session.run_ahead(20.0);
+    session.lift();
+    session.put_down(Pose::new(4.0, 3.0, 1.0));
+    assert_eq!(session.view().message, "");
+}
+
+#[test]
+fn what_a_person_did_happens_again_after_scrubbing() {
+    let mut session = Session::new();
+    session.configure(|s| s.select_algorithm("bounce")).unwrap();
+    session.run_ahead(70.0);
+    session.lift();
+    session.run_ahead(1.0);
+    session.put_down(Pose::new(4.0, 3.0, 1.0));
+    session.run_ahead(100.0);
+    let state = |session: &Session| session.recording().unwrap().run().digest();
+    let (end, now) = (session.recording().unwrap().end_s(), state(&session));
+    for back in [0.0, 70.5, 61.44, 120.0] {
+        session.seek(back);
+        while session.state() == SessionState::Seeking {
+            session.frame(0.0, &mut || true);
+        }
+        session.seek(end);
+        while session.state() == SessionState::Seeking {
+            session.frame(0.0, &mut || true);
+        }
+        assert_eq!(state(&session), now, "after going back to {back} s");
+    }
+    session.seek(30.0);
+    session.frame(0.0, &mut || true);
+    session.lift();
+    assert!((session.recording().unwrap().end_s() - 30.0).abs() < 0.02, "the future is another one");
+}
+
+#[test]
+fn what_is_clean_stays_clean_when_the_room_is_changed() {
+    let mut session = opened();
+    session.run_ahead(600.0);
+    let before = session.view().coverage;
+    assert!(before > 0.1, "{before}");
+    session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
+    session.go_on_stroke(Point::new(2.4, 1.5));
+    session.end_stroke();
+    session.plan_now(|| 0.0);
+    let view = session.view();
+    assert!(view.time_s < 1.0 && (view.coverage - before).abs() < 0.05, "{} after {before}", view.coverage);
+    assert!((view.swept_before - view.coverage).abs() < 0.01, "{}", view.swept_before);
+    // A second change before the robot has moved, and its undo, lose nothing.
+    session.begin_stroke(Brush::Wall, Point::new(3.0, 1.5));
+    session.end_stroke();
+    session.plan_now(|| 0.0);
+    session.undo();
+    session.plan_now(|| 0.0);
+    assert!((session.view().coverage - before).abs() < 0.05, "{} after {before}", session.view().coverage);
+    // Back to the start begins with a dirty floor, and so does another room.
+    session.reset();
+    assert!(session.view().coverage < 0.02 && session.view().swept_before == 0.0);
+    session.run_ahead(300.0);
+    session.select_room("empty").expect("it ships");
+    session.plan_now(|| 0.0);
+    assert!(session.view().coverage < 0.02);
+}
