@@ -48,8 +48,7 @@ const PAIRS: usize = 8;
 const SPREAD: f64 = 0.1;
 /// The rule that it begins with, a weight for each input, and its speed: towards new floor, near before far, without turning much,
 /// not where something is near, and else along the way to the nearest new floor.
-const RULE: [f64; LAYERS[0]] =
-    [0.4, 0.3, 0.2, 0.06, -0.4, 0.06, 0.06, -0.3, 0.0, 0.16, 0.3, 0.0, -0.1, 0.0, -0.2, 0.0];
+const RULE: [f64; LAYERS[0]] = [0.4, 0.3, 0.2, 0.06, -0.4, 0.06, 0.06, -0.3, 0.0, 0.16, 0.3, 0.0, -0.1, 0.0, -0.2, 0.0];
 const FAST: f64 = 3.0;
 /// What the file of weights begins with.
 const HEAD: &str = "\
@@ -103,7 +102,8 @@ impl Search {
         let mut order: Vec<usize> = (0..steps.len()).collect();
         order.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
         let count = steps.len() as f64;
-        let raw: Vec<f64> = (1..=steps.len()).map(|rank| ((0.5 * count + 1.0).ln() - (rank as f64).ln()).max(0.0)).collect();
+        let raw: Vec<f64> =
+            (1..=steps.len()).map(|rank| ((0.5 * count + 1.0).ln() - (rank as f64).ln()).max(0.0)).collect();
         let sum: f64 = raw.iter().sum();
         let weights = raw.iter().map(|weight| weight / sum - 1.0 / count);
         let weighted: Vec<(f64, &Vec<f64>)> = weights.zip(&order).map(|(weight, &i)| (weight, &steps[i])).collect();
@@ -199,7 +199,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         let flats = Flats::new(LEARN_FROM + FLATS * u64::from(generation), FLATS)?;
         let steps = search.steps(&mut rng);
-        let candidates = steps.iter().map(|step| search.candidate(step).map(Arc::new)).collect::<Result<Vec<_>, _>>()?;
+        let candidates =
+            steps.iter().map(|step| search.candidate(step).map(Arc::new)).collect::<Result<Vec<_>, _>>()?;
         let found = values(&candidates, &flats, u64::from(generation), threads)?;
         search.learn(&steps, &found);
         let mean = 100.0 * found.iter().sum::<f64>() / found.len() as f64;

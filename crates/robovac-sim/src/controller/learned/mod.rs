@@ -180,7 +180,11 @@ impl Learned {
             map: SweptMap::new(),
             way: Way::default(),
             tool,
-            near_echo: setup.robot.sensors.light_bumper.map_or(f64::INFINITY, |light| light.light_at(NEAR_M, REFLECTED)),
+            near_echo: setup
+                .robot
+                .sensors
+                .light_bumper
+                .map_or(f64::INFINITY, |light| light.light_at(NEAR_M, REFLECTED)),
             marked: None,
             wanted: None,
             since_s: 0.0,
@@ -248,8 +252,7 @@ impl Learned {
             self.map.try_for(goal);
         }
         let light = pilot.robot.sensors.light_bumper;
-        let around =
-            Around { map: &self.map, way: &self.way, pose, light, sensed, untouched_s: self.untouched_s };
+        let around = Around { map: &self.map, way: &self.way, pose, light, sensed, untouched_s: self.untouched_s };
         let mut best = (f32::NEG_INFINITY, 0.0, 0.0);
         for (direction, inputs) in around.inputs().iter().enumerate().take(DIRECTIONS) {
             let turn = angle(direction);
