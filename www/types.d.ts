@@ -547,6 +547,27 @@ export type LineRequest = { "baud": number } | { "brc": boolean } | "stop";
 /** The order in which subgoals are linked. */
 export type LinkOrder = "nearest" | "printed" | "uncrossed";
 
+export type ManyRunsEntrant = { id: string, title: string, summary: string,
+/** `planner` or `behaviour`. */
+kind: "planner" | "behaviour",
+/** Whether it is measured by the boundary that it has met rather than by clean floor. */
+explores: boolean, mark: Mark, params: Array<Param>, };
+
+export type ManyRunsEntrantView = { chosen: boolean,
+/** Whether it can take part: the user's program only if there is one of its kind. */
+offered: boolean, params: Params,
+/** Finished runs among the required ones. */
+runs: number, failure: string, };
+
+/** The choices available for many runs. */
+export type ManyRunsOffer = { entrants: Array<ManyRunsEntrant>, seeds: [number, number, number], minutes: [number, number, number, number], };
+
+/** Place and conditions of all runs, in words. */
+export type ManyRunsPlace = { room: string, robot: string, slip: string, noise: string, quantised: boolean, start_charge_percent: number, };
+
+/** Snapshot of many runs, one per frame. */
+export type ManyRunsView = { version: number, running: boolean, done: number, total: number, seeds: number, minutes: number, entrants: Array<ManyRunsEntrantView>, };
+
 /** Actions that are allowed now. */
 export type MapActions = {
 /** Start or continue. */
@@ -1331,27 +1352,6 @@ latency_ms: number | null,
 longest_gap_ms: number,
 /** Bytes of the subscription, and of the slot of 15 ms into which they must fit. */
 slot: [number, number], };
-
-export type ManyRunsEntrant = { id: string, title: string, summary: string,
-/** `planner` or `behaviour`. */
-kind: "planner" | "behaviour",
-/** Whether it is measured by the boundary that it has met rather than by clean floor. */
-explores: boolean, mark: Mark, params: Array<Param>, };
-
-export type StudyEntrantView = { chosen: boolean,
-/** Whether it can take part: the user's program only if there is one of its kind. */
-offered: boolean, params: Params,
-/** Finished runs among the required ones. */
-runs: number, failure: string, };
-
-/** The choices available for a study. */
-export type ManyRunsOffer = { entrants: Array<ManyRunsEntrant>, seeds: [number, number, number], minutes: [number, number, number, number], };
-
-/** Place and conditions of all runs, in words. */
-export type ManyRunsPlace = { room: string, robot: string, slip: string, noise: string, quantised: boolean, start_charge_percent: number, };
-
-/** Snapshot of a study, one per frame. */
-export type ManyRunsView = { version: number, running: boolean, done: number, total: number, seeds: number, minutes: number, entrants: Array<StudyEntrantView>, };
 
 /** Summary of many runs of one algorithm. */
 export type Summary = {

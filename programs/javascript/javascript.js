@@ -89,9 +89,9 @@ export function loadJavaScript(options) {
   try {
     // On one line with the program's first, so that the lines of errors are the program's own. Its `let` and `function`
     // are inside a function: programs can be loaded one after the other.
-    const make = evaluate(`(function (print, console, performance, Date, $trace) { "use strict"; ${text}\n;return {${KINDS.map((kind) => `${kind}: typeof ${kind} === "undefined" ? undefined : ${kind}`).join(", ")}}; })\n//# sourceURL=${name}`);
+    const [make, math] = evaluate(`[(function (print, console, performance, Date, $trace) { "use strict"; ${text}\n;return {${KINDS.map((kind) => `${kind}: typeof ${kind} === "undefined" ? undefined : ${kind}`).join(", ")}}; }), Math]\n//# sourceURL=${name}`);
     // Chance is the seed's.
-    evaluate("Math").random = robot.random;
+    math.random = robot.random;
     parts = make(print, console, clock, Time, tracer);
   } catch (error) {
     throw located(error, name, line);

@@ -44,7 +44,7 @@ fn setup(plan: &FloorPlan, robot: &RobotModel, start: Option<Pose>, seed: u64) -
 
 /// Drives on and on the same way.
 #[derive(Clone)]
-struct Steady(Drive);
+pub struct Steady(pub Drive);
 
 impl Controller for Steady {
     fn step(&mut self, _: &SensorReadings, _: f64) -> Drive {

@@ -1,5 +1,6 @@
 //! Bodies against obstacles: nothing overlaps, nothing tunnels, whatever stands in the room and however it is driven.
 
+use super::life::Steady;
 use rand::RngExt;
 use robovac_core::{
     coverage::ReachableFloor,
@@ -88,22 +89,6 @@ impl Controller for Reckless {
         }
         self.countdown -= 1;
         self.drive
-    }
-    fn is_done(&self) -> bool {
-        false
-    }
-    fn boxed_clone(&self) -> Box<dyn Controller> {
-        Box::new(self.clone())
-    }
-}
-
-/// Drives on and on the same way.
-#[derive(Clone)]
-struct Steady(Drive);
-
-impl Controller for Steady {
-    fn step(&mut self, _: &SensorReadings, _: f64) -> Drive {
-        self.0
     }
     fn is_done(&self) -> bool {
         false

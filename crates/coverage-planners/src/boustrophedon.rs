@@ -61,13 +61,16 @@ pub const INFO: PlannerInfo = PlannerInfo {
             help: "How long to search for a better order of the parts, as a multiple of the usual time; 0 visits the nearest part first.",
             kind: ParamKind::Number { min: 0.0, max: 10.0, step: 1.0, default: 1.0, unit: "" },
         },
-        ParamSpec {
-            id: "max_jump",
-            label: "Largest step",
-            help: "A part is split where the wall beside it steps by more than this.",
-            kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 4.0, unit: "cells" },
-        },
+        MAX_JUMP,
     ],
+};
+
+/// Where parts are split.
+pub(super) const MAX_JUMP: ParamSpec = ParamSpec {
+    id: "max_jump",
+    label: "Largest step",
+    help: "A part is split where the wall beside it steps by more than this.",
+    kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 4.0, unit: "cells" },
 };
 
 /// Its explanation.

@@ -27,6 +27,7 @@
 
 use super::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
+    boustrophedon::MAX_JUMP,
     stage::{Borders, Tours, lanes_of, strips, strokes},
 };
 use robovac_core::registry::{Example, Explainer, ParamKind, ParamSpec};
@@ -50,12 +51,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
             help: "How long to search for a better order of parts and lanes, as a multiple of the usual time; 0 visits the nearest part first.",
             kind: ParamKind::Number { min: 0.0, max: 4.0, step: 1.0, default: 1.0, unit: "" },
         },
-        ParamSpec {
-            id: "max_jump",
-            label: "Largest step",
-            help: "A part is split where the wall beside it steps by more than this.",
-            kind: ParamKind::Number { min: 0.0, max: 100.0, step: 1.0, default: 4.0, unit: "cells" },
-        },
+        MAX_JUMP,
     ],
 };
 

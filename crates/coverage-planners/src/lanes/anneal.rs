@@ -20,8 +20,6 @@ use std::ops::ControlFlow;
 
 /// Temperatures at the begin and at the end, s.
 const TEMPERATURES: (f64, f64) = (1.0, 0.02);
-/// The temperature's logarithm falls with this power of the share of the search that is done.
-const COOLING: f64 = 1.6;
 /// Moves for every metre that are worth another descent from the start, most descents, and the share of the search after
 /// which their number is fixed.
 const DESCENT: f64 = 30_000.0;
@@ -41,15 +39,6 @@ const MENDING: (u32, u64) = (8, 100);
 const WORTH_KEEPING: f64 = 3e-5;
 /// Largest shift, m, halved up to so many times.
 const SHIFT: (f64, usize) = (0.4, 8);
-
-/// Kinds of moves, and how often each is tried (in the order of [`Walker::propose`]) while it's hot, and when it's cold: then
-/// hardly any that changes which pieces there are is accepted. What is hot and cold, s.
-const KINDS: usize = 10;
-const HOT_MOVES: [f64; KINDS] = [22.0, 8.0, 16.0, 12.0, 5.0, 5.0, 12.0, 8.0, 6.0, 6.0];
-const COLD_MOVES: [f64; KINDS] = [30.0, 15.0, 30.0, 0.5, 0.5, 0.5, 8.0, 1.0, 0.5, 0.5];
-const WARM: (f64, f64) = (0.1, 0.4);
-/// Side of the square around a corner in which another one is near, m.
-const AROUND: f64 = 0.6;
 
 /// What a search needs.
 pub(super) struct Search<'a> {
@@ -124,14 +113,13 @@ pub(super) fn anneal(
         rng: seeded(setup.seed, 0),
         radius: floor.tool_radius,
         price: PRICE.0,
-        temperature: TEMPERATURES.0,
     };
     let mut seconds = walker.path.seconds();
     // The samples' floor that may stay unswept, m².
     let all = walker.path.raster.floor_area();
     let mut allowed = (1.0 - setup.coverage) * all;
     let mut candidate: Option<(f64, Vec<Point>)> = None;
-    let (mut share, mut next_measure) = (0.0_f64, MEASURE);
+    let (mut share, mut temperature, mut next_measure) = (0.0_f64, TEMPERATURES.0, MEASURE);
     let mut mending: Option<(u64, u64)> = None;
     let mut rounds = 0;
     let (mut descents, mut descent) = (None, 0.0);
@@ -141,7 +129,7 @@ pub(super) fn anneal(
             walker.adjust(allowed, all);
         }
         if step >= next_rebuild {
-            walker.nearby.rebuild(&walker.path.points, &walker.path.ids);
+            walker.nearby.rebuild(&walker.path.points);
             // In large rooms, seldom enough that it takes no time.
             next_rebuild = step + ADJUST.max(walker.path.points.len() as u64);
         }
@@ -164,11 +152,9 @@ pub(super) fn anneal(
                 (walker.path, walker.price) = (begin(descent as usize), PRICE.0);
                 (seconds, allowed) = (walker.path.seconds(), (1.0 - setup.coverage) * all);
                 next_rebuild = step;
-                walker.nearby.rebuild(&walker.path.points, &walker.path.ids);
+                walker.nearby.rebuild(&walker.path.points);
             }
-            // Longer while it's hot: then the order of the pieces is decided.
-            let cooled = math::exp(COOLING * math::ln((at - descent).max(1e-9)));
-            walker.temperature = TEMPERATURES.0 * math::exp(cooled * math::ln(TEMPERATURES.1 / TEMPERATURES.0));
+            temperature = TEMPERATURES.0 * math::exp((at - descent) * math::ln(TEMPERATURES.1 / TEMPERATURES.0));
         }
         let ends_round = ends_round(&mut mending, share >= 1.0, step);
         if ends_round || mending.is_none() && share >= next_measure {
@@ -193,7 +179,7 @@ pub(super) fn anneal(
                 break;
             }
         }
-        seconds += walker.try_move();
+        seconds += walker.try_move(temperature);
         let is_swept = walker.path.raster.unswept_area() <= allowed;
         if is_swept && candidate.as_ref().is_none_or(|(least, _)| seconds < least * (1.0 - WORTH_KEEPING)) {
             candidate = Some((seconds, walker.path.points.clone()));
@@ -211,18 +197,16 @@ struct Walker<'a> {
     radius: f64,
     /// s/m².
     price: f64,
-    /// s.
-    temperature: f64,
 }
 
 impl Walker<'_> {
     /// Tries one move; returns by how much the path's time changes, s.
-    fn try_move(&mut self) -> f64 {
+    fn try_move(&mut self, temperature: f64) -> f64 {
         let Some(edit) = self.propose() else { return 0.0 };
         if !self.path.is_valid(&edit) {
             return 0.0;
         }
-        let limit = -self.temperature * math::ln(1.0 - self.rng.random::<f64>());
+        let limit = -temperature * math::ln(1.0 - self.rng.random::<f64>());
         let seconds = self.path.seconds_by(&edit);
         let exchange = self.path.exchange(&edit);
         // So much may be missed, if as much more is swept anew as there is to sweep.
@@ -262,26 +246,16 @@ impl Walker<'_> {
     }
 
     fn propose(&mut self) -> Option<Edit> {
-        let heat = math::ln(self.temperature / WARM.0) / math::ln(WARM.1 / WARM.0);
-        let heat = heat.clamp(0.0, 1.0);
-        let weight = |kind: usize| COLD_MOVES[kind] + heat * (HOT_MOVES[kind] - COLD_MOVES[kind]);
-        let sum: f64 = (0..KINDS).map(weight).sum();
-        let mut left = self.rng.random::<f64>() * sum;
-        let kind = (0..KINDS).find(|&kind| {
-            left -= weight(kind);
-            left < 0.0
-        });
-        match kind {
-            Some(0) => self.shift_corner(),
-            Some(1) => self.slide_corner(),
-            Some(2) => self.shift_piece(),
-            Some(3) => self.leave_out(),
-            Some(4) => self.join_corners(),
-            Some(5) => self.insert(),
-            Some(6) => self.reach_for_floor(),
-            Some(7) => self.reverse(),
-            Some(8) => self.carry(),
-            _ => self.exchange_parts(),
+        match self.below(100) {
+            0..22 => self.shift_corner(),
+            22..30 => self.slide_corner(),
+            30..46 => self.shift_piece(),
+            46..58 => self.leave_out(),
+            58..63 => self.join_corners(),
+            63..68 => self.insert(),
+            68..80 => self.reach_for_floor(),
+            80..88 => self.reverse(),
+            _ => self.carry(),
         }
     }
 
@@ -376,8 +350,11 @@ impl Walker<'_> {
         })?;
         let choice = self.below(3);
         let mut near: Option<(f64, usize, Point)> = None;
-        for &(id, hint) in self.nearby.around(goal) {
-            let Some(i) = self.path.find(id, hint as usize).filter(|&i| i > 0) else { continue };
+        for &piece in self.nearby.around(goal) {
+            let i = piece as usize;
+            if i == 0 || i >= self.path.points.len() {
+                continue;
+            }
             let at = nearest_on_segment(self.path.points[i - 1], self.path.points[i], goal);
             // Not always the nearest piece.
             let distance = (at - goal).norm() * (1.0 + if choice == 0 { 0.0 } else { self.rng.random::<f64>() });
@@ -414,21 +391,16 @@ impl Walker<'_> {
     }
 
     /// A corner, and one near it.
-    /// A corner near another one.
-    fn near(&mut self, i: usize) -> Option<usize> {
-        let by = Vector::new(self.rng.random::<f64>() - 0.5, self.rng.random::<f64>() - 0.5) * AROUND;
-        let near = self.nearby.corners(self.path.points[i] + by);
+    fn two_near(&mut self) -> Option<(usize, usize)> {
+        let i = self.corner()?;
+        let at = self.path.points[i];
+        let near = self.nearby.around(at);
         if near.is_empty() {
             return None;
         }
         let pick = ((self.rng.random::<f64>() * near.len() as f64) as usize).min(near.len() - 1);
-        let (id, hint) = near[pick];
-        self.path.find(id, hint as usize).filter(|&j| j > 0 && j != i)
-    }
-
-    fn two_near(&mut self) -> Option<(usize, usize)> {
-        let i = self.corner()?;
-        Some((i, self.near(i)?))
+        let j = near[pick] as usize;
+        (j < self.path.points.len() && j != i).then_some((i, j))
     }
 
     fn reverse(&mut self) -> Option<Edit> {
@@ -450,14 +422,5 @@ impl Walker<'_> {
             if self.rng.random::<f64>() < 0.5 { (i, i + length - 1) } else { ((i + 1).checked_sub(length)?, i) };
         let after = if self.rng.random::<f64>() < 0.7 { j.checked_sub(1)? } else { j };
         Some(Edit::Carry { first, last, after, is_reversed: self.rng.random::<f64>() < 0.5 })
-    }
-
-    /// Three pieces near each other: the part between two of them is carried to the third.
-    fn exchange_parts(&mut self) -> Option<Edit> {
-        let (i, j) = self.two_near()?;
-        let k = self.near(i)?;
-        let (i, j) = (i.min(j), i.max(j));
-        let after = k.checked_sub(1)?;
-        Some(Edit::Carry { first: i, last: j.checked_sub(1)?, after, is_reversed: self.rng.random::<f64>() < 0.5 })
     }
 }

@@ -6,9 +6,6 @@ use robovac_core::geometry::{Point, Vector};
 /// Most new points of a splice.
 pub(super) const MOST_NEW: usize = 8;
 
-/// How far from where it was a point is sought.
-const SOUGHT: usize = 24;
-
 /// A few points.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FewPoints {
@@ -30,9 +27,6 @@ pub(super) enum Edit {
 /// A path with what it sweeps.
 pub(super) struct SweptPath<'a> {
     pub points: Vec<Point>,
-    /// Names of the points, which they keep wherever they are in the path.
-    pub ids: Vec<u32>,
-    next_id: u32,
     pub raster: SweptRaster,
     pub space: &'a FreeSpace,
     pub times: MotionTimes,
@@ -83,22 +77,11 @@ impl<'a> SweptPath<'a> {
         times: MotionTimes,
         heading: Vector,
     ) -> Self {
-        let ids = (0..points.len() as u32).collect();
-        let mut path = Self { next_id: points.len() as u32, ids, points, raster, space, times, heading };
+        let mut path = Self { points, raster, space, times, heading };
         for pair in path.points.windows(2) {
             path.raster.add(pair[0], pair[1]);
         }
         path
-    }
-
-    /// Where the point of a name is, if it isn't far from where it was.
-    #[inline]
-    pub fn find(&self, id: u32, was: usize) -> Option<usize> {
-        let is_it = |i: usize| self.ids.get(i) == Some(&id);
-        if is_it(was) {
-            return Some(was);
-        }
-        (1..SOUGHT).find_map(|far| [was.wrapping_sub(far), was + far].into_iter().find(|&i| is_it(i)))
     }
 
     /// The path's time, s.
@@ -265,28 +248,17 @@ impl<'a> SweptPath<'a> {
         match *edit {
             Edit::Splice { from, to, ref new } => {
                 self.points.splice(from + 1..to, new.slice().iter().copied());
-                // Points that are shifted keep their names.
-                let kept = (to - from - 1).min(new.count);
-                let fresh = self.next_id;
-                self.next_id = self.next_id.wrapping_add((new.count - kept) as u32);
-                self.ids.splice(from + 1 + kept..to, (kept..new.count).map(|i| fresh.wrapping_add((i - kept) as u32)));
             }
-            Edit::Reverse { first, last } => {
-                self.points[first..=last].reverse();
-                self.ids[first..=last].reverse();
-            }
+            Edit::Reverse { first, last } => self.points[first..=last].reverse(),
             Edit::Carry { first, last, after, is_reversed } => {
                 if is_reversed {
                     self.points[first..=last].reverse();
-                    self.ids[first..=last].reverse();
                 }
                 let length = last - first + 1;
                 if after < first {
                     self.points[after + 1..=last].rotate_right(length);
-                    self.ids[after + 1..=last].rotate_right(length);
                 } else {
                     self.points[first..=after].rotate_left(length);
-                    self.ids[first..=after].rotate_left(length);
                 }
             }
         }

@@ -20,7 +20,7 @@ const MOST_CELLS: usize = 2_000_000;
 /// What a program has printed: time, s, and text.
 pub type Prints = Vec<(f64, String)>;
 
-/// The host's first line. `holds`: whether the robot can keep a command for many steps, see [`Reply::hold`].
+/// The host's first line. `holds`: whether the robot can keep a command for many steps, see [`Reply::hold`](super::protocol::Reply::hold).
 pub fn hello(robot: &RobotFacts, seed: u64, holds: bool) -> String {
     greeting(robot, seed, holds).to_string()
 }
