@@ -21,19 +21,21 @@ list_dependencies() {
 # For a checkout in which nothing was compiled yet.
 restore_dependencies() {
     local kept
+    [[ ! -e target/debug && ! -e target/release ]] || return 0
+    BEGAN_COLD=yes
     kept=$DEPENDENCIES/$(dependencies_key)
-    [[ ! -e target/debug && ! -e target/release && -d $kept ]] || return 0
+    [[ -d $kept ]] || return 0
     mkdir -p target
     cp -a --reflink=auto "$kept/." target/
 }
 
-# After everything was compiled; those of another version go.
+# After everything was compiled in such a checkout: others also have what earlier versions needed. Those of another version go.
 keep_dependencies() {
     local kept
     kept=$DEPENDENCIES/$(dependencies_key)
-    [[ ! -d $kept ]] || return 0
-    rm -rf "$DEPENDENCIES"
-    mkdir -p "$kept.part"
-    (cd target && list_dependencies | tar -cf - -T -) | tar -xf - -C "$kept.part"
-    mv "$kept.part" "$kept"
+    [[ ${BEGAN_COLD:-} == yes && ! -d $kept ]] || return 0
+    rm -rf "$DEPENDENCIES" &&
+        mkdir -p "$kept.part" &&
+        (cd target && list_dependencies | tar -cf - -T -) | tar -xf - -C "$kept.part" &&
+        mv "$kept.part" "$kept"
 }

@@ -11,9 +11,10 @@ import { fileURLToPath } from "node:url";
 
 const GUIDE = "docs/adding.md";
 const ROOT = path.join(path.dirname(fileURLToPath(import.meta.url)), "..");
-/** The copy is kept, so that cargo only compiles what has changed since; its dependencies are those of the repository. */
+/** Copies are kept, so that cargo only compiles what has changed since. */
 const COPY = path.join(ROOT, "target/how-to");
-const TARGET = path.resolve(process.env.CARGO_TARGET_DIR ?? path.join(ROOT, "target"));
+// Not the repository's own: cargo tells crates at the same place of two copies apart by their dates alone.
+const TARGET = path.join(ROOT, "target/how-to-target");
 const WALKS = "tests/golden/walks.txt";
 
 const read = (file) => fs.readFileSync(path.join(ROOT, file), "utf8");

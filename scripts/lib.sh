@@ -7,7 +7,7 @@ cd "$ROOT" || exit 1
 # Installed tools live outside the repository, one folder per version, so that a fresh checkout finds them again.
 TOOLS=${ROBOVAC_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/robovac-playground}
 
-# Pythons that lead to installed packages: independent drivers, for the tests alone; what builds and tests the Python package.
+# Links to Pythons with packages: the independent drivers of the tests, and what builds and tests the Python package.
 DRIVERS=$ROOT/target/drivers
 VENV=$ROOT/target/python
 # The Python package, installed.

@@ -84,6 +84,8 @@ need_packages() {
         step "Installing the Python packages of $1" install_packages "$1" "$place"
     fi
     mkdir -p "${2%/*}"
+    # Earlier versions had the packages themselves there.
+    [[ -L $2 ]] || rm -rf "$2"
     ln -sfn "$place" "$2"
 }
 

@@ -1,6 +1,7 @@
 // Runs tests/e2e/*.test.mjs, or those whose file name contains one of the arguments: node tests/e2e/run.mjs [word...]
-// KEEP_PASSED=1 leaves out those that passed with the same page, tools and tests, to the byte; ALL=1 does not, after all.
-// ONLY="the page hangs" runs those tests alone whose name contains that, and keeps nothing of it.
+// KEEP_PASSED=1, as ./dev test has it, leaves out those that passed with the same page, tools and tests, to the byte; with ALL=1
+// all run.
+// ONLY="the page hangs" runs only tests whose name contains that.
 // SLOWEST=20 lists the 20 tests that took longest, PICTURES=1 has all pictures taken that tests offer, in target/e2e.
 import fs from "node:fs";
 import os from "node:os";
@@ -34,7 +35,7 @@ if (files.length < all.length) console.log(`${all.length - files.length} of ${al
 
 /** Where a robot's stop is due soon, the machine has nothing heavy to do besides. */
 const isUrgent = (file) => /^connection(-bridge|-fake|-program|-serial|-stop|-usb|-window)?\.test/.test(path.basename(file));
-/** That a robot stops in time is measured there: beside little else. */
+/** That a robot stops in time is measured there: beside nothing else. */
 const isStop = (file) => /^connection-(bridge|stop|window)\.test/.test(path.basename(file));
 /** That a robot stops in time has to hold at the first try. */
 const hasOneTry = (file) => /^connection-(bridge|stop)\.test/.test(path.basename(file));
@@ -84,7 +85,7 @@ const urgent = files.filter(isUrgent);
 const failed = [...(await runAll(files.filter((file) => !isUrgent(file)), 3))];
 // They wait for most of their time.
 failed.push(...(await runAll(urgent.filter((file) => !isStop(file)), 3)));
-failed.push(...(await runAll(urgent.filter(isStop), 2)));
+failed.push(...(await runAll(urgent.filter(isStop), 1)));
 // A process that ended by itself says nothing of any file.
 if (process.exitCode === undefined) for (const file of files.filter((file) => !failed.includes(file))) passed?.add(file);
 // A busy machine may have made it fail; what fails alone, too, is broken.
