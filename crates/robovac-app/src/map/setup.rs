@@ -13,7 +13,7 @@ use robovac_sim::{
 use std::collections::BTreeMap;
 
 /// Behaviours that aren't made for exploring but cover enough ground for it.
-const ROVERS: [&str; 4] = ["online_snake", "wall_follow", "bounce", "random_walk"];
+const ROVERS: [&str; 5] = ["online_snake", "learned", "wall_follow", "bounce", "random_walk"];
 /// The default behaviour, if it is in the registry.
 const FIRST: &str = "explore_frontier";
 /// The default planner.

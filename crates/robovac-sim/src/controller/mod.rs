@@ -17,6 +17,7 @@ mod follower;
 mod info;
 mod intent;
 pub mod interlock;
+pub mod learned;
 mod manual;
 mod online_snake;
 mod parts;
@@ -172,6 +173,7 @@ registry! {
         explore::edge,
         explore::frontier,
         online_snake,
+        learned,
     }
 }
 
