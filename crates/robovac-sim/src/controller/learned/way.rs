@@ -78,8 +78,8 @@ impl Way {
     pub(super) fn next(&self, map: &SweptMap, from: Point) -> Option<Point> {
         let nearest = self.blocks.len().checked_sub(2)?;
         let farthest = self.blocks.len().saturating_sub(AHEAD);
-        let points = self.blocks.get(farthest..=nearest)?.iter().map(|&at| middle(at));
-        points.clone().find(|&to| map.is_open(from, to)).or_else(|| points.last())
+        let mut points = self.blocks.get(farthest..=nearest)?.iter().map(|&at| middle(at));
+        points.clone().find(|&to| map.is_open(from, to)).or_else(|| points.next_back())
     }
 }
 
