@@ -284,8 +284,8 @@ fn clients_without_a_place_hear_why_and_silent_ones_make_room() {
     for client in &mut clients {
         client.until("hello");
     }
-    let why = Client::connect(&bridge).until("it has");
-    assert!(why.contains("8 clients") && why.contains("Close a page"), "{why}");
+    let why = Client::connect(&bridge).until("all");
+    assert!(why.contains("8 connections") && why.contains("close a page"), "{why}");
     clients.pop();
     // Its place is free as soon as the bridge has noticed.
     let began = Instant::now();

@@ -5,7 +5,8 @@
 //! there near and far, how far the way is open, whether the lanes beside it are swept, how far it has to turn, what the light
 //! bumper sees, how often it has been there, and whether the way to the nearest floor that it hasn't swept leads there. It
 //! answers with a score and a speed. The robot turns to the direction with the best score. One network serves all directions,
-//! so that a few hundred weights are enough. What to do with these values it has learnt by itself.
+//! so that a few hundred weights are enough. Training began with a rule that was set by hand
+//! (generation 0 of `docs/learned/curve.csv`).
 //!
 //! `crates/robovac-sim/examples/learn_to_clean.rs` trains it: an evolution strategy (Wierstra, Schaul, Glasmachers, Sun, Peters
 //! & Schmidhuber, Natural evolution strategies, Journal of Machine Learning Research 15, 2014: the separable variant) raises
@@ -96,7 +97,7 @@ const TRYING_M: f64 = 1.0;
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "learned",
     title: "Learned",
-    summary: "Drives where a small neural network leads it, which has learnt to clean in thousands of generated flats.",
+    summary: "Drives where a small neural network, trained in generated flats, leads it.",
     claims: BehaviourClaims { cleans: true, ..BehaviourClaims::NONE },
     params: &[
         ParamSpec {
@@ -113,11 +114,11 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
 /// Its explanation.
 pub(super) const EXPLAINER: Explainer = Explainer {
     idea: "A neural network chooses the direction. It sees the robot's own map: new floor, obstacles and swept lanes \
-           around it. Nobody told it how to clean: evolution kept the weights with which more floor was swept.",
+           around it. Training began with a simple rule; evolution kept the weights with which more floor was swept.",
     complexity: "O(1) time per step for the network; O(n) for the nearest new floor on a map of n cells.",
     use_when: "In furnished flats that nobody has mapped, on a robot with a light bumper.",
-    shines: Example { room: "flat", why: "It is like those that it learnt in." },
-    fails: Example { room: "maze", why: "It has never seen such narrow ways." },
+    shines: Example { room: "flat", why: "It is much like the flats that it was trained in." },
+    fails: Example { room: "hall20", why: "In a large hall without furniture, plain straight drives sweep as much." },
     source: "Ours; trained by a natural evolution strategy: Wierstra et al. 2014, JMLR 15",
     link: "https://jmlr.org/papers/v15/wierstra14a.html",
 };

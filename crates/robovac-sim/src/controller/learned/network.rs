@@ -50,7 +50,8 @@ impl Network {
     /// Layers of these sizes with these weights.
     pub fn new(sizes: &[usize], weights: Vec<f32>) -> Result<Self, NetworkError> {
         if sizes.len() < 2 || sizes.iter().any(|size| !(1..=WIDEST).contains(size)) {
-            return Err(NetworkError::Sizes(format!("{sizes:?}")));
+            let words: Vec<_> = sizes.iter().map(usize::to_string).collect();
+            return Err(NetworkError::Sizes(words.join(" ")));
         }
         let (expected, found) = (Self::weights_of(sizes), weights.len());
         if expected != found {
