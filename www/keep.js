@@ -4,10 +4,6 @@
 
 /** @typedef {import("./main.js").App} App */
 
-/** The value in links of a room that isn't built in. */
-const OWN = "room=own";
-/** Keys in links that the session has; tabs have others. */
-const SESSION = /^(room|planner|behaviour|p\..*|robot|twin|own|path|cell|seed|slip|noise.*|quantised|charge|smooth|odometry|start|speed|show|search)=/;
 /** Own rooms, once there are any. @type {typeof import("./explore/own-rooms.js") | undefined} */
 let own;
 /** Whether the address was just followed: it may be written in another way, and is still the same place. */
@@ -18,7 +14,6 @@ let known = location.hash;
 /** Whether the session on the page has been kept: before, it isn't anybody's. */
 let hasKept = false;
 
-const pairsOf = (/** @type {string} */ link) => link.replace(/^#/, "").split("&");
 const ownRooms = async () => (own ??= await import("./explore/own-rooms.js"));
 
 /** The page has heard of this fragment. @param {string} hash */
@@ -37,14 +32,12 @@ export function write(hash, isElsewhere = false) {
  */
 export async function restoreLink(app, link) {
   wasFollowed = true;
-  const [asked, now] = [pairsOf(link), pairsOf(app.playground.link())];
-  const isOwn = asked.includes(OWN);
-  const isSame = now.every((pair) => asked.includes(pair)) && asked.every((pair) => now.includes(pair) || !SESSION.test(pair));
+  const { is_shown, has_own_room, has_program } = app.playground.link_outline(link);
   // Back from another tab: the run goes on.
-  if (hasKept && isSame && (!isOwn || asked.includes(`kept=${own?.currentId(app)}`))) return;
-  const refusal = isOwn ? await (await ownRooms()).openLink(app, link) : "";
+  if (hasKept && is_shown && (!has_own_room || new URLSearchParams(link).get("kept") === own?.currentId(app))) return;
+  const refusal = has_own_room ? await (await ownRooms()).openLink(app, link) : "";
   // The program has to be there before it is chosen.
-  if (/(^|&)(behaviour=program|planner=program_planner)(&|$)/.test(link)) await holdProgram(app, link);
+  if (has_program) await holdProgram(app, link);
   // Robot and algorithm hold without it, too.
   app.act((p) => p.restore(link));
   if (refusal) app.act((p) => p.report_error(refusal));
@@ -61,7 +54,7 @@ export function keepState(app) {
   if (location.hash !== known) return;
   let link = app.link();
   if (own) link = own.keep(app, link);
-  else if (pairsOf(link).includes(OWN)) return void ownRooms();
+  else if (app.playground.link_outline(link).has_own_room) return void ownRooms();
   hasKept = true;
   const hash = link.startsWith("#") ? link : `#${link}`;
   const isElsewhere = !wasFollowed && place(hash) !== place(location.hash);

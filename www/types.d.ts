@@ -547,6 +547,15 @@ export type LineRequest = { "baud": number } | { "brc": boolean } | "stop";
 /** The order in which subgoals are linked. */
 export type LinkOrder = "nearest" | "printed" | "uncrossed";
 
+/** What a link asks for. */
+export type LinkOutline = {
+/** It would change nothing but an own room. Keys of other tabs don't count. */
+is_shown: boolean,
+/** The room was drawn or loaded. */
+has_own_room: boolean,
+/** A program of the user drives or plans. */
+has_program: boolean, };
+
 export type ManyRunsEntrant = { id: string, title: string, summary: string,
 /** `planner` or `behaviour`. */
 kind: "planner" | "behaviour",

@@ -1,7 +1,8 @@
 //! Module of the Floor plan tab: readers of drawings, and the planner for their rooms.
-// JavaScript calls what the module exports; there is nothing to be run at the start.
+// JavaScript calls what the module exports; there is nothing to be run at the start, and natively nothing but to be linted.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 
+#[cfg(any(target_arch = "wasm32", clippy))]
 #[path = "../floor_plan/mod.rs"]
 mod floor_plan;
 

@@ -126,7 +126,7 @@ test("a link opens the program elsewhere, where it waits to be read", async (t) 
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await write(page, "# mine\ndef step(robot):\n    robot.go(0.21)\n");
   await page.locator("#share").click();
-  await page.getByText("Link copied").waitFor();
+  await page.getByRole("heading", { name: "Link copied" }).waitFor();
   const link = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(link, /code=/);
   await page.evaluate(() => localStorage.clear());

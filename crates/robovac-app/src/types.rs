@@ -4,7 +4,7 @@ use crate::{
     CatalogueEntry, ExplainerEntry,
     bench::BenchResult,
     compare::{ComparisonView, ManyRunsOffer, ManyRunsPlace, ManyRunsView, TableView},
-    explore::{Catalogue, PageView, SessionSnapshot},
+    explore::{Catalogue, LinkOutline, PageView, SessionSnapshot},
     floor_plan::FloorPlanView,
     map::MapView,
 };
@@ -57,6 +57,7 @@ pub fn declarations() -> String {
     all.visit::<FloorPlanView>();
     all.visit::<Lesson>();
     all.visit::<LineRequest>();
+    all.visit::<LinkOutline>();
     all.visit::<MapView>();
     all.visit::<PageView>();
     all.visit::<PersonalityView>();

@@ -27,6 +27,12 @@ impl Playground {
         Ok(())
     }
 
+    /// What the result of `link`, or of a link with keys of other tabs too, asks for.
+    #[wasm_bindgen(unchecked_return_type = "rust.LinkOutline")]
+    pub fn link_outline(&self, link: &str) -> Result<JsValue, JsValue> {
+        to_js(&self.session.link_outline(link))
+    }
+
     /// The session as the part of a link behind `#`.
     pub fn link(&self) -> String {
         self.session.link()

@@ -26,6 +26,26 @@ fn link_brings_the_same_session_back() {
 }
 
 #[test]
+fn a_link_is_known_as_the_present_session_by_what_it_would_change() {
+    let mut session = opened();
+    session.restore("#room=lshape&planner=snake&robot=cell&cell=0.25&seed=9&slip=typical").unwrap();
+    let link = session.link();
+    let is_shown = |link: &str| session.link_outline(link).is_shown;
+    assert!(is_shown(&format!("#{link}&tab=map&kept=3")), "{link}");
+    let reversed: Vec<_> = link.split('&').rev().collect();
+    assert!(is_shown(&reversed.join("&")), "{reversed:?}");
+    assert!(!is_shown("room=lshape"), "what a link leaves out is asked for by nobody");
+    for other in ["search=1", "noise.bumper=high", "p.rules=program", "speed=4", "start=1,1,90", "charge=50"] {
+        assert!(!is_shown(&format!("{link}&{other}")), "{other}");
+    }
+    assert!(!is_shown(&link.replace("seed=9", "seed=10")));
+    assert!(!is_shown(&link.replace("seed=9", "seed=nine")), "refused, and therefore not shown");
+    assert!(session.link_outline("room=own&behaviour=program").has_own_room);
+    assert!(session.link_outline("room=own&planner=program_planner").has_program);
+    assert!(!session.link_outline("room=flat&planner=snake").has_program);
+}
+
+#[test]
 fn rounded_corners_take_less_time_and_are_kept_by_links_and_scenarios() {
     let mut session = opened();
     session.select_room("bedroom").unwrap();

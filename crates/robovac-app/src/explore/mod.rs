@@ -22,7 +22,7 @@ pub use object_tool::ObjectTool;
 pub use objects::{PlaceableKind, handles, in_words};
 pub use program_job::{JobError, LaidOutJob, ProgramJob};
 pub use search::PlanSearch;
-pub use session::{LoadError, Session};
+pub use session::{LinkOutline, LoadError, Session};
 pub use session_snapshot::{FollowError, SessionSnapshot};
 pub use state::{Action, SessionState};
 pub use view::{FloorTool, PageView, ProgramView, SessionView};

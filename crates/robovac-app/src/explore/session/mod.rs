@@ -8,7 +8,7 @@ mod saved;
 mod search;
 mod snapshot;
 
-pub use self::saved::LoadError;
+pub use self::saved::{LinkOutline, LoadError};
 
 pub(super) use self::saved::known_room;
 use crate::explore::{Action, Editor, PlanSearch, SessionState, Showing};

@@ -8,7 +8,8 @@ use robovac_core::{
     registry::Params,
     robot::CustomRobot,
 };
-use robovac_sim::experiment::{KEPT_PATH, Settings, SettingsError};
+use robovac_sim::experiment::{Algorithm, KEPT_PATH, Settings, SettingsError};
+use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// Name in links of a room that was drawn or loaded: it is kept.
@@ -25,6 +26,26 @@ pub enum LoadError {
     /// They are a scenario that can't be run.
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
+}
+
+/// What a link asks for.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct LinkOutline {
+    /// It would change nothing but an own room. Keys of other tabs don't count.
+    pub is_shown: bool,
+    /// The room was drawn or loaded.
+    pub has_own_room: bool,
+    /// A program of the user drives or plans.
+    pub has_program: bool,
+}
+
+/// The session after a link.
+struct Linked {
+    settings: Settings,
+    /// Another room.
+    room: Option<&'static RoomInfo>,
+    shows_search: bool,
 }
 
 impl Session {
@@ -50,14 +71,37 @@ impl Session {
 
     /// Takes a link's `key=value` pairs, joined by `&`. Changes nothing on an error.
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
+        let Linked { mut settings, room, shows_search } = self.linked(link)?;
+        let start = settings.start.take();
+        self.shows_search = shows_search;
+        self.replace(settings, room.map(|room| ((room.build)(), Some(room.id))), start);
+        Ok(())
+    }
+
+    /// What a link asks for, before it is followed.
+    pub fn link_outline(&self, link: &str) -> LinkOutline {
+        let has = |key: &str, value: &str| pairs(link).any(|pair| pair == (key, value));
+        let is_complete = self.link_pairs().all(|(key, value)| has(&key, &value));
+        let would_be = |linked: Linked| {
+            let same = linked.settings.to_link() == self.linked_settings().to_link();
+            same && linked.shows_search == self.shows_search
+        };
+        LinkOutline {
+            is_shown: is_complete && self.linked(link).is_ok_and(would_be),
+            has_own_room: has("room", OWN_ROOM),
+            has_program: pairs(link)
+                .any(|(key, id)| matches!(key, "behaviour" | "planner") && Algorithm::is_program_id(id)),
+        }
+    }
+
+    /// The session as it would be after a link.
+    fn linked(&self, link: &str) -> Result<Linked, SettingsError> {
         let mut settings = self.settings.clone();
         let mut room = None;
         let mut shows_search = None;
-        let pairs = link.trim_start_matches('#').split('&').filter(|p| !p.is_empty());
-        let pairs = pairs.map(|p| p.split_once('=').unwrap_or((p, "")));
         // Robot and planner bring defaults of their own, which must not override the link's other values.
         let (first, others): (Vec<_>, Vec<_>) =
-            pairs.partition(|(key, _)| matches!(*key, "robot" | "planner" | "behaviour"));
+            pairs(link).partition(|(key, _)| matches!(*key, "robot" | "planner" | "behaviour"));
         for (key, value) in first.into_iter().chain(others) {
             if key == "room" {
                 room = Some(value);
@@ -71,10 +115,14 @@ impl Session {
             }
         }
         let room = room.filter(|&id| id != OWN_ROOM).map(known_room).transpose()?;
-        let start = settings.start.take();
-        self.shows_search = shows_search.unwrap_or(self.shows_search);
-        self.replace(settings, room.map(|room| ((room.build)(), Some(room.id))), start);
-        Ok(())
+        Ok(Linked { settings, room, shows_search: shows_search.unwrap_or(self.shows_search) })
+    }
+
+    /// Settings with the start, as links have them.
+    fn linked_settings(&self) -> Settings {
+        let mut settings = self.settings.clone();
+        settings.start = self.editor.start();
+        settings
     }
 
     /// Applies settings, another room if there is one, and a start in it, as one undoable change.
@@ -146,8 +194,7 @@ impl Session {
 
     /// Keys and values of [`Session::link`].
     pub fn link_pairs(&self) -> impl Iterator<Item = (String, String)> + use<> {
-        let mut settings = self.settings.clone();
-        settings.start = self.editor.start();
+        let settings = self.linked_settings();
         // A path that is too long for a link is kept with the room.
         let is_linked = settings.path_link().is_none_or(|path| path != KEPT_PATH);
         let room = self.editor.room().filter(|_| is_linked).unwrap_or(OWN_ROOM);
@@ -155,6 +202,12 @@ impl Session {
         let search = self.shows_search.then(|| (SEARCH.to_owned(), "1".to_owned()));
         std::iter::once(room).chain(settings.to_link()).chain(search)
     }
+}
+
+/// Keys and values of a link.
+fn pairs(link: &str) -> impl Iterator<Item = (&str, &str)> {
+    let pairs = link.trim_start_matches('#').split('&').filter(|pair| !pair.is_empty());
+    pairs.map(|pair| pair.split_once('=').unwrap_or((pair, "")))
 }
 
 /// The built-in room with that id.
