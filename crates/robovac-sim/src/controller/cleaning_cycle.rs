@@ -84,9 +84,8 @@ pub(super) const EXPLAINER: Explainer = Explainer {
     complexity: "O(1) time and memory per step.",
     use_when: "When nothing is known about the room: in most rooms it cleans as much as the best of the four, or more.",
     shines: Example {
-        room: "clutter",
-        why: "Wall following leads it past the obstacles, and the others clean what lies between: in 20 minutes it \
-            cleans more than any other behaviour.",
+        room: "bedroom",
+        why: "Wall following leads it round the furniture, and the others clean what lies between.",
     },
     fails: Example {
         room: "maze",

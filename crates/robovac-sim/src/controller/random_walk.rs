@@ -77,7 +77,7 @@ pub(super) const EXPLAINER: Explainer = Explainer {
     use_when: "With the cheapest sensors, when time doesn't matter. It needs no map and never gets stuck, but the \
                last tenth of the floor takes as long as all the rest.",
     shines: Example {
-        room: "kitchen",
+        room: "living",
         why: "It soon reaches every nook of one furnished room: after 20 minutes it is among the best.",
     },
     fails: Example { room: "maze", why: "It passes a doorway only by chance: most of the maze is never reached." },

@@ -72,7 +72,7 @@ pub(super) const EXPLAINER: Explainer = Explainer {
            obstacle is hit. Then the robot moves on in a random direction and starts again where there is room.",
     complexity: "O(1) time and memory per step; no map.",
     use_when: "On open floor, or to clean one spot thoroughly. Among furniture its circles end almost at once.",
-    shines: Example { room: "lshape", why: "Few obstacles: circles grow until they reach the walls." },
+    shines: Example { room: "empty", why: "Without obstacles, circles grow until they reach the walls." },
     fails: Example { room: "clutter", why: "No circle closes before a collision." },
     source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
              section IV.A.ii",
