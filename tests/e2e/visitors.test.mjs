@@ -25,6 +25,8 @@ test("the end of a run is told, with what to try next", async (t) => {
   assert.equal(await app.linked("slip"), "typical");
   await app.until("finished");
   await page.locator("#ending .sheet-close, #ending button[aria-label=Dismiss]").click();
+  // The bound, once it was proven, brought it back.
+  await page.locator("#metrics-plan tr", { hasText: "Above the minimum" }).filter({ hasText: /\d|proven/ }).waitFor();
   await page.locator("#ending").waitFor({ state: "hidden" });
   await app.choose("algorithm", "random_walk");
   assert.ok(await page.locator("#ending").isHidden(), "another run");

@@ -40,13 +40,13 @@ export const anotherFlat = (app) => openFlat(app, `${Math.floor(Math.random() * 
 export function startFlat(app) {
   const seed = make("input", { type: "number", id: "flat-seed", min: "0", max: "4294967295", step: "1", inputMode: "numeric" });
   const area = make("select", { id: "flat-area" }, ...AREAS.map(([value = "", label = ""]) => new Option(label, value)));
-  const other = make("button", { type: "button", id: "flat-other" }, "Another one");
+  const other = make("button", { type: "button", id: "flat-other" }, "Another flat");
   const field = (/** @type {string} */ label, /** @type {HTMLElement} */ control, /** @type {string} */ tip) =>
     make("label", { className: "field inline", "data-tip": tip }, make("span", { className: "label" }, label), control);
   const fields = make(
     "div",
     { className: "params", id: "flat", hidden: true },
-    field("Flat", seed, "The same number gives the same flat on every machine."),
+    field("Flat number", seed, "The same number gives the same flat on every machine."),
     field("Size", area, "Small: 25 to 45 m², medium: to 75 m², large: to 120 m²."),
     other,
   );

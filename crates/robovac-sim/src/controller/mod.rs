@@ -135,19 +135,19 @@ impl Behaviours {
 
 /// Lists of the same behaviours: all, those that need no map, their metadata and their explanations.
 macro_rules! registry {
-    (mapless { $($plain:ident),* $(,)? } exploring { $($($explorer:ident)::+),* $(,)? }) => {
-        /// Behaviours that need no map: they clean, dock or are driven by a person.
-        pub const MAPLESS: Behaviours = Behaviours(&[$((&$plain::INFO, $plain::BUILD)),*]);
+    (mapless { $($($plain:ident)::+),* $(,)? } exploring { $($($explorer:ident)::+),* $(,)? }) => {
+        /// Behaviours that keep no map: those of Explore, whose module is loaded first.
+        pub const MAPLESS: Behaviours = Behaviours(&[$((&$($plain::)+INFO, $($plain::)+BUILD)),*]);
         /// All behaviours, in the order of the menus.
         pub const ALL: Behaviours = Behaviours(
-            &[$((&$plain::INFO, $plain::BUILD),)* $((&$($explorer::)+INFO, $($explorer::)+BUILD)),*]
+            &[$((&$($plain::)+INFO, $($plain::)+BUILD),)* $((&$($explorer::)+INFO, $($explorer::)+BUILD)),*]
         );
         /// Metadata of all behaviours.
-        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$(&$plain::INFO,)* $(&$($explorer::)+INFO),*];
+        pub const BEHAVIOURS: &[&BehaviourInfo] = &[$(&$($plain::)+INFO,)* $(&$($explorer::)+INFO),*];
         const EXPLAINERS: &[(&str, &Explainer)] = &[
-            $(($plain::INFO.id, &$plain::EXPLAINER),)* $(($($explorer::)+INFO.id, &$($explorer::)+EXPLAINER)),*
+            $(($($plain::)+INFO.id, &$($plain::)+EXPLAINER),)* $(($($explorer::)+INFO.id, &$($explorer::)+EXPLAINER)),*
         ];
-        $(const _: () = $plain::EXPLAINER.check($plain::INFO.summary);)*
+        $(const _: () = $($plain::)+EXPLAINER.check($($plain::)+INFO.summary);)*
         $(const _: () = $($explorer::)+EXPLAINER.check($($explorer::)+INFO.summary);)*
     };
 }
@@ -163,14 +163,14 @@ registry! {
         bounce,
         dock,
         manual,
-    }
-    exploring {
         explore::forward_rotate,
         explore::left_right,
         explore::look_ahead,
         explore::look_around,
         explore::until_obstacle,
         explore::edge,
+    }
+    exploring {
         explore::frontier,
         online_snake,
         learned,

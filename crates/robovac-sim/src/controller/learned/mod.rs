@@ -1,7 +1,7 @@
 //! A small network that has learnt to clean in generated flats.
 //!
 //! The robot keeps a map of what it has swept and of what was in its way, in the frame of its estimated pose. Four times a
-//! second it looks along 16 directions. For each of them the network gets a few values ([`inputs`]): how much new floor lies
+//! second it looks along 16 directions. For each of them the network gets a few values (`inputs.rs`): how much new floor lies
 //! there near and far, how far the way is open, whether the lanes beside it are swept, how far it has to turn, what the light
 //! bumper sees, how often it has been there, and whether the way to the nearest floor that it hasn't swept leads there. It
 //! answers with a score and a speed. The robot turns to the direction with the best score. One network serves all directions,
