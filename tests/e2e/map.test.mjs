@@ -70,7 +70,11 @@ test("every behaviour of the menu maps, whatever its parameters are called", asy
   const behaviours = await page.locator("#map-explorer option").evaluateAll((options) => options.map(({ value }) => value));
   assert.ok(behaviours.length > 5);
   for (const behaviour of behaviours) {
-    await page.locator("#map-explorer").selectOption(behaviour);
+    const [menu, note] = [page.locator("#map-explorer"), page.locator("#map-explorer-note")];
+    const [chosen, said] = [await menu.inputValue(), await note.innerText()];
+    await menu.selectOption(behaviour);
+    // What the panel says of a method comes with the next picture.
+    if (behaviour !== chosen) await app.poll(() => note.innerText(), (now) => now !== said, behaviour);
     await phase("ready", "paused", "finished");
     // The speed of "edge" took the identifier of the play bar's speed.
     const twice = await page.evaluate(() => [...document.querySelectorAll("[id]")].map(({ id }) => id).filter((id, index, all) => all.indexOf(id) !== index));
