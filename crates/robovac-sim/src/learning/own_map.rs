@@ -4,6 +4,7 @@
 //! the bumper's switches, a bright echo of the light bumper or a cliff sensor put it.
 
 use super::{EgoMap, Mark};
+use crate::mapping::observation::{IDLE, LEAST, REFLECTED};
 use robovac_core::{
     geometry::{Point, Pose, Vector},
     math,
@@ -12,11 +13,6 @@ use robovac_core::{
 
 /// Way between two marks of the tool, m.
 const SPACING: f64 = 0.025;
-/// Light bumper signals: without an obstacle, and the least above it that counts as an echo, as in mapping.
-const IDLE: f64 = 17.0;
-const LEAST: f64 = 65.0;
-/// Reflectance times cosine of a usual wall, as in mapping.
-const REFLECTED: f64 = 0.92 * 0.88;
 /// Distance up to which echoes are marked, m: farther away they tell too little.
 const NEAR: f64 = 0.08;
 /// How far inside an obstacle its mark lies, m: half a cell.

@@ -18,13 +18,15 @@ use robovac_core::{
 /// Beams of a light bumper.
 pub const BEAMS: usize = 6;
 /// Signal without an obstacle: the middle of a Roomba's 2 to 32 (Open Interface facts, section 6).
-const IDLE: f64 = 17.0;
+pub const IDLE: f64 = 17.0;
 /// Least signal above that which counts as an echo (ours: seven times the standard deviation of idle readings).
-const LEAST: f64 = 65.0;
+pub const LEAST: f64 = 65.0;
 /// Expected reflectance, and its relative uncertainty (ours: between dark furniture and white walls).
 pub const REFLECTANCE: (f64, f64) = (0.92, 0.15);
 /// Expected cosine, and its uncertainty, for an unknown direction of the surface (ours).
 pub const COSINE: (f64, f64) = (0.88, 0.15);
+/// Share of the light that a usual wall sends back.
+pub const REFLECTED: f64 = REFLECTANCE.0 * COSINE.0;
 /// Distance within which a beam certainly detects obstacles, m: a dark surface at 60 degrees is still an echo there.
 const SEEN: f64 = 0.08;
 /// Step between tried directions of a contact, rad.

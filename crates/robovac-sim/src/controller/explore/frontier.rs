@@ -38,11 +38,11 @@ use crate::{
         BehaviourClaims, BehaviourInfo, BuildBehaviour, Intent, Setup,
         parts::{
             Barred, Behaviour, Lookout, Obstruction, ObstructionKind, ObstructionSide, Pilot, Reactive,
-            RelocaliseSearch, Route, Searched,
+            RelocaliseSearch, Route, Searched, TRACKING, chosen_tracking,
         },
         wall_follow::WallFollow,
     },
-    mapping::{Mapper, MapperSetup, Tracking},
+    mapping::{Mapper, MapperSetup},
 };
 use robovac_core::{
     geometry::{Point, Pose},
@@ -77,12 +77,7 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
         frontier is left.",
     claims: BehaviourClaims { ends: true, explores: true, ..BehaviourClaims::NONE },
     params: &[
-        ParamSpec {
-            id: "tracking",
-            label: "Pose",
-            help: "Odometry alone, or corrected for drift by matching contacts to earlier ones.",
-            kind: ParamKind::Choice { options: &[("corrected", "corrected"), ("odometry", "odometry alone")] },
-        },
+        TRACKING,
         ParamSpec {
             id: "odometry",
             label: "Odometry",
@@ -139,7 +134,7 @@ pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
 };
 
 pub(in crate::controller) const BUILD: BuildBehaviour = |setup| {
-    let tracking = Tracking::parse(setup.params.choice("tracking")).unwrap_or_default();
+    let tracking = chosen_tracking(setup);
     let start = Pose::new(0.0, 0.0, 0.0);
     let odometry = OdometryModel::parse(setup.params.choice("odometry")).unwrap_or_default();
     let mapper = MapperSetup { robot: setup.robot.clone(), start, tracking, odometry, seed: setup.seed };

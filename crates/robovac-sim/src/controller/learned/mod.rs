@@ -35,16 +35,19 @@ use super::{
     BehaviourClaims, BehaviourInfo, BuildBehaviour, Controller, Intent, Setup,
     parts::{
         Behaviour, GO_HOME, LEAVE_HOME, Move, Obstruction, ObstructionKind, ObstructionSide, Pilot, Reactive,
-        RelocaliseSearch, Searched,
+        RelocaliseSearch, Searched, TRACKING, chosen_tracking,
     },
 };
-use crate::mapping::{Mapper, MapperSetup, Tracking};
+use crate::mapping::{
+    Mapper, MapperSetup,
+    observation::{IDLE, REFLECTED},
+};
 use inputs::{Around, DIRECTIONS, INPUTS, angle};
 use rand::RngExt;
 use robovac_core::{
     geometry::{Point, Pose, difference},
     math,
-    registry::{Example, Explainer, ParamKind, ParamSpec},
+    registry::{Example, Explainer},
     robot::{Body, Drive, OdometryModel, RobotModel, SensorReadings, Tool},
 };
 use std::sync::Arc;
@@ -67,10 +70,7 @@ const BLOCKED: f64 = 0.95;
 const FREE_M: f64 = 0.06;
 /// How far inside an obstacle its mark lies, m.
 const INSIDE: f64 = 0.02;
-/// Light bumper: signals without an obstacle, the share of light that a usual wall reflects, and the distance up to which echoes
-/// are marked, m.
-const IDLE: f64 = 17.0;
-const REFLECTED: f64 = 0.92 * 0.88;
+/// Distance up to which echoes of the light bumper are marked, m.
 const NEAR_M: f64 = 0.16;
 /// Direction of a contact on one side, rad.
 const SIDE: f64 = 0.95;
@@ -99,16 +99,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     title: "Learned",
     summary: "Drives where a small neural network, trained in generated flats, leads it.",
     claims: BehaviourClaims { cleans: true, ..BehaviourClaims::NONE },
-    params: &[
-        ParamSpec {
-            id: "tracking",
-            label: "Pose",
-            help: "Odometry alone, or corrected for drift by matching contacts to earlier ones.",
-            kind: ParamKind::Choice { options: &[("corrected", "corrected"), ("odometry", "odometry alone")] },
-        },
-        GO_HOME,
-        LEAVE_HOME,
-    ],
+    params: &[TRACKING, GO_HOME, LEAVE_HOME],
 };
 
 /// Its explanation.
@@ -163,11 +154,10 @@ struct Learned {
 
 impl Learned {
     fn new(setup: &Setup<'_>, network: Arc<Network>) -> Self {
-        let tracking = Tracking::parse(setup.params.choice("tracking")).unwrap_or_default();
         let mapper = MapperSetup {
             robot: setup.robot.clone(),
             start: Pose::new(0.0, 0.0, 0.0),
-            tracking,
+            tracking: chosen_tracking(setup),
             odometry: OdometryModel::default(),
             seed: setup.seed,
         };

@@ -86,11 +86,6 @@ impl Network {
         &self.sizes
     }
 
-    /// All weights, in the order of the text.
-    pub fn weights(&self) -> &[f32] {
-        &self.weights
-    }
-
     /// Its first outputs for these inputs. What is missing on either side is left out.
     pub fn outputs<const N: usize>(&self, inputs: &[f32]) -> [f32; N] {
         let (mut before, mut after) = ([0.0; WIDEST], [0.0; WIDEST]);
