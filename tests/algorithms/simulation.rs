@@ -116,6 +116,51 @@ fn bumper_tells_left_from_right() {
     }
 }
 
+#[test]
+fn a_corner_that_stands_twice_is_driven_once() {
+    let setup = setup(SlipLevel::None, 0);
+    let mut floor = (*setup.floor).clone();
+    floor.start = Pose::new(0.5, 0.5, 0.0);
+    let [a, b, c] = [(0.5, 0.5), (1.2, 0.5), (1.2, 0.8)].map(|(x, y)| Point::new(x, y));
+    let setup = RunSetup { floor: Arc::new(floor), ..setup };
+    let drive = |line: &[Point]| {
+        let follower = FollowPath::new(&setup.robot, OdometryModel::Arc, setup.floor.start, line.into());
+        let mut run = Run::new(&setup, Box::new(follower));
+        while !run.is_finished() && run.steps() < 4000 {
+            run.step();
+        }
+        (run.is_finished(), run.digest())
+    };
+    let once = drive(&[a, b, c]);
+    assert!(once.0);
+    assert_eq!(drive(&[a, a, b, b, b, c, c]), once);
+    let path = CoveragePath::in_metres(vec![a, a, b, b, b, c, c]);
+    assert_eq!(path.line, [a, b, c]);
+}
+
+#[test]
+fn a_speed_that_is_not_a_number_stops_the_robot() {
+    #[derive(Clone)]
+    struct Broken;
+    impl Controller for Broken {
+        fn step(&mut self, _: &SensorReadings, _: f64) -> Drive {
+            Drive::wheels(f64::NAN, f64::INFINITY)
+        }
+        fn is_done(&self) -> bool {
+            false
+        }
+        fn boxed_clone(&self) -> Box<dyn Controller> {
+            Box::new(self.clone())
+        }
+    }
+    let mut run = Run::new(&setup(SlipLevel::None, 0), Box::new(Broken));
+    let before = run.pose();
+    for _ in 0..20 {
+        run.step();
+    }
+    assert_eq!(run.pose(), before);
+}
+
 /// A lawn-mower path below the block, to the left of the thin wall.
 fn mowing(planning_grid: &PlanningGrid) -> CoveragePath {
     let mut cells = Vec::new();

@@ -49,7 +49,8 @@ impl CoveragePath {
     }
 
     /// A path in metres.
-    pub fn in_metres(line: Vec<Point>) -> Self {
+    pub fn in_metres(mut line: Vec<Point>) -> Self {
+        line.dedup();
         Self { cells: Vec::new(), line }
     }
 

@@ -221,7 +221,9 @@ impl RobotPort for SimRobot {
 
     #[inline]
     fn drive(&mut self, wanted: Drive) {
-        self.wanted = wanted;
+        // A pose that isn't a number would be nowhere in the room.
+        let is_speed = [wanted.left, wanted.right, wanted.lateral].iter().all(|speed| speed.is_finite());
+        self.wanted = if is_speed { wanted } else { Drive::STOP };
         self.is_braking = false;
     }
 }

@@ -219,6 +219,10 @@ impl FollowPath {
 
     fn next_piece(&mut self) {
         self.next += 1;
+        // Between two corners in one place there is no direction to drive in.
+        while self.next < self.line.len() && self.line[self.next] == self.line[self.next - 1] {
+            self.next += 1;
+        }
         self.bumps = 0;
         self.waits = 0;
         self.shift = 0.0;
