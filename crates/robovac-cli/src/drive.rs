@@ -1,6 +1,6 @@
-//! `drive`: a user's program drives a real robot on a serial port, or a virtual one.
+//! `drive`: a user's program or a behaviour drives a real robot on a serial port, or a virtual one.
 //!
-//! The program never has the line. The driver has it: it drives in Safe mode, limits the speeds, and stops the wheels when
+//! Neither ever has the line. The driver has it: it drives in Safe mode, limits the speeds, and stops the wheels when
 //! they aren't renewed for 200 ms, as when the program misses a step.
 
 use super::{
@@ -13,18 +13,22 @@ use super::{
 };
 use robovac_core::{
     geometry::Pose,
-    robot::{Drive, RobotModel, model},
+    registry::Params,
+    robot::{Drive, RobotModel, SensorReadings, model},
 };
 use robovac_link::{
     driver::{Driver, LineRequest},
     sensors::to_sensors,
 };
-use robovac_sim::program::{ProgramSenses, RobotFacts, readings_json, wheel_command};
+use robovac_sim::{
+    controller::{self, Controller, Setup},
+    program::{ProgramSenses, RobotFacts, readings_json, wheel_command},
+};
 use roomba_oi::Mode;
 use serialport::{ClearBuffer, SerialPort};
 use std::{
     io::{self, ErrorKind, Write},
-    path::PathBuf,
+    path::{Path, PathBuf},
     sync::{
         Arc,
         atomic::{AtomicBool, Ordering},
@@ -45,11 +49,15 @@ const FAREWELL_S: f64 = 0.3;
 /// The robot that can be connected.
 const ROBOT: &str = "roomba600";
 
-/// Let your own program drive a robot on a serial port, in Safe mode. Clear the way, and stay beside the robot
+/// Let your own program, or a behaviour, drive a robot on a serial port, in Safe mode. Clear the way, and stay beside the robot
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Your program: a file that ends in .py (run by python3) or .js (by node), or any with --command
-    program: PathBuf,
+    #[arg(required_unless_present = "behaviour", conflicts_with = "behaviour")]
+    program: Option<PathBuf>,
+    /// Behaviour that drives in its place, see "robovac behaviours"
+    #[arg(long, value_name = "ID", conflicts_with_all = ["command", "memory"])]
+    behaviour: Option<String>,
     /// Serial port, such as /dev/ttyUSB0 or COM3; "robovac monitor list" lists the ports
     #[arg(long, value_name = "PORT")]
     port: String,
@@ -62,7 +70,7 @@ pub struct Arguments {
     /// Seconds to drive [default: until the program is done, or Ctrl-C]
     #[arg(long, value_name = "S", value_parser = parse_seconds, allow_hyphen_values = true)]
     seconds: Option<f64>,
-    /// Random seed of the program
+    /// Random seed of the program or behaviour
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// Memory that the program may use
@@ -70,13 +78,28 @@ pub struct Arguments {
     memory: u64,
 }
 
+/// Who drives.
+enum Pilot {
+    Program(Box<ProgramPilot>),
+    Behaviour(Box<dyn Controller>),
+}
+
+/// What a pilot wants.
+enum Wish {
+    /// Speeds, or with `None` no new ones: those before go on for 200 ms.
+    Drive(Option<Drive>),
+    Done,
+}
+
 /// The program in a thread of its own: a slow one must not delay the driver.
-struct Pilot {
+struct ProgramPilot {
+    name: String,
     lines: Sender<String>,
     answers: Receiver<Result<Reply, String>>,
     thread: JoinHandle<()>,
     /// Whether an answer is on its way.
     is_asked: bool,
+    senses: Option<ProgramSenses>,
 }
 
 /// The robot's end.
@@ -89,34 +112,89 @@ struct Line<'a> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
-    let program = &arguments.program;
-    std::fs::metadata(program).map_err(|error| Failure::io(program.display(), &error))?;
-    let language = Language::of(program, arguments.command.as_deref())?;
     let robot = model(ROBOT).ok_or_else(|| Failure::unknown("robot", ROBOT, "robots"))?;
     let robot = RobotModel { max_wheel_speed: arguments.speed, ..robot.clone() };
-    let fault = |fault: String| Failure::planner(format!("{}: {fault}", program.display()));
     let end = end_requested()?;
-    // The program first: one with a fault must not touch the robot.
-    let mut process = ProgramProcess::start(language.command(), arguments.memory, Arc::clone(&end)).map_err(fault)?;
-    let greeting = hello(&RobotFacts::of(&robot), arguments.seed, false);
-    let ready = process.ask(&greeting, Task::Start).map_err(fault)?.ready;
-    if ready.as_deref() != Some("behaviour") {
-        return Err(fault("only a behaviour drives a robot; a planner needs the grid of a room".to_owned()));
-    }
+    // The pilot first: one with a fault must not touch the robot.
+    let mut pilot = match (&arguments.program, &arguments.behaviour) {
+        (Some(program), _) => Pilot::Program(Box::new(ProgramPilot::start(program, arguments, &robot, &end)?)),
+        (None, id) => Pilot::Behaviour(behaviour(id.as_deref().unwrap_or_default(), &robot, arguments.seed)?),
+    };
     let mut line = Line::open(&arguments.port, Arc::clone(&end))?;
-    let mut pilot = Pilot::start(process);
     let driven = line.drive(arguments, &robot, &mut pilot);
     // In every case the robot is stopped and released, and the program ended.
     let released = line.release();
     end.store(true, Ordering::Relaxed);
-    pilot.finish();
+    if let Pilot::Program(program) = pilot {
+        program.finish();
+    }
     let said = driven?;
     released?;
     Ok(said)
 }
 
+/// The behaviour with that id and its own parameters. It drives no faster than the robot's wheels may turn.
+fn behaviour(id: &str, robot: &RobotModel, seed: u64) -> Result<Box<dyn Controller>, Failure> {
+    let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
+    if info.claims.manual {
+        return Err(Failure::usage(format!("behaviour \"{id}\" is driven by hand; use it on the page")));
+    }
+    let speed = robot.cruise_speed.min(robot.max_wheel_speed);
+    let robot =
+        RobotModel { cruise_speed: speed, turn_wheel_speed: robot.turn_wheel_speed.min(speed), ..robot.clone() };
+    let params = Params::defaults(info.params);
+    info.build(&Setup { robot: &robot, params: &params, seed })
+        .ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))
+}
+
 impl Pilot {
-    fn start(mut process: ProgramProcess) -> Self {
+    /// Takes a reading, `dt_s` seconds after the last one.
+    fn sense(&mut self, robot: &RobotModel, sensed: &SensorReadings, dt_s: f64) -> Wish {
+        match self {
+            Self::Program(program) => {
+                program.sense(robot, sensed);
+                Wish::Drive(None)
+            }
+            Self::Behaviour(controller) => {
+                let Drive { left, right, .. } = controller.step(sensed, dt_s);
+                if controller.is_done() {
+                    return Wish::Done;
+                }
+                // As one of the pair may be limited, the other keeps its share, and with it the way's curvature.
+                let most = left.abs().max(right.abs());
+                let share = if most > robot.max_wheel_speed { robot.max_wheel_speed / most } else { 1.0 };
+                Wish::Drive(Some(Drive::wheels(share * left, share * right)))
+            }
+        }
+    }
+
+    /// The answer to an earlier reading, if it is there by `now`; it has driven since `began`.
+    fn answer(&mut self, robot: &RobotModel, now: f64, began: f64) -> Result<Wish, Failure> {
+        match self {
+            Self::Program(program) => program.answer(robot, now, began),
+            Self::Behaviour(_) => Ok(Wish::Drive(None)),
+        }
+    }
+}
+
+impl ProgramPilot {
+    fn start(
+        program: &Path,
+        arguments: &Arguments,
+        robot: &RobotModel,
+        end: &Arc<AtomicBool>,
+    ) -> Result<Self, Failure> {
+        let name = program.display().to_string();
+        std::fs::metadata(program).map_err(|error| Failure::io(program.display(), &error))?;
+        let language = Language::of(program, arguments.command.as_deref())?;
+        let fault = |fault: String| Failure::planner(format!("{name}: {fault}"));
+        let mut process =
+            ProgramProcess::start(language.command(), arguments.memory, Arc::clone(end)).map_err(fault)?;
+        let greeting = hello(&RobotFacts::of(robot), arguments.seed, false);
+        let ready = process.ask(&greeting, Task::Start).map_err(fault)?.ready;
+        if ready.as_deref() != Some("behaviour") {
+            return Err(fault("only a behaviour drives a robot; a planner needs the grid of a room".to_owned()));
+        }
         let (lines, asked) = channel::<String>();
         let (answer, answers) = channel();
         let thread = thread::spawn(move || {
@@ -128,7 +206,36 @@ impl Pilot {
                 }
             }
         });
-        Self { lines, answers, thread, is_asked: false }
+        Ok(Self { name, lines, answers, thread, is_asked: false, senses: None })
+    }
+
+    fn sense(&mut self, robot: &RobotModel, sensed: &SensorReadings) {
+        let start = Pose::new(0.0, 0.0, 0.0);
+        let senses = self.senses.get_or_insert_with(|| ProgramSenses::new(robot, start, sensed));
+        senses.take(sensed);
+        if !self.is_asked {
+            senses.write(sensed);
+            self.is_asked = self.lines.send(readings_json(senses.numbers(), false)).is_ok();
+        }
+    }
+
+    fn answer(&mut self, robot: &RobotModel, now: f64, began: f64) -> Result<Wish, Failure> {
+        let Ok(answer) = self.answers.try_recv() else { return Ok(Wish::Drive(None)) };
+        self.is_asked = false;
+        let reply =
+            answer.map_err(|fault| Failure::planner(format!("{}, at {:.2} s: {fault}", self.name, now - began)))?;
+        for text in &reply.print {
+            say(&format!("{now:8.2} s  {}", Words::of(text.as_bytes())));
+        }
+        if reply.done {
+            return Ok(Wish::Done);
+        }
+        let wheels = [reply.left, reply.right].map(|speed| wheel_command(robot, speed.unwrap_or(0.0)));
+        let [left, right] = wheels.map(|speed| f64::from(speed) / 1000.0);
+        if let Some(senses) = &mut self.senses {
+            senses.command(wheels);
+        }
+        Ok(Wish::Drive(Some(Drive::wheels(left, right))))
     }
 
     /// Waits until the program has ended.
@@ -161,10 +268,9 @@ impl<'a> Line<'a> {
         self.driver.put_in(now, Mode::Safe);
         self.until(Driver::is_armed)?;
         say(&format!("{now:8.2} s  in Safe mode, at most {} m/s; Ctrl-C stops the robot", arguments.speed));
-        let mut senses: Option<ProgramSenses> = None;
         let began = self.now();
         loop {
-            let has_read = self.turn()?;
+            let since = self.turn()?;
             let now = self.now();
             let is_over = arguments.seconds.is_some_and(|seconds| now - began >= seconds);
             if is_over || self.end.load(Ordering::Relaxed) {
@@ -174,34 +280,21 @@ impl<'a> Line<'a> {
                 let why = self.driver.dropped().map(|loss| format!("{loss} {}", loss.remedy()));
                 return Err(Failure::system(why.unwrap_or_else(|| "the connection was lost".to_owned())));
             }
-            if has_read && let Some(readings) = self.driver.readings() {
-                let sensed = to_sensors(readings);
-                let start = Pose::new(0.0, 0.0, 0.0);
-                let senses = senses.get_or_insert_with(|| ProgramSenses::new(robot, start, &sensed));
-                senses.take(&sensed);
-                if !pilot.is_asked {
-                    senses.write(&sensed);
-                    pilot.is_asked = pilot.lines.send(readings_json(senses.numbers(), false)).is_ok();
-                }
+            let mut wish = Wish::Drive(None);
+            if let Some(dt_s) = since
+                && let Some(readings) = self.driver.readings()
+            {
+                wish = pilot.sense(robot, &to_sensors(readings), dt_s);
             }
-            let Ok(answer) = pilot.answers.try_recv() else { continue };
-            pilot.is_asked = false;
-            let reply = answer.map_err(|fault| {
-                Failure::planner(format!("{}, at {:.2} s: {fault}", arguments.program.display(), now - began))
-            })?;
-            for text in &reply.print {
-                say(&format!("{now:8.2} s  {}", Words::of(text.as_bytes())));
+            if matches!(wish, Wish::Drive(None)) {
+                wish = pilot.answer(robot, now, began)?;
             }
-            if reply.done {
-                return Ok(format!("{now:8.2} s  done\n"));
+            match wish {
+                Wish::Done => return Ok(format!("{now:8.2} s  done\n")),
+                // It holds for 200 ms unless it is renewed.
+                Wish::Drive(Some(drive)) => self.driver.drive(now, drive),
+                Wish::Drive(None) => {}
             }
-            let wheels = [reply.left, reply.right].map(|speed| wheel_command(robot, speed.unwrap_or(0.0)));
-            let [left, right] = wheels.map(|speed| f64::from(speed) / 1000.0);
-            if let Some(senses) = &mut senses {
-                senses.command(wheels);
-            }
-            // It holds for 200 ms unless it is renewed.
-            self.driver.drive(now, Drive::wheels(left, right));
         }
     }
 
@@ -222,13 +315,13 @@ impl<'a> Line<'a> {
         Ok(())
     }
 
-    /// Sends and receives once. Returns whether there is a new reading.
-    fn turn(&mut self) -> Result<bool, Failure> {
+    /// Sends and receives once. Returns the seconds since the last reading if there is a new one.
+    fn turn(&mut self) -> Result<Option<f64>, Failure> {
         let name = self.name;
         self.exchange().map_err(|error| Failure::io(name, &error))
     }
 
-    fn exchange(&mut self) -> io::Result<bool> {
+    fn exchange(&mut self) -> io::Result<Option<f64>> {
         let now = self.now();
         self.driver.tick(now);
         while let Some(request) = self.driver.take_line() {
@@ -248,12 +341,14 @@ impl<'a> Line<'a> {
             Err(error) => return Err(error),
         };
         let (mut rest, now) = (buffer.get(..count).unwrap_or_default(), self.now());
-        let mut has_read = false;
+        let mut since: Option<f64> = None;
         while !rest.is_empty() {
             rest = rest.get(self.driver.feed(now, rest)..).unwrap_or_default();
-            has_read |= self.driver.take_reading().is_some();
+            if let Some(dt_s) = self.driver.take_reading() {
+                since = Some(since.unwrap_or(0.0) + dt_s);
+            }
         }
-        Ok(has_read)
+        Ok(since)
     }
 
     /// Stops the robot and ends the interface.

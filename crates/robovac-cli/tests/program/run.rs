@@ -192,6 +192,33 @@ fn a_program_drives_a_virtual_roomba_in_safe_mode() {
     assert!((0.03..0.4).contains(&moved), "{moved} m: {after}");
 }
 
+/// In real time, as above.
+#[test]
+fn a_behaviour_drives_a_virtual_roomba_no_faster_than_it_may() {
+    let mut robot = Program::start("behaving", &["--room", "empty"]);
+    let port = robot.ready();
+    let before = robot.state();
+    let drive = |options: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_robovac")).args(["drive", "--port", &port]).args(options).output().unwrap()
+    };
+    let wrong = drive(&["--behaviour", "learnt"]);
+    let message = String::from_utf8_lossy(&wrong.stderr);
+    assert!(wrong.status.code() == Some(2) && message.contains("learnt"), "{message}");
+    let by_hand = drive(&["--behaviour", "manual"]);
+    assert!(String::from_utf8_lossy(&by_hand.stderr).contains("driven by hand"));
+    assert_eq!(drive(&[]).status.code(), Some(2), "nobody drives");
+    assert_eq!(robot.state()["pose"], before["pose"], "nothing of that reached the robot");
+    let output = drive(&["--behaviour", "learned", "--speed", "0.1", "--seconds", "1.5"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(text.contains("in Safe mode, at most 0.1 m/s") && text.contains("stopped"), "{text}");
+    let after = robot.wait_for("it is released", |state| state["mode"] == "Off");
+    let [x, y] = ["x", "y"].map(|key| after["pose"][key].as_f64().unwrap() - before["pose"][key].as_f64().unwrap());
+    let heading = |state: &Value| state["pose"]["heading_deg"].as_f64().unwrap();
+    let (moved, turned) = (x.hypot(y), heading(&after) - heading(&before));
+    assert!(moved < 0.17 && (moved > 0.01 || turned.abs() > 3.0), "{moved} m, {turned}: {after}");
+}
+
 // slow: a second is the limit of a step
 #[test]
 fn a_program_that_hangs_is_ended_and_its_robot_stopped_before() {
