@@ -93,7 +93,12 @@ fn twenty_seeds_by_laser() {
     let only = std::env::var("ONLY").unwrap_or_default();
     for robot in ROBOTS {
         for (name, plan) in plans.iter().filter(|(name, _)| format!("{robot} {name}").contains(&only)) {
-            let runs: Vec<[f64; 6]> = (101..=120).map(|seed| outcome(plan, robot, "wall_follow", seed, 20.0)).collect();
+            let run = |seed| {
+                let run = outcome(plan, robot, "wall_follow", seed, 20.0);
+                println!("{robot} {name} {seed}: {run:.3?}");
+                run
+            };
+            let runs: Vec<[f64; 6]> = (101..=120).map(run).collect();
             let column = |i: usize| median(runs.iter().map(|run| run[i]).collect());
             let [metres, degrees, m, d, right, seen] = std::array::from_fn(column);
             println!(

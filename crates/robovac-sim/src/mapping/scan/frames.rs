@@ -35,6 +35,8 @@ const CELL: f64 = 0.05;
 /// Least score of a match, and share of agreeing points that closes a loop.
 const SCORE: f64 = 0.5;
 const CLOSES: f64 = 0.6;
+/// Least number of a key frame's points that closes a loop: few points fit in many places.
+const TELLING: usize = 100;
 /// Accuracy of an edge: m and rad for a match, and m, m per m, rad and rad per rad for the wheels.
 const MATCHED: [f64; 2] = [0.003, 0.0015];
 const CLOSED: [f64; 2] = [0.006, 0.003];
@@ -296,6 +298,11 @@ impl ScanMapper {
     /// Searches old key frames near `frame` that are far away by the graph, and adjusts all poses if it fits there.
     fn close_loop(&mut self, frame: usize) -> bool {
         let pose = self.graph.poses[frame];
+        let scan = Arc::clone(&self.frames[frame]);
+        let points: Vec<Point> = scan.iter().filter(|point| point.normal.is_some()).map(|point| point.at).collect();
+        if points.len() < TELLING {
+            return false;
+        }
         let Some(anchor) = self.nearest(pose, |other| self.ways[other].is_infinite()) else { return false };
         if (self.graph.poses[anchor].position() - pose.position()).norm() > CANDIDATES {
             return false;
@@ -310,14 +317,14 @@ impl ScanMapper {
         let scans = old.iter().map(|&other| (self.graph.poses[other], &*self.frames[other]));
         let surfaces = SurfaceMap::new(scans);
         let Some(grid) = CorrelationGrid::new(&surfaces.places(), CELL) else { return false };
-        let scan = Arc::clone(&self.frames[frame]);
-        let points: Vec<Point> = scan.iter().filter(|point| point.normal.is_some()).map(|point| point.at).collect();
         let along = ways[frame].min(1e3);
         let window = [WINDOW, TURN].map(|[least, by_way, most]| (least + by_way * along).min(most));
         let found = grid.search(&points, SearchWindow::Around(pose, window), (1, SCORE, 1.0), |_| true);
         let Some(found) = found.first() else { return false };
         let (at, fit) = surfaces.align(found.pose, &scan, &(Matrix3::identity() * 1.0));
-        if fit.share() < CLOSES || points.len() < 20 {
+        // Along a corridor, the alignment can leave the window.
+        let off = [(at.position() - pose.position()).norm(), difference(pose.heading, at.heading).abs()];
+        if fit.share() < CLOSES || off[0] > window[0] || off[1] > window[1] {
             return false;
         }
         let relative = between(self.graph.poses[anchor], at);
@@ -447,4 +454,54 @@ fn limited(information: &Matrix3<f64>, [position, heading]: [f64; 2]) -> Matrix3
 fn diagonal([position, heading]: [f64; 2]) -> Matrix3<f64> {
     let [position, heading] = [position, heading].map(|deviation| 1.0 / (deviation * deviation));
     Matrix3::from_diagonal(&Vector3::new(position, position, heading))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::robot::model;
+
+    /// The walls of a room of 4 m x 3 m as seen from its middle, a point every `step` metres.
+    fn room(step: f64) -> Vec<ScanPoint> {
+        let mut points = Vec::new();
+        for (half, depth, turns) in [(2.0, 1.5, 0), (1.5, 2.0, 1), (2.0, 1.5, 2), (1.5, 2.0, 3)] {
+            for i in 0..(2.0 * half / step) as i32 {
+                let (mut at, mut normal) = (Vector::new(f64::from(i) * step - half, -depth), Vector::new(0.0, 1.0));
+                for _ in 0..turns {
+                    (at, normal) = (Vector::new(-at.y, at.x), Vector::new(-normal.y, normal.x));
+                }
+                points.push(ScanPoint { at: at.into(), normal: Some(normal), deviation: 0.01 });
+            }
+        }
+        points
+    }
+
+    /// Whether the loop is closed of a robot that comes back to a room after 20 m, and believes to be `off` m from where it is.
+    fn closes(off: f64, step: f64) -> bool {
+        let mut mapper = ScanMapper::new(model("cbot").unwrap().sensors.laser.unwrap());
+        let poses = [0.0, 10.0, off].map(|x| Pose::new(x, 0.0, 0.0));
+        for (frame, pose) in poses.into_iter().enumerate() {
+            mapper.graph.add(pose);
+            mapper.frames.push(if frame == 1 { Vec::new() } else { room(step) }.into());
+        }
+        for (from, to) in [(0, 1), (1, 2)] {
+            let (relative, information) = (between(poses[from], poses[to]), Matrix3::identity());
+            mapper.graph.link(Edge { from, to, relative, information, closes_loop: false });
+        }
+        mapper.ways = mapper.graph.ways(2, LINKED);
+        mapper.close_loop(2)
+    }
+
+    #[test]
+    fn loop_outside_its_search_window_is_not_closed() {
+        // 20 m of way make a window of 0.4 m.
+        assert!(closes(0.35, 0.05));
+        assert!(!closes(0.45, 0.05));
+    }
+
+    #[test]
+    fn loop_with_few_points_is_not_closed() {
+        assert!(closes(0.1, 0.1));
+        assert!(!closes(0.1, 0.15));
+    }
 }
