@@ -14,7 +14,7 @@ use robovac_sim::{
     mapping::{MapTruth, Mapper, MapperSetup, RESOLUTION, SeenBoundary, Tracking},
     montecarlo::quantile,
 };
-use std::{path::Path, sync::Arc};
+use std::{path::PathBuf, sync::Arc};
 
 const ROBOTS: [&str; 2] = ["cbot", "roomba600_lidar"];
 
@@ -76,17 +76,19 @@ fn a_laser_keeps_the_pose_within_centimetres_and_maps_what_it_sees() {
     }
 }
 
-/// The table of docs/maps.md, for the rooms that ship and two plans in ../shared/maps if they are there:
+/// The table of docs/maps.md, for the rooms that ship and two plans in the folder FLOORPLANS, or ../shared/maps/floorplans, if
+/// they are there:
 /// `cargo test --release --test algorithms -- --ignored --nocapture twenty_seeds_by_laser`, or with `ONLY="cbot flat"` one row.
 #[test]
 #[ignore = "soak: two hundred runs of twenty minutes"]
 fn twenty_seeds_by_laser() {
     let mut plans: Vec<(String, FloorPlan)> =
         ["flat", "kitchen", "office"].map(|id| (id.to_owned(), (room(id).unwrap().build)())).into();
+    let floorplans = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/maps/floorplans").to_owned();
+    let folder = PathBuf::from(std::env::var("FLOORPLANS").unwrap_or(floorplans));
     for name in ["lab_ipa_furnitures", "Freiburg52_scan_furnitures"] {
         let file = format!("{name}.png");
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/maps/floorplans").join(&file);
-        if let Ok(bytes) = std::fs::read(path) {
+        if let Ok(bytes) = std::fs::read(folder.join(&file)) {
             plans.push((name.to_owned(), load(&[SourceFile { name: file, bytes }]).unwrap()));
         }
     }
