@@ -4,7 +4,7 @@ use super::{failure::Failure, output, simulate::parse_seconds, source::RoomSourc
 use coverage_planners::lanes::{LanesError, LanesPlan, LanesProgress, LanesSetup, plan_lanes};
 use coverage_planners::smooth::SmoothSetup;
 use coverage_planners::sweep::in_frame;
-use robovac_app::export::PathFormat;
+use robovac_app::export::{PathFormat, path_bag, path_dxf};
 use robovac_core::{
     coverage::ReachableFloor,
     floor_plan::FloorPlan,
@@ -50,8 +50,8 @@ pub struct Arguments {
     /// Drive the path in the simulator, too, without noise
     #[arg(long)]
     drive: bool,
-    /// Output file; can be repeated; its extension chooses the format: .csv table, .yaml ROS path, .oi.txt Open
-    /// Interface bytes for a Roomba 600, .txt program
+    /// Output file; can be repeated; its extension chooses the format: .csv table, .yaml ROS path, .mcap ROS 2 bag, .oi.txt
+    /// Open Interface bytes for a Roomba 600, .txt program, .dxf drawing of room and path
     #[arg(long, value_name = "FILE")]
     out: Vec<PathBuf>,
     /// Write one JSON object instead of a summary
@@ -126,8 +126,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     })?;
     let planning_s = begin.elapsed().as_secs_f64();
     for (out, format) in arguments.out.iter().zip(formats) {
-        let text = written(format, &found, &plan, &floor, robot);
-        fs::write(out, text).map_err(|error| Failure::io(out.display(), &error))?;
+        let content = written(format, &found, &plan, &floor, robot)?;
+        fs::write(out, content).map_err(|error| Failure::io(out.display(), &error))?;
     }
     let area = floor.area();
     let required = arguments.coverage / 100.0;
@@ -190,10 +190,9 @@ fn drive(room: &RoomSetup, found: &LanesPlan, smooth: Option<Arc<Trajectory>>) -
 
 fn format_of(out: &std::path::Path) -> Result<PathFormat, Failure> {
     let name = out.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    // A drawing is written by the sweep only.
-    let mut known = PathFormat::ALL.into_iter().filter(|format| format.file_type().0 != "dxf");
-    known.find(|format| name.ends_with(&format!(".{}", format.file_type().0))).ok_or_else(|| {
-        let endings = ".csv, .yaml, .oi.txt or .txt";
+    let mut all = PathFormat::ALL.into_iter();
+    all.find(|format| name.ends_with(&format!(".{}", format.file_type().0))).ok_or_else(|| {
+        let endings = ".csv, .yaml, .mcap, .oi.txt, .txt or .dxf";
         Failure::usage(format!("--out {}: unknown file extension; use {endings}", out.display()))
     })
 }
@@ -204,9 +203,15 @@ fn written(
     plan: &FloorPlan,
     floor: &ReachableFloor,
     robot: &RobotModel,
-) -> String {
+) -> Result<Vec<u8>, Failure> {
     let (path, heading) = in_frame(&found.path, floor.start.heading, plan.origin);
-    format.text((&path, heading), robot, robot.title).unwrap_or_default()
+    match format.text((&path, heading), robot, robot.title) {
+        Some(text) => Ok(text.into_bytes()),
+        None if format == PathFormat::Bag => {
+            path_bag(plan, robot, &found.path, floor.start.heading).map_err(|error| Failure::system(error.to_string()))
+        }
+        None => Ok(path_dxf(plan, &found.path)?),
+    }
 }
 
 fn summary(report: &LanesReport<'_>, robot: &RobotModel) -> String {

@@ -223,12 +223,7 @@ impl Exported<'_> {
     }
 
     fn dxf(&self) -> Result<Vec<ExportFile>, ExportError> {
-        let mut overlays = floor_drawing::outlines(self.plan);
-        if !self.path.is_empty() {
-            let path = self.path.iter().map(|&at| self.plan.origin.to_world(at)).collect();
-            overlays.push(floor_drawing::Overlay { layer: "PATH".to_owned(), colour: 5, lines: vec![path] });
-        }
-        let bytes = floor_drawing::to_dxf(None, &overlays)?;
+        let bytes = path_dxf(self.plan, self.path)?;
         Ok(vec![ExportFile { name: format!("{}.dxf", self.stem), kind: "image/vnd.dxf", bytes }])
     }
 
@@ -244,6 +239,17 @@ impl Exported<'_> {
             ExportFile { name: format!("{}.yaml", self.stem), kind: "application/yaml", bytes: map.yaml.into_bytes() },
         ])
     }
+}
+
+/// Walls, furniture and a path in metres as a DXF drawing, in the frame of the map that the room came from; an empty path
+/// leaves its layer out.
+pub fn path_dxf(plan: &FloorPlan, path: &[Point]) -> Result<Vec<u8>, DrawingError> {
+    let mut overlays = floor_drawing::outlines(plan);
+    if !path.is_empty() {
+        let path = path.iter().map(|&at| plan.origin.to_world(at)).collect();
+        overlays.push(floor_drawing::Overlay { layer: "PATH".to_owned(), colour: 5, lines: vec![path] });
+    }
+    floor_drawing::to_dxf(None, &overlays)
 }
 
 #[cfg(test)]

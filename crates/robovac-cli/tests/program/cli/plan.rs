@@ -2,6 +2,8 @@
 
 use super::{failure, file, text};
 use coverage_planners::{PLANNERS, metrics::METRICS};
+use floor_drawing::{Stroke, read};
+use robovac_core::floor_plan::SourceFile;
 use serde_json::Value;
 use std::{collections::HashSet, fs, path::PathBuf};
 
@@ -166,10 +168,10 @@ fn sweep_says_what_is_wrong() {
 fn lanes_print_their_numbers_drive_and_write_files() {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("lanes");
     fs::create_dir_all(&folder).unwrap();
-    let csv = folder.join("lanes.csv");
-    let out = csv.to_str().unwrap();
+    let [csv, dxf, bag] = ["csv", "dxf", "mcap"].map(|ending| folder.join("lanes").with_extension(ending));
+    let out = [&csv, &dxf, &bag].map(|file| ["--out", file.to_str().unwrap()]).concat();
     let common = ["lanes", "--room", "bedroom", "--coverage", "95", "--effort", "5"];
-    let json = text(&[&common[..], &["--drive", "--json", "--out", out]].concat());
+    let json = text(&[&common[..], &["--drive", "--json"], &out].concat());
     let report: Value = serde_json::from_str(&json).unwrap();
     let number = |key: &str| report[key].as_f64().unwrap();
     assert!(number("coverage") >= 0.95 && number("clearance_m") == 0.003);
@@ -180,6 +182,16 @@ fn lanes_print_their_numbers_drive_and_write_files() {
     assert!((1.0..1.6).contains(&(driven / number("duration_s"))), "{report}");
     assert!(report["driven"]["coverage"].as_f64().unwrap() > 0.94, "{report}");
     assert!(fs::read_to_string(&csv).unwrap().lines().count() > 10);
+    // The drawing has the path on a layer of its own, in metres, as long as was told.
+    let drawing = read(&SourceFile { name: "lanes.dxf".into(), bytes: fs::read(&dxf).unwrap() }).unwrap();
+    let is_path = |stroke: &&Stroke| drawing.layers[stroke.layer as usize].name == "PATH";
+    let drawn: Vec<_> = drawing.strokes.iter().filter(is_path).collect();
+    assert!(drawing.metre == Some(1.0) && drawn.len() == 1 && drawing.layers.len() > 1, "{:?}", drawing.layers);
+    let corners = drawing.corners(drawn[0]);
+    assert_eq!(corners.len() as f64, number("corners"));
+    let length: f64 = corners.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+    assert!((length - number("length_m")).abs() < 0.01, "{length} {report}");
+    assert!(fs::read(&bag).unwrap().starts_with(b"\x89MCAP"));
     let text = text(&common);
     assert!(text.contains("Bound     at least") && text.contains("Excess"), "{text}");
 }
@@ -189,6 +201,6 @@ fn lanes_say_what_is_wrong() {
     let with = |more: &[&str]| failure(&[&["lanes", "--room", "bedroom"], more].concat());
     assert!(with(&["--coverage", "990"]).1.contains("coverage can't be 9.9"));
     assert_eq!(with(&["--coverage", "990"]).0, 2);
-    assert!(with(&["--out", "lanes.dxf"]).1.contains("unknown file extension"));
+    assert!(with(&["--out", "lanes.dwg"]).1.contains("unknown file extension"));
     assert!(with(&["--robot", "nothing"]).1.contains("robovac robots"));
 }
