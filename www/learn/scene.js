@@ -18,7 +18,7 @@ export function applyLink(app, link, plays) {
     return;
   }
   document.getElementById("tab-explore")?.click();
-  if (hasSettings && !app.act((p) => p.restore(`${DEFAULTS}&${link}`))) return;
+  if (hasSettings && !app.act((p) => p.restore(`search=0&${DEFAULTS}&${link}`))) return;
   app.act((p) => {
     if (!plays) p.reset();
     else p.play();
