@@ -48,7 +48,7 @@ impl CoveragePath {
         Self { cells, line: Vec::new() }
     }
 
-    /// A path in metres.
+    /// A path in metres. A corner that stands twice counts once.
     pub fn in_metres(mut line: Vec<Point>) -> Self {
         line.dedup();
         Self { cells: Vec::new(), line }

@@ -3,38 +3,24 @@
 //! Neither ever has the line. The driver has it: it drives in Safe mode, limits the speeds, and stops the wheels when
 //! they aren't renewed for 200 ms, as when the program misses a step.
 
-use super::{
-    bridge::cannot_open,
-    failure::Failure,
-    output::say,
-    run::{Language, ProgramProcess, Reply, Task, Words, hello},
-    signals::end_requested,
-    simulate::parse_seconds,
-};
-use robovac_core::{
-    geometry::Pose,
-    registry::Params,
-    robot::{Drive, RobotModel, SensorReadings, model},
-};
+mod pilot;
+
+use super::{bridge::cannot_open, failure::Failure, output::say, signals::end_requested, simulate::parse_seconds};
+use pilot::{Pilot, Wish};
+use robovac_core::robot::{RobotModel, model};
 use robovac_link::{
     driver::{Driver, LineRequest},
     sensors::to_sensors,
-};
-use robovac_sim::{
-    controller::{self, Controller, Setup},
-    program::{ProgramSenses, RobotFacts, readings_json, wheel_command},
 };
 use roomba_oi::Mode;
 use serialport::{ClearBuffer, SerialPort};
 use std::{
     io::{self, ErrorKind, Write},
-    path::{Path, PathBuf},
+    path::PathBuf,
     sync::{
         Arc,
         atomic::{AtomicBool, Ordering},
-        mpsc::{Receiver, Sender, channel},
     },
-    thread::{self, JoinHandle},
     time::{Duration, Instant},
 };
 
@@ -78,30 +64,6 @@ pub struct Arguments {
     memory: u64,
 }
 
-/// Who drives.
-enum Pilot {
-    Program(Box<ProgramPilot>),
-    Behaviour(Box<dyn Controller>),
-}
-
-/// What a pilot wants.
-enum Wish {
-    /// Speeds, or with `None` no new ones: those before go on for 200 ms.
-    Drive(Option<Drive>),
-    Done,
-}
-
-/// The program in a thread of its own: a slow one must not delay the driver.
-struct ProgramPilot {
-    name: String,
-    lines: Sender<String>,
-    answers: Receiver<Result<Reply, String>>,
-    thread: JoinHandle<()>,
-    /// Whether an answer is on its way.
-    is_asked: bool,
-    senses: Option<ProgramSenses>,
-}
-
 /// The robot's end.
 struct Line<'a> {
     driver: Driver,
@@ -116,133 +78,16 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let robot = RobotModel { max_wheel_speed: arguments.speed, ..robot.clone() };
     let end = end_requested()?;
     // The pilot first: one with a fault must not touch the robot.
-    let mut pilot = match (&arguments.program, &arguments.behaviour) {
-        (Some(program), _) => Pilot::Program(Box::new(ProgramPilot::start(program, arguments, &robot, &end)?)),
-        (None, id) => Pilot::Behaviour(behaviour(id.as_deref().unwrap_or_default(), &robot, arguments.seed)?),
-    };
+    let mut pilot = Pilot::new(arguments, &robot, &end)?;
     let mut line = Line::open(&arguments.port, Arc::clone(&end))?;
     let driven = line.drive(arguments, &robot, &mut pilot);
     // In every case the robot is stopped and released, and the program ended.
     let released = line.release();
     end.store(true, Ordering::Relaxed);
-    if let Pilot::Program(program) = pilot {
-        program.finish();
-    }
+    pilot.finish();
     let said = driven?;
     released?;
     Ok(said)
-}
-
-/// The behaviour with that id and its own parameters. It drives no faster than the robot's wheels may turn.
-fn behaviour(id: &str, robot: &RobotModel, seed: u64) -> Result<Box<dyn Controller>, Failure> {
-    let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
-    if info.claims.manual {
-        return Err(Failure::usage(format!("behaviour \"{id}\" is driven by hand; use it on the page")));
-    }
-    let speed = robot.cruise_speed.min(robot.max_wheel_speed);
-    let robot =
-        RobotModel { cruise_speed: speed, turn_wheel_speed: robot.turn_wheel_speed.min(speed), ..robot.clone() };
-    let params = Params::defaults(info.params);
-    info.build(&Setup { robot: &robot, params: &params, seed })
-        .ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))
-}
-
-impl Pilot {
-    /// Takes a reading, `dt_s` seconds after the last one.
-    fn sense(&mut self, robot: &RobotModel, sensed: &SensorReadings, dt_s: f64) -> Wish {
-        match self {
-            Self::Program(program) => {
-                program.sense(robot, sensed);
-                Wish::Drive(None)
-            }
-            Self::Behaviour(controller) => {
-                let Drive { left, right, .. } = controller.step(sensed, dt_s);
-                if controller.is_done() {
-                    return Wish::Done;
-                }
-                // As one of the pair may be limited, the other keeps its share, and with it the way's curvature.
-                let most = left.abs().max(right.abs());
-                let share = if most > robot.max_wheel_speed { robot.max_wheel_speed / most } else { 1.0 };
-                Wish::Drive(Some(Drive::wheels(share * left, share * right)))
-            }
-        }
-    }
-
-    /// The answer to an earlier reading, if it is there by `now`; it has driven since `began`.
-    fn answer(&mut self, robot: &RobotModel, now: f64, began: f64) -> Result<Wish, Failure> {
-        match self {
-            Self::Program(program) => program.answer(robot, now, began),
-            Self::Behaviour(_) => Ok(Wish::Drive(None)),
-        }
-    }
-}
-
-impl ProgramPilot {
-    fn start(
-        program: &Path,
-        arguments: &Arguments,
-        robot: &RobotModel,
-        end: &Arc<AtomicBool>,
-    ) -> Result<Self, Failure> {
-        let name = program.display().to_string();
-        std::fs::metadata(program).map_err(|error| Failure::io(program.display(), &error))?;
-        let language = Language::of(program, arguments.command.as_deref())?;
-        let fault = |fault: String| Failure::planner(format!("{name}: {fault}"));
-        let mut process =
-            ProgramProcess::start(language.command(), arguments.memory, Arc::clone(end)).map_err(fault)?;
-        let greeting = hello(&RobotFacts::of(robot), arguments.seed, false);
-        let ready = process.ask(&greeting, Task::Start).map_err(fault)?.ready;
-        if ready.as_deref() != Some("behaviour") {
-            return Err(fault("only a behaviour drives a robot; a planner needs the grid of a room".to_owned()));
-        }
-        let (lines, asked) = channel::<String>();
-        let (answer, answers) = channel();
-        let thread = thread::spawn(move || {
-            while let Ok(line) = asked.recv() {
-                let reply = process.ask(&line, Task::Step);
-                let is_over = reply.is_err();
-                if answer.send(reply).is_err() || is_over {
-                    break;
-                }
-            }
-        });
-        Ok(Self { name, lines, answers, thread, is_asked: false, senses: None })
-    }
-
-    fn sense(&mut self, robot: &RobotModel, sensed: &SensorReadings) {
-        let start = Pose::new(0.0, 0.0, 0.0);
-        let senses = self.senses.get_or_insert_with(|| ProgramSenses::new(robot, start, sensed));
-        senses.take(sensed);
-        if !self.is_asked {
-            senses.write(sensed);
-            self.is_asked = self.lines.send(readings_json(senses.numbers(), false)).is_ok();
-        }
-    }
-
-    fn answer(&mut self, robot: &RobotModel, now: f64, began: f64) -> Result<Wish, Failure> {
-        let Ok(answer) = self.answers.try_recv() else { return Ok(Wish::Drive(None)) };
-        self.is_asked = false;
-        let reply =
-            answer.map_err(|fault| Failure::planner(format!("{}, at {:.2} s: {fault}", self.name, now - began)))?;
-        for text in &reply.print {
-            say(&format!("{now:8.2} s  {}", Words::of(text.as_bytes())));
-        }
-        if reply.done {
-            return Ok(Wish::Done);
-        }
-        let wheels = [reply.left, reply.right].map(|speed| wheel_command(robot, speed.unwrap_or(0.0)));
-        let [left, right] = wheels.map(|speed| f64::from(speed) / 1000.0);
-        if let Some(senses) = &mut self.senses {
-            senses.command(wheels);
-        }
-        Ok(Wish::Drive(Some(Drive::wheels(left, right))))
-    }
-
-    /// Waits until the program has ended.
-    fn finish(self) {
-        drop(self.lines);
-        let _ = self.thread.join();
-    }
 }
 
 impl<'a> Line<'a> {
@@ -280,20 +125,20 @@ impl<'a> Line<'a> {
                 let why = self.driver.dropped().map(|loss| format!("{loss} {}", loss.remedy()));
                 return Err(Failure::system(why.unwrap_or_else(|| "the connection was lost".to_owned())));
             }
-            let mut wish = Wish::Drive(None);
+            let mut wish = Wish::Nothing;
             if let Some(dt_s) = since
                 && let Some(readings) = self.driver.readings()
             {
                 wish = pilot.sense(robot, &to_sensors(readings), dt_s);
             }
-            if matches!(wish, Wish::Drive(None)) {
+            if matches!(wish, Wish::Nothing) {
                 wish = pilot.answer(robot, now, began)?;
             }
             match wish {
                 Wish::Done => return Ok(format!("{now:8.2} s  done\n")),
                 // It holds for 200 ms unless it is renewed.
-                Wish::Drive(Some(drive)) => self.driver.drive(now, drive),
-                Wish::Drive(None) => {}
+                Wish::Drive(drive) => self.driver.drive(now, drive),
+                Wish::Nothing => {}
             }
         }
     }

@@ -12,7 +12,8 @@ use coverage_planners::smooth::{SmoothPath, SmoothSetup};
 use robovac_core::{floor_plan::ScenarioPose, geometry::MetricPath, registry::Params, robot::OdometryModel};
 use robovac_ros::{Pace, RunTopics, SourceMap};
 use robovac_sim::{
-    Conditions, Run, STEP_S, SlipLevel, What, controller,
+    Conditions, Run, STEP_S, SlipLevel, What,
+    controller::{self, BehaviourInfo},
     experiment::{
         Algorithm, Settings,
         planning::{Placement, PlanSolution, Planned, PlanningError, PlanningTask, RoomSetup, TaskReport},
@@ -275,12 +276,17 @@ impl AlgorithmArguments {
             return plan::planner(id).map(|info| Some(Algorithm::Planner(info)));
         }
         let Some(id) = &self.behaviour else { return Ok(None) };
-        let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
-        if info.claims.manual {
-            return Err(Failure::usage(format!("behaviour \"{id}\" is driven by hand; use it on the page")));
-        }
-        Ok(Some(Algorithm::Behaviour(info)))
+        autonomous(id).map(|info| Some(Algorithm::Behaviour(info)))
     }
+}
+
+/// The behaviour with that id, which drives by itself.
+pub fn autonomous(id: &str) -> Result<&'static BehaviourInfo, Failure> {
+    let info = controller::find(id).ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
+    if info.claims.manual {
+        return Err(Failure::usage(format!("behaviour \"{id}\" is driven by hand; use it on the page")));
+    }
+    Ok(info)
 }
 
 /// Drives to the end or for `max_time` seconds, and takes a sample at the start, every `interval` seconds and at the end;
