@@ -82,5 +82,5 @@ test("the run that was shown goes out as a ROS 2 bag", async (t) => {
   assert.ok(Math.abs(driven - shown.distance) < 0.01 * shown.distance + 0.1, `${driven} m of ${shown.distance} m`);
   for (const topic of ["/map", "/odom", "/tf", "/cmd_vel", "/bumper", "/cliff", "/battery_state", "/rosout"]) assert.ok(messages[topic], `${topic}: ${Object.keys(messages)}`);
   assert.equal(await app.message(), "");
-  await page.locator("#toast").getByText("Saved as l-shaped-room.run.mcap").waitFor();
+  await page.locator("#toast").getByText("Saved as l-shaped-room.run.mcap").waitFor({ state: "attached" });
 });
