@@ -14,6 +14,8 @@ export const group = (title, ...nodes) => make("fieldset", { className: "connect
  */
 export function wishes(it, now) {
   let unanswered = 0;
+  /** The view at the last answer: it can be older than what was answered. @type {unknown} */
+  let outdated;
   return {
     get now() {
       return now;
@@ -25,10 +27,11 @@ export function wishes(it, now) {
       unanswered += 1;
       await it.request(request);
       unanswered -= 1;
+      outdated = it.view;
     },
     /** What is on by the latest view. @param {T} real */
     take(real) {
-      if (unanswered === 0) now = real;
+      if (unanswered === 0 && (it.view !== outdated || !it.view.is_open)) now = real;
       return now;
     },
   };
