@@ -60,21 +60,6 @@ memory_mb: number | null, };
 /** Which values of a metric are better. */
 export type Better = "lower" | "higher";
 
-/** A part of a lesson. */
-export type Block = { "kind": "prose",
-/** Safe HTML. */
-html: string, } | { "kind": "scene" } & Scene | { "kind": "predict" } & Choice | { "kind": "do",
-/** What is on it. */
-label: string,
-/** Settings, as in links; can be empty. */
-link: string, } | { "kind": "goal" } & Goal | { "kind": "hint",
-/** Safe HTML. */
-html: string, } | { "kind": "code",
-/** `python` or `javascript`. */
-language: string,
-/** Its text. */
-text: string, } | { "kind": "measure" } & Measure | { "kind": "quiz" } & Quiz;
-
 /** An outline by its dimensions, m. */
 export type BodyChoice = { "kind": "model",
 /** Its id. */
@@ -346,6 +331,15 @@ pictures: number,
 /** Whether it plays by itself. */
 runs: boolean, };
 
+/** The parts of a generated flat's name: joined, they are the name. */
+export type FlatView = {
+/** Its seed, which can be larger than a JavaScript number. */
+seed: string,
+/** Its area, as in `~area:40..60`; empty if any. */
+area: string,
+/** What else it has. */
+more: string, };
+
 /** Settings of the Floor plan tab. */
 export type FloorPlanSettings = {
 /** Metres per unit of the drawing; `None` until known. */
@@ -526,7 +520,33 @@ sources: Array<string>,
 /** Digest of the text. */
 digest: string,
 /** Its content, in order. */
-blocks: Array<Block>, };
+blocks: Array<LessonBlock>, };
+
+/** A part of a lesson. */
+export type LessonBlock = { "kind": "prose",
+/** Safe HTML. */
+html: string, } | { "kind": "scene" } & LessonScene | { "kind": "predict" } & Choice | { "kind": "do",
+/** What is on it. */
+label: string,
+/** Settings, as in links; can be empty. */
+link: string, } | { "kind": "goal" } & Goal | { "kind": "hint",
+/** Safe HTML. */
+html: string, } | { "kind": "code",
+/** `python` or `javascript`. */
+language: string,
+/** Its text. */
+text: string, } | { "kind": "measure" } & Measure | { "kind": "quiz" } & Quiz;
+
+/** A scene. */
+export type LessonScene = {
+/** Its name for goals; can be empty. */
+id: string,
+/** What is on its button. */
+title: string,
+/** Settings, as in links; empty for a scenario. */
+link: string,
+/** The text of a scenario file; empty for a link. */
+scenario: string, };
 
 /** Lights that are on by command; all dark while the robot has them for itself. */
 export type LightsView = {
@@ -1128,8 +1148,10 @@ export type RoomView = {
 id: string,
 /** Name. */
 title: string,
-/** Its purpose. */
+/** Its purpose; without the name of a generated flat. */
 note: string,
+/** What it was generated from, also after changes. */
+flat: FlatView | null,
 /** Width, m. */
 width_m: number,
 /** Height, m. */
@@ -1228,17 +1250,6 @@ start_charge_percent: number | null,
 odometry: string | null,
 /** Whether the corners of plans are rounded. */
 smooth: boolean | null, };
-
-/** A scene. */
-export type Scene = {
-/** Its name for goals; can be empty. */
-id: string,
-/** What is on its button. */
-title: string,
-/** Settings, as in links; empty for a scenario. */
-link: string,
-/** The text of a scenario file; empty for a link. */
-scenario: string, };
 
 /** The planner's search in words. */
 export type SearchView = {

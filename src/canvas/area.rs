@@ -17,9 +17,9 @@ const MOST: f64 = 0.7;
 
 /// A rectangle of the canvas, CSS pixels: left, top, right, bottom. Empty if right < left.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Area([f64; 4]);
+pub struct CanvasArea([f64; 4]);
 
-impl Area {
+impl CanvasArea {
     const NONE: Self = Self([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY]);
 
     /// Where the scene's moving parts are: robot, estimate, trails.
@@ -93,12 +93,12 @@ mod tests {
     #[test]
     fn areas_join_and_keep_to_the_canvas() {
         let viewport = Viewport::new(10.0, 10.0, 200.0, 100.0, 2.0);
-        let mut area = Area::NONE;
+        let mut area = CanvasArea::NONE;
         assert_eq!(area.to_device(&viewport).map(|[_, _, width, height]| width * height), Some(0.0));
         area.add(Point::new(20.0, 10.0), 4.25);
-        area.join(&Area([-5.0, 8.0, 0.0, 9.0]));
+        area.join(&CanvasArea([-5.0, 8.0, 0.0, 9.0]));
         assert_eq!(area.to_device(&viewport), Some([0.0, 11.0, 49.0, 18.0]));
-        area.join(&Area([0.0, 0.0, 500.0, 500.0]));
+        area.join(&CanvasArea([0.0, 0.0, 500.0, 500.0]));
         assert_eq!(area.to_device(&viewport), None);
     }
 }

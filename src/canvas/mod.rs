@@ -16,7 +16,7 @@ pub mod search;
 pub mod sensed;
 mod shapes;
 
-use area::Area;
+use area::CanvasArea;
 use layer::{OffscreenLayer, VisitsPicture};
 use lines::{grid_lines, line, to_css, to_world, trail};
 use objects::{CanvasPen, DrawPass};
@@ -65,9 +65,9 @@ struct DrawnScene {
     steps: Option<u64>,
     believed: (usize, Option<Point>, Option<Point>),
     /// Where robot, estimate and trails are.
-    moving: Area,
+    moving: CanvasArea,
     /// Where people and pets are.
-    figures: Area,
+    figures: CanvasArea,
 }
 
 /// The part of the state that the layers depend on.
@@ -114,8 +114,8 @@ impl Canvas {
             steps: (scene.sensed.is_some() || scene.life.is_some_and(|life| !life.movers().is_empty()))
                 .then_some(scene.steps),
             believed: (scene.believed.len(), scene.believed.first().copied(), scene.believed.last().copied()),
-            moving: Area::of_moving(scene, viewport),
-            figures: Area::of_figures(scene, viewport),
+            moving: CanvasArea::of_moving(scene, viewport),
+            figures: CanvasArea::of_figures(scene, viewport),
         };
         if self.last == Some(drawn) && !drawn.in_hand && scene.dirty_rows.is_none() {
             return Ok(());
@@ -133,7 +133,7 @@ impl Canvas {
             area.join(&drawn.moving);
             figures.join(&drawn.figures);
             if let (Some(tracker), Some(rows)) = (scene.tracker, scene.dirty_rows) {
-                area.join(&Area::of_rows(scene, tracker, rows, viewport));
+                area.join(&CanvasArea::of_rows(scene, tracker, rows, viewport));
             }
             Some([area.to_device(viewport)?, figures.to_device(viewport)?])
         });

@@ -1,7 +1,7 @@
 //! Draws the beams of a robot's sensors and what they detect.
 
 use crate::canvas::robot::disc;
-use robovac_app::{Palette, RobotView, Sensed, Viewport};
+use robovac_app::{Palette, RobotView, SensedFloor, Viewport};
 use robovac_core::{
     geometry::{Pose, Vector},
     math::{self, TAU},
@@ -20,7 +20,7 @@ pub fn draw(
     context: &CanvasRenderingContext2d,
     palette: &Palette,
     robot: &RobotView,
-    sensed: &Sensed<'_>,
+    sensed: &SensedFloor<'_>,
     viewport: &Viewport,
 ) -> Result<(), JsValue> {
     if robot.is_lifted {
@@ -40,7 +40,7 @@ pub fn draw_cliffs(
     context: &CanvasRenderingContext2d,
     palette: &Palette,
     robot: &RobotView,
-    sensed: &Sensed<'_>,
+    sensed: &SensedFloor<'_>,
     viewport: &Viewport,
 ) -> Result<(), JsValue> {
     if robot.is_lifted {
@@ -63,7 +63,7 @@ fn draw_light(
     palette: &Palette,
     robot: &RobotView,
     light: LightBumper,
-    sensed: &Sensed<'_>,
+    sensed: &SensedFloor<'_>,
     viewport: &Viewport,
 ) -> Result<(), JsValue> {
     for (index, angle) in light.angles.into_iter().enumerate() {

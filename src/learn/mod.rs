@@ -1,7 +1,7 @@
 //! The module `learn`: lessons, their goals and quizzes. It plans and simulates nothing: runs are made by the workshop's
 //! workers.
 
-use robovac_lessons::{Block, Goal, Lesson, Measure, QuizKind};
+use robovac_lessons::{Goal, Lesson, LessonBlock, Measure, QuizKind};
 use robovac_playground::wire::{message, to_js};
 use robovac_sim::montecarlo::RunOutcome;
 use wasm_bindgen::prelude::*;
@@ -76,7 +76,7 @@ impl LessonText {
         self.lesson
             .blocks
             .get(block)
-            .and_then(|block| if let Block::Measure(table) = block { Some(table) } else { None })
+            .and_then(|block| if let LessonBlock::Measure(table) = block { Some(table) } else { None })
     }
 }
 

@@ -7,7 +7,7 @@ use robovac_playground::wire::{to_js, trajectory::trajectory_from_js};
 use robovac_sim::{
     controller::{Controller, Setup},
     experiment::{Algorithm, planning::PathToDrive},
-    program::{Pilot, Piloted, RobotFacts},
+    program::{Piloted, RemotePilot, RobotFacts},
 };
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
@@ -17,7 +17,7 @@ use wasm_bindgen::prelude::*;
 pub struct Connection {
     link: connection::Connection,
     /// What asks the user's program, if it drives.
-    pilot: Pilot,
+    pilot: RemotePilot,
 }
 
 #[wasm_bindgen]
@@ -25,7 +25,7 @@ impl Connection {
     /// Not connected.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
-        Self { link: connection::Connection::new(), pilot: Pilot::default() }
+        Self { link: connection::Connection::new(), pilot: RemotePilot::default() }
     }
 
     /// The line is open at 115200 baud: starts the diagnosis. `transport` is its state.
@@ -116,7 +116,7 @@ impl Connection {
         let prepared = session.prepared().ok_or("The robot doesn't fit into the room.")?;
         let (settings, start) = (session.settings(), prepared.floor.start);
         let (robot, odometry) = (self.link.calibrated(&prepared.robot), self.link.odometry());
-        self.pilot = Pilot::default();
+        self.pilot = RemotePilot::default();
         let controller: Box<dyn Controller> = match settings.algorithm {
             Algorithm::Behaviour(_) if settings.algorithm.is_program() => {
                 Box::new(Piloted::new(self.pilot.clone(), &robot, start))

@@ -141,7 +141,7 @@ test("back and forward go through tabs and rooms, and the run goes on", async (t
 test("a new flat is a number in the link, and an own room once it is changed", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=own&flat=7~area:25..45" });
   const area = await app.reachableArea();
-  assert.deepEqual([await app.room(), await page.locator("#flat-seed").inputValue(), await page.locator("#flat-area").inputValue()], ["Flat 7", "7", "25..45"]);
+  assert.deepEqual([await app.room(), await page.locator("#flat-seed").inputValue(), await page.locator("#flat-area").inputValue()], ["Flat 7", "7", "~area:25..45"]);
   await page.locator("#flat-other").click();
   const flat = await app.linked("flat", (name) => name && name !== "7~area:25..45");
   assert.match(flat, /^\d+~area:25\.\.45$/);

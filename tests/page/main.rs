@@ -9,6 +9,7 @@ mod furnish;
 mod map;
 mod map_files;
 mod montecarlo;
+mod names;
 mod opening;
 mod own_robot;
 mod pictures;

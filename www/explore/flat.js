@@ -5,10 +5,8 @@ import { complain, textOf } from "../messages.js";
 
 /** @typedef {import("../main.js").App} App */
 
-/** Areas to choose from, m², and what they are called; the first is any that can be made. */
-const AREAS = [["", "any"], ["25..45", "small"], ["45..75", "medium"], ["75..120", "large"]];
-/** How the note of a generated flat begins: its seed, and what else is in its name. */
-const NOTE = /^Generated flat (\d+)((?:~\S+?)*): /;
+/** Areas to choose from, m², as in a flat's name, and what they are called; the first is any that can be made. */
+const AREAS = [["", "any"], ["~area:25..45", "small"], ["~area:45..75", "medium"], ["~area:75..120", "large"]];
 
 /** Names of flats by their lineage, with the version as which they were made: changed, they are own rooms. @type {Map<number, { name: string, version: number }>} */
 const made = new Map();
@@ -34,7 +32,10 @@ export async function openFlat(app, name) {
 }
 
 /** Another flat of the same kind as the one that is shown, if one is. @param {App} app */
-export const anotherFlat = (app) => openFlat(app, `${Math.floor(Math.random() * 1e6)}${NOTE.exec(app.view.room.note)?.[2] ?? ""}`);
+export function anotherFlat(app) {
+  const { area = "", more = "" } = app.view.room.flat ?? {};
+  return openFlat(app, `${Math.floor(Math.random() * 1e6)}${area}${more}`);
+}
 
 /** Seed and size of the flat, under the menu of rooms. @param {App} app @returns {(view: import("../types").PageView) => void} */
 export function startFlat(app) {
@@ -57,7 +58,7 @@ export function startFlat(app) {
   const take = async () => {
     const isSeed = /^\d{1,10}$/.test(seed.value) && Number(seed.value) <= 0xffffffff;
     if (!isSeed) throw `A flat's number can't be "${seed.value}"; use a whole number from 0 to 4294967295.`;
-    await openFlat(app, `${Number(seed.value)}${area.value && `~area:${area.value}`}${rest}`);
+    await openFlat(app, `${Number(seed.value)}${area.value}${rest}`);
   };
   const refused = (/** @type {unknown} */ error) => {
     complain(textOf(error));
@@ -68,14 +69,14 @@ export function startFlat(app) {
   other.addEventListener("click", () => void anotherFlat(app).catch(refused));
 
   return ({ room }) => {
-    const [, number = "", more = ""] = (!room.id && NOTE.exec(room.note)) || [];
-    setHidden(fields, !number);
-    if (!number || shown === number + more) return;
-    shown = number + more;
-    const range = /~area:([^~]+)/.exec(more)?.[1] ?? "";
-    rest = more.replace(/~area:[^~]+/, "");
+    setHidden(fields, !room.flat);
+    if (!room.flat) return;
+    const { seed: number, area: range, more } = room.flat;
+    if (shown === number + range + more) return;
+    shown = number + range + more;
+    rest = more;
     seed.value = number;
-    if (![...area.options].some(({ value }) => value === range)) area.append(new Option(`${range.replace("..", " to ")} m²`, range));
+    if (![...area.options].some(({ value }) => value === range)) area.append(new Option(`${range.slice(range.indexOf(":") + 1).replace("..", " to ")} m²`, range));
     area.value = range;
   };
 }

@@ -1,6 +1,7 @@
 // @ts-check
 // Parts of the page that the opening scene doesn't need, loaded when needed or after the first input.
 import { button, byId, typed } from "../dom.js";
+import { settingsOf } from "../settings-link.js";
 import { updateFolds } from "./view.js";
 
 /**
@@ -32,7 +33,7 @@ export async function startLater(app) {
       () => import("../frame.js").then(({ startFrame }) => startFrame(app)),
     ),
     later(
-      () => /(^|&)(versus|worst)=/.test(app.followed),
+      () => ["versus", "worst"].some((key) => settingsOf(app.followed).has(key)),
       () => import("./games.js").then(({ startGames }) => startGames(app)),
     ),
     later(
@@ -52,7 +53,7 @@ export async function startLater(app) {
       () => import("./rooms-menu.js").then(({ startMenu }) => startMenu(app)),
     ),
     later(
-      ({ room }) => room.note.startsWith("Generated flat "),
+      ({ room }) => Boolean(room.flat),
       () => import("./flat.js").then(({ startFlat }) => startFlat(app)),
     ),
     later(

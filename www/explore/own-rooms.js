@@ -1,6 +1,7 @@
 // @ts-check
 // Rooms that were drawn or loaded: kept in this browser under a name, each by itself, as scenarios.
 import { toast } from "../messages.js";
+import { aboutRoom, settingsOf } from "../settings-link.js";
 import { flatOf, openFlat } from "./flat.js";
 import { pack, unpack } from "./pack.js";
 
@@ -13,8 +14,6 @@ import { pack, unpack } from "./pack.js";
 const LIST = "own-rooms";
 /** Where versions without a list kept the last room: as if its id were empty, and without the dash. */
 const OLD = "";
-/** A path that is too long for a link. */
-const KEPT_PATH = /&path=kept(&|$)/;
 /** Longest packed room in the address: some programs cut longer ones off. */
 export const MOST_PACKED = 8000;
 
@@ -166,7 +165,7 @@ export function keep(app, link) {
     return link;
   }
   // A generated flat is its name, unless something else has to be kept with it.
-  if (flatOf(app) && !KEPT_PATH.test(link)) return link.replace("room=own", `room=own&${pairOf(app)}`);
+  if (flatOf(app) && settingsOf(link).get("path") !== "kept") return aboutRoom(link, pairOf(app));
   let id = ids.get(lineage);
   if (!id) ids.set(lineage, (id = newId()));
   const version = playground.room_version();
@@ -179,8 +178,7 @@ export function keep(app, link) {
     void repack(id, scenario);
   }
   const map = packed.get(id);
-  // Before other tabs' pairs, which may be cut off.
-  return link.replace("room=own", `room=own&kept=${id}${map ? `&map=${map}` : ""}`);
+  return aboutRoom(link, `kept=${id}${map ? `&map=${map}` : ""}`);
 }
 
 /** @param {string} id @param {string} scenario */

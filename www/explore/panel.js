@@ -128,7 +128,5 @@ function showRoom(room, shipped) {
     menu.value = room.id;
   } else if (!isOwn) own?.remove();
   const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${room.reachable_m2.toFixed(1)} m² reachable${room.left_out_m2 >= 0.05 ? `, ${room.left_out_m2.toFixed(1)} m² not (hatched)` : ""}.`;
-  // The name of a generated flat stands in the fields below.
-  const note = room.note.replace(/^Generated flat \S+: /, "");
-  setText(byId("room-note"), note ? `${note.replace(/\.?$/, ".")} ${size}` : size);
+  setText(byId("room-note"), room.note ? `${room.note.replace(/\.?$/, ".")} ${size}` : size);
 }

@@ -2,6 +2,7 @@
 // Copies the link of what is shown, with the room in it if that is an own one.
 import { complain, textOf, toast } from "../messages.js";
 import { write } from "../keep.js";
+import { aboutRoom, settingsOf } from "../settings-link.js";
 import { flatOf } from "./flat.js";
 import { MOST_PACKED } from "./own-rooms.js";
 import { pack } from "./pack.js";
@@ -11,8 +12,9 @@ export async function copyLink(app) {
   const link = new URL(location.href);
   let hash = app.link();
   const flat = flatOf(app);
-  if (flat && !/&path=kept(&|$)/.test(hash)) hash = hash.replace("room=own", `room=own&flat=${flat}`);
-  else if (/(^|&)room=own(&|$)/.test(hash)) {
+  const settings = settingsOf(hash);
+  if (flat && settings.get("path") !== "kept") hash = aboutRoom(hash, `flat=${flat}`);
+  else if (settings.get("room") === "own") {
     const map = await pack(app.playground.scenario_json()).catch(() => "");
     if (!map || map.length > MOST_PACKED) {
       const why = map ? `takes ${Math.ceil(map.length / 1000)} KB in a link, more than the ${MOST_PACKED / 1000} KB that other programs are sure to pass on` : "can't be put into a link by this browser";
@@ -21,7 +23,7 @@ export async function copyLink(app) {
       await openSave(app);
       return;
     }
-    hash = hash.replace("room=own", `room=own&map=${map}`);
+    hash = aboutRoom(hash, `map=${map}`);
   }
   const more = await app.share().catch((error) => void complain(`No link was copied: ${textOf(error)}`));
   if (more === undefined) return;

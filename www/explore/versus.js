@@ -2,6 +2,7 @@
 // You against the algorithm: in the same room from the same start, who sweeps more in the same time?
 import { fill, make, setText } from "../dom.js";
 import { clock, percent } from "../format.js";
+import { without } from "../settings-link.js";
 import { act, send } from "./games.js";
 
 /**
@@ -35,7 +36,7 @@ export function startVersus(app, card) {
 
   const titleOf = (/** @type {string} */ id) => rivals.find((one) => one.id === id)?.title ?? id;
   /** The link but for what may change. */
-  const placeNow = () => `${app.playground.room_version()} ${app.playground.link().replace(/&(speed|show|search)=[^&]*/g, "")}`;
+  const placeNow = () => `${app.playground.room_version()} ${without(app.playground.link(), "speed", "show", "search")}`;
 
   function offer() {
     phase = "terms";

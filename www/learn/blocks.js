@@ -6,7 +6,7 @@ import { pack } from "../explore/pack.js";
 import { applyLink, applyScenario } from "./scene.js";
 
 /**
- * @typedef {import("../types").Block} Block
+ * @typedef {import("../types").LessonBlock} Block
  * @typedef {object} Context What the parts of a lesson share.
  * @property {import("../main.js").App} app
  * @property {import("../../learn.js").LessonText} text

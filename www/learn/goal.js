@@ -8,7 +8,7 @@ import { press } from "./blocks.js";
 import { joined, makeRuns } from "./runs.js";
 import { applyLink, applyScenario } from "./scene.js";
 
-/** @param {import("./blocks.js").Context} context @param {Extract<import("../types").Block, { kind: "goal" }>} goal */
+/** @param {import("./blocks.js").Context} context @param {Extract<import("../types").LessonBlock, { kind: "goal" }>} goal */
 export function goal(context, goal) {
   const { app, text, lesson, done, changed, signal, ticks } = context;
   const box = make("section", { className: "part goal", "aria-label": "Goal" }, make("h4", {}, "Goal"));
@@ -34,7 +34,7 @@ export function goal(context, goal) {
   async function test() {
     const link = app.playground.link();
     const ignored = text.ignored(goal.id, link);
-    const program = byProgram && /(^|&)(planner|behaviour)=program/.test(link) ? app.playground.program() : undefined;
+    const program = byProgram && app.playground.link_outline(link).has_program ? app.playground.program() : undefined;
     if (goal.changes.length === 1 && byProgram && !program) {
       outcome.textContent = "No program drives the robot yet. Open one in Program, press Run, and check again.";
       return;
@@ -100,7 +100,7 @@ const count = (runs) => (runs === 1 ? "One run" : `${runs} runs`);
 /** @param {import("../types").Need} need @param {import("../types").Goal} goal */
 const words = ({ text }, { minutes }) => `${text.replace(">=", "≥").replace("<=", "≤")} within ${minutes} min`;
 
-/** A table that fills itself. @param {import("./blocks.js").Context} context @param {Extract<import("../types").Block, { kind: "measure" }>} table @param {number} at Index of the block. */
+/** A table that fills itself. @param {import("./blocks.js").Context} context @param {Extract<import("../types").LessonBlock, { kind: "measure" }>} table @param {number} at Index of the block. */
 export function measure({ text, signal, app }, table, at) {
   const cells = table.rows.map(() => table.columns.map(() => make("td", {}, "–")));
   const body = make("tbody", {}, ...table.rows.map(({ title, link }, row) => make("tr", {}, make("th", { scope: "row" }, press(title, () => applyLink(app, link, true), "link")), .../** @type {HTMLElement[]} */ (cells[row]))));

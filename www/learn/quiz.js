@@ -4,7 +4,7 @@ import { mark, question } from "../../learn.js";
 import { make } from "../dom.js";
 import { press } from "./blocks.js";
 
-/** @param {import("./blocks.js").Context} context @param {Extract<import("../types").Block, { kind: "quiz" }>} quiz */
+/** @param {import("./blocks.js").Context} context @param {Extract<import("../types").LessonBlock, { kind: "quiz" }>} quiz */
 export function quiz({ done, changed }, { id, about, rounds }) {
   const state = (done.quizzes[id] ??= { answers: [] });
   const box = make("section", { className: "part quiz", "aria-label": "Quiz" }, make("h4", {}, "Quiz"));

@@ -1,5 +1,6 @@
 // @ts-check
 // Applies the settings of a lesson to the page.
+import { settingsOf } from "../settings-link.js";
 
 /** What links of lessons don't name is as on a new page. */
 const DEFAULTS = "seed=1&slip=none&noise=off&quantised=false&charge=100&odometry=arc";
@@ -10,8 +11,9 @@ const DEFAULTS = "seed=1&slip=none&noise=off&quantised=false&charge=100&odometry
  * @param {boolean} plays Whether it starts at once.
  */
 export function applyLink(app, link, plays) {
-  const tab = /(?:^|&)tab=([\w-]+)/.exec(link)?.[1] ?? "explore";
-  const hasSettings = /(?:^|&)(room|robot|planner|behaviour)=/.test(link);
+  const settings = settingsOf(link);
+  const tab = settings.get("tab") ?? "explore";
+  const hasSettings = ["room", "robot", "planner", "behaviour"].some((key) => settings.has(key));
   if (tab !== "explore") {
     // The tab reads the rest of its link.
     location.hash = hasSettings ? `${DEFAULTS}&${link}` : `${app.playground.link()}&${link}`;

@@ -3,6 +3,7 @@
 import { MapSession, SessionMirror } from "../../workshop.js";
 import { byId, changed, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { complain, textOf } from "../messages.js";
+import { settingsOf, without } from "../settings-link.js";
 import { startMirror } from "../session-mirror.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { startSheets } from "../sheets.js";
@@ -98,7 +99,8 @@ export function startMap(app) {
     restore(link) {
       keeping.save();
       // A link that was made here leads to what is here.
-      const isProgram = /(^|&)explorer=program(&|$)/.test(link) && (/(^|&)code=/.test(link) || !app.playground.program());
+      const settings = settingsOf(link);
+      const isProgram = settings.get("explorer") === "program" && (settings.has("code") || !app.playground.program());
       void (isProgram ? program.hold(link) : Promise.resolve()).then(() => it.act((s) => s.restore(link)));
     },
     /** A program that drives goes with the link. */
@@ -115,7 +117,7 @@ export function startMap(app) {
 function recall(session) {
   try {
     // The program is the one that is here, whichever it was then.
-    session.restore((localStorage.getItem(CHOICES) ?? "").replace(/(^|&)program=[^&]*/, ""));
+    session.restore(without(localStorage.getItem(CHOICES) ?? "", "program"));
   } catch {
     // There is no storage, or they were made by another version.
   }

@@ -4,6 +4,7 @@ import { button, byId, make, setHidden, setText } from "../dom.js";
 import { clock } from "../format.js";
 import { tellMore } from "../explore/more-events.js";
 import { complain, textOf } from "../messages.js";
+import { settingsOf } from "../settings-link.js";
 import { planWith } from "../start-planning.js";
 import { currentTab } from "../tabs.js";
 import { Editor } from "./editor.js";
@@ -174,7 +175,7 @@ export async function startProgram(app) {
     async hold(link) {
       await open(link);
       const program = shelf.current;
-      const kind = /(^|&)planner=program_planner(&|$)/.test(link) ? "planner" : "behaviour";
+      const kind = settingsOf(link).get("planner") === "program_planner" ? "planner" : "behaviour";
       if (!program) return;
       app.act((p) => p.set_program(program.name, program.language, kind, program.source, false));
       if (!isHeld) run.adopt(program);

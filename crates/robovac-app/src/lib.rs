@@ -43,5 +43,5 @@ pub use mark::Mark;
 pub use pack::{pack, unpack};
 pub use palette::Palette;
 pub use param::{Param, params};
-pub use scene::{FilmScene, RobotView, Scene, SearchScene, Sensed};
+pub use scene::{FilmScene, RobotView, Scene, SearchScene, SensedFloor};
 pub use viewport::Viewport;

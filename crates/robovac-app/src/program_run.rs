@@ -4,13 +4,13 @@ use robovac_sim::program::{LogEnd, LogError, LogPart, SharedLog};
 
 /// The log of the program that drives a run, and its version.
 #[derive(Default)]
-pub(crate) struct ProgramRun {
+pub(crate) struct LoggedProgram {
     pub log: SharedLog,
     /// Changes when the program has to be run again: from the start, or from a person's last input on.
     pub version: u32,
 }
 
-impl ProgramRun {
+impl LoggedProgram {
     /// Begins with an empty log.
     pub fn restart(&mut self) {
         *self = Self { log: SharedLog::default(), version: self.version.wrapping_add(1) };

@@ -1,6 +1,6 @@
 //! The scene to draw, independent of the renderer.
 
-use crate::explore::Picture;
+use crate::explore::FilmPicture;
 use coverage_planners::TraceStep;
 use robovac_core::{
     coverage::{CoverageTracker, ReachableFloor},
@@ -67,12 +67,12 @@ pub struct Scene<'a> {
     /// Which layers are drawn.
     pub shows: Shows,
     /// The robot's sensing, if it is shown.
-    pub sensed: Option<Sensed<'a>>,
+    pub sensed: Option<SensedFloor<'a>>,
 }
 
 /// A sensor reading and the floor under the robot.
 #[derive(Debug, Clone, Copy)]
-pub struct Sensed<'a> {
+pub struct SensedFloor<'a> {
     /// The reading.
     pub reading: &'a SensorReadings,
     /// The floor that it stands on.
@@ -92,7 +92,7 @@ pub struct SearchScene<'a> {
 #[derive(Debug, Clone, Copy)]
 pub struct FilmScene<'a> {
     /// The picture.
-    pub picture: &'a Picture,
+    pub picture: &'a FilmPicture,
     /// Side of a planning cell, m.
     pub cell_size: f64,
 }

@@ -8,7 +8,7 @@ mod service;
 use super::{failure::Failure, output::say, signals::end_requested};
 use clients::{Clients, Heard};
 use gate::Gate;
-use robot_port::RobotPort;
+use robot_port::RobotSerialPort;
 pub use robot_port::cannot_open;
 use roomba_bridge::{Bridge, ClientId, Ends, FromBridge, Full, Halted, Limits, MAX_CLIENTS};
 use service::Service;
@@ -87,12 +87,13 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         None => Some(new_token()?),
     };
     // Before anybody is told that it is ready: a wrong port should be noticed at once.
-    let port = RobotPort::open(arguments.port.as_deref(), arguments.baud)?;
+    let port = RobotSerialPort::open(arguments.port.as_deref(), arguments.baud)?;
     let clients = Clients::new(listener, Gate::new(token.clone(), arguments.origins.clone()))?;
     say(&format!("ready {}", address_for_users(address, token.as_deref())));
     let bridge = Bridge::new(Limits::default(), arguments.baud);
     let service = Service::from_environment();
-    Host { arguments, began: Instant::now(), clients, port: Some(port), bridge, service, halted: None }.run(&is_over);
+    BridgeHost { arguments, began: Instant::now(), clients, port: Some(port), bridge, service, halted: None }
+        .run(&is_over);
     Ok(String::new())
 }
 
@@ -133,27 +134,27 @@ fn ip_in_url(address: SocketAddr) -> String {
 }
 
 /// The rules with what they are applied to.
-struct Host<'a> {
+struct BridgeHost<'a> {
     arguments: &'a Arguments,
     began: Instant,
     bridge: Bridge,
     clients: Clients,
     /// None while it is gone.
-    port: Option<RobotPort>,
+    port: Option<RobotSerialPort>,
     service: Service,
     /// Why the robot was stopped last, until that client or another one drives.
     halted: Option<Halted>,
 }
 
 /// What the rules act on.
-struct Wires<'a> {
+struct BridgeWires<'a> {
     began: Instant,
     clients: &'a mut Clients,
-    port: Option<&'a mut RobotPort>,
+    port: Option<&'a mut RobotSerialPort>,
     halted: &'a mut Option<Halted>,
 }
 
-impl Ends for Wires<'_> {
+impl Ends for BridgeWires<'_> {
     fn robot(&mut self, command: &[u8]) -> bool {
         self.port.as_mut().is_none_or(|port| port.queue(command))
     }
@@ -208,7 +209,7 @@ fn report(began: Instant, text: &str) {
     let _ = PRINTER.try_send(format!("{:9.3}  {text}", began.elapsed().as_secs_f64()));
 }
 
-impl Host<'_> {
+impl BridgeHost<'_> {
     fn run(mut self, is_over: &AtomicBool) {
         self.opened();
         self.service.ready();
@@ -253,9 +254,9 @@ impl Host<'_> {
         }
     }
 
-    fn parts(&mut self) -> (&mut Bridge, Wires<'_>) {
+    fn parts(&mut self) -> (&mut Bridge, BridgeWires<'_>) {
         let Self { began, clients, port, halted, bridge, .. } = self;
-        (bridge, Wires { began: *began, clients, port: port.as_mut(), halted })
+        (bridge, BridgeWires { began: *began, clients, port: port.as_mut(), halted })
     }
 
     fn now_ms(&self) -> u64 {
@@ -310,7 +311,7 @@ impl Host<'_> {
 
     fn find_again(&mut self) {
         thread::sleep(AGAIN);
-        self.port = RobotPort::open(self.arguments.port.as_deref(), self.arguments.baud).ok();
+        self.port = RobotSerialPort::open(self.arguments.port.as_deref(), self.arguments.baud).ok();
         if self.port.is_some() {
             self.opened();
         }

@@ -6,7 +6,7 @@
 mod pilot;
 
 use super::{bridge::cannot_open, failure::Failure, output::say, signals::end_requested, simulate::parse_seconds};
-use pilot::{Pilot, Wish};
+use pilot::{SerialPilot, WantedMotion};
 use robovac_core::robot::{RobotModel, model};
 use robovac_link::{
     driver::{Driver, LineRequest},
@@ -65,7 +65,7 @@ pub struct Arguments {
 }
 
 /// The robot's end.
-struct Line<'a> {
+struct RobotLine<'a> {
     driver: Driver,
     port: Box<dyn SerialPort>,
     name: &'a str,
@@ -78,8 +78,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let robot = RobotModel { max_wheel_speed: arguments.speed, ..robot.clone() };
     let end = end_requested()?;
     // The pilot first: one with a fault must not touch the robot.
-    let mut pilot = Pilot::new(arguments, &robot, &end)?;
-    let mut line = Line::open(&arguments.port, Arc::clone(&end))?;
+    let mut pilot = SerialPilot::new(arguments, &robot, &end)?;
+    let mut line = RobotLine::open(&arguments.port, Arc::clone(&end))?;
     let driven = line.drive(arguments, &robot, &mut pilot);
     // In every case the robot is stopped and released, and the program ended.
     let released = line.release();
@@ -90,7 +90,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     Ok(said)
 }
 
-impl<'a> Line<'a> {
+impl<'a> RobotLine<'a> {
     fn open(name: &'a str, end: Arc<AtomicBool>) -> Result<Self, Failure> {
         let port = serialport::new(name, BAUD).timeout(LOOK).open().map_err(|e| cannot_open(name, &e))?;
         let mut line = Self { driver: Driver::new(), port, name, began: Instant::now(), end };
@@ -107,7 +107,7 @@ impl<'a> Line<'a> {
     }
 
     /// Identifies the robot, takes control, and lets the program drive.
-    fn drive(&mut self, arguments: &Arguments, robot: &RobotModel, pilot: &mut Pilot) -> Result<String, Failure> {
+    fn drive(&mut self, arguments: &Arguments, robot: &RobotModel, pilot: &mut SerialPilot) -> Result<String, Failure> {
         self.until(|driver| driver.readings().is_some())?;
         let now = self.now();
         self.driver.put_in(now, Mode::Safe);
@@ -125,20 +125,20 @@ impl<'a> Line<'a> {
                 let why = self.driver.dropped().map(|loss| format!("{loss} {}", loss.remedy()));
                 return Err(Failure::system(why.unwrap_or_else(|| "the connection was lost".to_owned())));
             }
-            let mut wish = Wish::Nothing;
+            let mut wish = WantedMotion::Nothing;
             if let Some(dt_s) = since
                 && let Some(readings) = self.driver.readings()
             {
                 wish = pilot.sense(robot, &to_sensors(readings), dt_s);
             }
-            if matches!(wish, Wish::Nothing) {
+            if matches!(wish, WantedMotion::Nothing) {
                 wish = pilot.answer(robot, now, began)?;
             }
             match wish {
-                Wish::Done => return Ok(format!("{now:8.2} s  done\n")),
+                WantedMotion::Done => return Ok(format!("{now:8.2} s  done\n")),
                 // It holds for 200 ms unless it is renewed.
-                Wish::Drive(drive) => self.driver.drive(now, drive),
-                Wish::Nothing => {}
+                WantedMotion::Drive(drive) => self.driver.drive(now, drive),
+                WantedMotion::Nothing => {}
             }
         }
     }

@@ -59,7 +59,7 @@ struct FormArguments {
 }
 
 /// One answer's runs for one goal, with one seed or with some.
-struct Piece<'a> {
+struct GradingTask<'a> {
     /// Index of the answer and of the job.
     at: (usize, usize),
     job: &'a Job,
@@ -122,7 +122,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
 }
 
 /// A room, and the program that drives in it, if one does.
-type Ready = (Lab, Option<Pupil>);
+type PreparedRun = (Lab, Option<Pupil>);
 type Results = Vec<(usize, Result<Vec<RunOutcome>, String>)>;
 
 /// Makes all runs, `threads` at a time: plans first, as the runs of an answer share its plan.
@@ -139,22 +139,22 @@ fn make(jobs: &[Vec<Job>], programs: Option<&Programs>, threads: usize) -> Vec<R
         }
         let plan_only = RunsRequest { seeds: Vec::new(), ..job.request.clone() };
         plan_only.run(&lab, None)?;
-        Ok::<Ready, String>((lab, None))
+        Ok::<PreparedRun, String>((lab, None))
     });
-    let labs: BTreeMap<(usize, usize), Result<Ready, String>> = all.iter().map(|(at, _)| *at).zip(labs).collect();
+    let labs: BTreeMap<(usize, usize), Result<PreparedRun, String>> = all.iter().map(|(at, _)| *at).zip(labs).collect();
     let able: Vec<_> = all.iter().filter(|(at, _)| labs.get(at).is_some_and(Result::is_ok)).collect();
     // As many as keep all threads busy to the end.
     let by_programs: usize =
         able.iter().filter(|(_, job)| job.by_program()).map(|(_, job)| job.request.seeds.len()).sum();
     let together = by_programs.div_ceil(4 * threads.max(1)).clamp(1, TOGETHER);
-    let pieces: Vec<Piece<'_>> = able
+    let pieces: Vec<GradingTask<'_>> = able
         .iter()
         .flat_map(|(at, job)| {
             let size = if job.by_program() { together } else { 1 };
-            job.request.seeds.chunks(size).map(|seeds| Piece { at: *at, job, seeds })
+            job.request.seeds.chunks(size).map(|seeds| GradingTask { at: *at, job, seeds })
         })
         .collect();
-    let outcomes = in_parallel(&pieces, threads, |Piece { at, job, seeds }| {
+    let outcomes = in_parallel(&pieces, threads, |GradingTask { at, job, seeds }| {
         let alone = |make: &dyn Fn(u64) -> Result<RunOutcome, String>| seeds.iter().map(|&seed| make(seed)).collect();
         match (labs.get(at), programs) {
             (Some(Ok((lab, None))), _) => alone(&|seed| job.request.run_one(lab, seed)),

@@ -56,11 +56,11 @@ Exit codes:
 #[command(name = "robovac", version, after_help = EXIT_CODES)]
 struct Arguments {
     #[command(subcommand)]
-    command: Command,
+    command: CliCommand,
 }
 
 #[derive(Subcommand)]
-enum Command {
+enum CliCommand {
     /// List the planners: id, then title
     Planners,
     /// List the behaviours (reactive controllers): id, then title
@@ -108,38 +108,38 @@ enum Command {
 
 fn main() -> ExitCode {
     let result = match Arguments::parse().command {
-        Command::Planners => Ok(list::planners()),
-        Command::Behaviours => Ok(list::behaviours()),
-        Command::Rooms => Ok(list::rooms()),
-        Command::Robots => Ok(list::robots()),
-        Command::Personalities => Ok(list::personalities()),
-        Command::Metrics => Ok(list::metrics()),
-        Command::Plan(arguments) => plan::run(&arguments),
-        Command::Sweep(arguments) => sweep::run(&arguments),
-        Command::Lanes(arguments) => lanes::run(&arguments),
-        Command::Simulate(arguments) => simulate::run(&arguments),
-        Command::Montecarlo(arguments) => montecarlo::run(&arguments),
-        Command::Clean(arguments) => clean::run(&arguments),
-        Command::Compare(arguments) => compare::run(&arguments),
-        Command::Grade(arguments) => grade::run(&arguments),
-        Command::Locate(arguments) => locate::run(&arguments),
-        Command::Convert(arguments) => convert::run(&arguments),
-        Command::Generate(arguments) => generate::run(&arguments),
-        Command::Drive(arguments) => drive::run(&arguments),
-        Command::Bench(arguments) => bench::run(&arguments),
-        Command::Benchmark(arguments) => study::benchmark::run(&arguments),
-        Command::Bridge(arguments) => bridge::run(&arguments),
-        Command::Map(arguments) => map::run(&arguments),
-        Command::Monitor(arguments) => monitor::run(&arguments),
-        Command::Recording(arguments) => recording::run(&arguments),
-        Command::Study(arguments) => study::run(&arguments),
+        CliCommand::Planners => Ok(list::planners()),
+        CliCommand::Behaviours => Ok(list::behaviours()),
+        CliCommand::Rooms => Ok(list::rooms()),
+        CliCommand::Robots => Ok(list::robots()),
+        CliCommand::Personalities => Ok(list::personalities()),
+        CliCommand::Metrics => Ok(list::metrics()),
+        CliCommand::Plan(arguments) => plan::run(&arguments),
+        CliCommand::Sweep(arguments) => sweep::run(&arguments),
+        CliCommand::Lanes(arguments) => lanes::run(&arguments),
+        CliCommand::Simulate(arguments) => simulate::run(&arguments),
+        CliCommand::Montecarlo(arguments) => montecarlo::run(&arguments),
+        CliCommand::Clean(arguments) => clean::run(&arguments),
+        CliCommand::Compare(arguments) => compare::run(&arguments),
+        CliCommand::Grade(arguments) => grade::run(&arguments),
+        CliCommand::Locate(arguments) => locate::run(&arguments),
+        CliCommand::Convert(arguments) => convert::run(&arguments),
+        CliCommand::Generate(arguments) => generate::run(&arguments),
+        CliCommand::Drive(arguments) => drive::run(&arguments),
+        CliCommand::Bench(arguments) => bench::run(&arguments),
+        CliCommand::Benchmark(arguments) => study::benchmark::run(&arguments),
+        CliCommand::Bridge(arguments) => bridge::run(&arguments),
+        CliCommand::Map(arguments) => map::run(&arguments),
+        CliCommand::Monitor(arguments) => monitor::run(&arguments),
+        CliCommand::Recording(arguments) => recording::run(&arguments),
+        CliCommand::Study(arguments) => study::run(&arguments),
         #[cfg(feature = "ros2")]
-        Command::Ros2(arguments) => ros2::run(&arguments),
+        CliCommand::Ros2(arguments) => ros2::run(&arguments),
         #[cfg(not(feature = "ros2"))]
-        Command::Ros2 { .. } => Err(failure::Failure::without_ros2()),
-        Command::Run(arguments) => run::run(&arguments),
-        Command::Twin(arguments) => twin::run(&arguments),
-        Command::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
+        CliCommand::Ros2 { .. } => Err(failure::Failure::without_ros2()),
+        CliCommand::Run(arguments) => run::run(&arguments),
+        CliCommand::Twin(arguments) => twin::run(&arguments),
+        CliCommand::VirtualRoomba(arguments) => virtual_roomba::run(&arguments),
     };
     match result.and_then(|text| print(&text)) {
         Ok(()) => OK.into(),

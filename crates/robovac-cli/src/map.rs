@@ -58,7 +58,7 @@ pub struct Arguments {
     tracking: TrackingWays,
     /// Grid of the map
     #[arg(long, value_name = "GRID", default_value = "own")]
-    grid: MapGrid,
+    grid: MeasuredGrids,
     /// Write ROS 2 messages of the run with the first seed as MCAP, with the first kind of tracking's map
     #[arg(long, value_name = "FILE")]
     mcap: Option<PathBuf>,
@@ -80,7 +80,7 @@ enum TrackingWays {
 
 /// Grids that are measured.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum MapGrid {
+enum MeasuredGrids {
     /// Cells of 5 cm with probabilities
     Own,
     /// Also the grid of Krapinec's thesis: 100 x 100 cells of 10 cm, by odometry, as printed
@@ -161,7 +161,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         TrackingWays::Corrected => &[Tracking::Corrected],
         TrackingWays::Both => &[Tracking::Corrected, Tracking::Odometry],
     };
-    let (first, has_thesis) = (arguments.params.seed, arguments.grid == MapGrid::Thesis);
+    let (first, has_thesis) = (arguments.params.seed, arguments.grid == MeasuredGrids::Thesis);
     let mut outcomes = Vec::new();
     for seed in first..first.saturating_add(arguments.seeds) {
         let run = prepared.run_behaviour(info, &params, conditions, seed);

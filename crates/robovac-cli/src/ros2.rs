@@ -105,7 +105,7 @@ impl Controller for Remote {
 /// Simulates until it is to end.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let is_simulated = arguments.sim_time || arguments.speed != 1.0;
-    let scene = Scene::new(arguments)?;
+    let scene = NodeScene::new(arguments)?;
     let is_over = end_requested()?;
     let participant = Participant::new(&arguments.node)?;
     let pace = Pace { epoch_s: if is_simulated { 0.0 } else { since_1970() }, ..Pace::LIVE };
@@ -150,14 +150,14 @@ fn since_1970() -> f64 {
 }
 
 /// What all robots have in common.
-struct Scene<'a> {
+struct NodeScene<'a> {
     arguments: &'a Arguments,
     placement: Placement,
     prepared: RoomSetup,
     line: Vec<Point>,
 }
 
-impl<'a> Scene<'a> {
+impl<'a> NodeScene<'a> {
     fn new(arguments: &'a Arguments) -> Result<Self, Failure> {
         let placement = arguments.placement.placement(DEFAULT_ROBOT)?;
         let (prepared, line) = match &arguments.planner {

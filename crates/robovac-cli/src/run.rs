@@ -10,9 +10,9 @@ mod talk;
 
 use super::{
     conditions::ConditionsArguments, failure::Failure, montecarlo::parse_minutes, output, signals::end_requested,
-    simulate::DEFAULT_ROBOT, source::RoomChoice, task::parse_cell,
+    simulate::DEFAULT_ROBOT, source::RoomArguments, task::parse_cell,
 };
-pub use child::{ProgramProcess, Task};
+pub use child::{ProgramProcess, WaitFor};
 use coverage_planners::{CoveragePath, metrics::WalkMetrics};
 pub use frames::drive_framed;
 pub use language::Language;
@@ -50,7 +50,7 @@ pub struct Arguments {
     #[arg(long, value_name = "COMMAND")]
     command: Option<String>,
     #[command(flatten)]
-    room: RoomChoice,
+    room: RoomArguments,
     /// Robot, see "robovac robots"
     #[arg(long, value_name = "ID", default_value = DEFAULT_ROBOT)]
     robot: String,
@@ -86,7 +86,7 @@ pub struct Arguments {
 }
 
 /// What all runs have in common.
-struct Study {
+struct RunStudy {
     language: Language,
     lab: Lab,
     placement: Placement,
@@ -163,7 +163,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         duration_s: 60.0 * arguments.minutes,
         plan_seed: arguments.seed,
     };
-    let study = Study {
+    let study = RunStudy {
         language,
         lab: Lab::on(placement.prepare()?, terms),
         placement,
@@ -191,7 +191,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     Ok(if arguments.json { output::json(&report) } else { report.to_text(&study.placement) })
 }
 
-impl Study {
+impl RunStudy {
     /// Makes the runs, `jobs` at a time, and returns them in the order of the seeds; or the first seed that failed, and why.
     fn make_all(&self, seeds: &[u64], jobs: usize) -> Result<Vec<ProgramOutcome>, (u64, String)> {
         let next = AtomicUsize::new(0);

@@ -73,7 +73,7 @@ struct AlgorithmArguments {
 }
 
 /// What is simulated.
-struct Task {
+struct SimulatedTask {
     placement: Placement,
     algorithm: Algorithm,
     params: Params,
@@ -156,7 +156,7 @@ struct SimulateSample {
 
 impl Arguments {
     /// By the options, or if they name no algorithm by the scenario.
-    fn task(&self) -> Result<Task, Failure> {
+    fn task(&self) -> Result<SimulatedTask, Failure> {
         let Some(algorithm) = self.algorithm.find()? else { return self.scenario() };
         let params = self.params.checked(algorithm.params())?;
         let mut placement = self.placement.placement(DEFAULT_ROBOT)?;
@@ -168,11 +168,11 @@ impl Arguments {
         }
         let (seed, odometry, smooth, path) = (self.params.seed, self.conditions.odometry, self.smooth, None);
         let conditions = self.conditions.over(conditions);
-        Ok(Task { placement, algorithm, params, seed, conditions, odometry, smooth, path })
+        Ok(SimulatedTask { placement, algorithm, params, seed, conditions, odometry, smooth, path })
     }
 
     /// The scenario's run, with other slip, noise or charge if they are given.
-    fn scenario(&self) -> Result<Task, Failure> {
+    fn scenario(&self) -> Result<SimulatedTask, Failure> {
         let (plan, settings) = self.placement.scenario()?;
         if self.params.are_given() || self.coverage.is_given() || self.twin.is_some() {
             let what = "--param, --seed, --coverage and --twin";
@@ -182,11 +182,11 @@ impl Arguments {
         let Settings { cell_size, algorithm, params, seed, odometry, path, .. } = settings;
         let placement = Placement { plan, robot, cell_size, start: None, heading_deg: None };
         let smooth = self.smooth || settings.smooth;
-        Ok(Task { placement, algorithm, params, seed, conditions, odometry, smooth, path })
+        Ok(SimulatedTask { placement, algorithm, params, seed, conditions, odometry, smooth, path })
     }
 }
 
-impl Task {
+impl SimulatedTask {
     /// The room laid out, and the plan if it is one.
     fn prepare(&mut self, coverage: &CoverageArguments) -> Result<(RoomSetup, Option<Planned>), Failure> {
         let Placement { plan, robot, cell_size, .. } = &self.placement;
@@ -213,7 +213,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     // First of all: a long run that can't be written is lost.
     let mut bag = arguments.mcap.as_deref().map(BagFile::create).transpose()?;
     let (prepared, planned) = task.prepare(&arguments.coverage)?;
-    let Task { placement, algorithm, params, seed, conditions, odometry, path: own_path, .. } = task;
+    let SimulatedTask { placement, algorithm, params, seed, conditions, odometry, path: own_path, .. } = task;
     let mut smooth = None;
     let (mut run, path) = if let Some(mut planned) = planned {
         if task.smooth {

@@ -26,7 +26,7 @@ pub struct RoomSource {
 
 /// At most one of them.
 #[derive(clap::Args)]
-pub struct RoomChoice {
+pub struct RoomArguments {
     /// Map file: text of # and ., PNG, PGM, ROS map (YAML; its image is found automatically) or scenario
     #[arg(long, value_name = "FILE", conflicts_with_all = ["room", "flat"])]
     map: Option<PathBuf>,
@@ -38,7 +38,7 @@ pub struct RoomChoice {
     room: String,
 }
 
-impl RoomChoice {
+impl RoomArguments {
     pub fn plan(&self) -> Result<FloorPlan, Failure> {
         RoomSource { map: self.map.clone(), room: Some(self.room.clone()), flat: self.flat }.plan()
     }

@@ -4,7 +4,7 @@ use crate::LessonFault;
 
 /// One line of a block.
 #[derive(Debug, Clone)]
-pub struct Field {
+pub struct BlockLine {
     /// Line of the file, from 1.
     pub line: usize,
     key: String,
@@ -28,17 +28,17 @@ pub fn decimal(text: &str) -> Option<f64> {
 
 /// The lines of one block; they are taken out by their keys.
 #[derive(Debug)]
-pub struct Fields {
+pub struct BlockLines {
     kind: &'static str,
     line: usize,
-    lines: Vec<Field>,
+    lines: Vec<BlockLine>,
     known: Vec<&'static str>,
 }
 
-impl Fields {
+impl BlockLines {
     /// Reads the lines of the block `kind`, whose fence is on `line`. An indented line continues the one before.
     pub fn parse(kind: &'static str, line: usize, text: &str) -> Result<Self, LessonFault> {
-        let mut lines: Vec<Field> = Vec::new();
+        let mut lines: Vec<BlockLine> = Vec::new();
         for (index, row) in text.lines().enumerate() {
             let at = line + 1 + index;
             if row.trim().is_empty() {
@@ -59,7 +59,7 @@ impl Fields {
                     "write e.g. \"minutes: 12\", or indent a line that continues another",
                 ));
             };
-            lines.push(Field { line: at, key: key.trim().to_owned(), value: value.trim().to_owned() });
+            lines.push(BlockLine { line: at, key: key.trim().to_owned(), value: value.trim().to_owned() });
         }
         Ok(Self { kind, line, lines, known: Vec::new() })
     }
@@ -69,15 +69,15 @@ impl Fields {
         self.line
     }
 
-    /// Takes the field `key`, if there is one; a second one is a fault of [`Fields::finish`].
-    pub fn take(&mut self, key: &'static str) -> Option<Field> {
+    /// Takes the field `key`, if there is one; a second one is a fault of [`BlockLines::finish`].
+    pub fn take(&mut self, key: &'static str) -> Option<BlockLine> {
         self.known.push(key);
         let at = self.lines.iter().position(|field| field.key == key)?;
         Some(self.lines.remove(at))
     }
 
     /// Takes all fields `key`.
-    pub fn take_all(&mut self, key: &'static str) -> Vec<Field> {
+    pub fn take_all(&mut self, key: &'static str) -> Vec<BlockLine> {
         self.known.push(key);
         let (taken, left) = self.lines.drain(..).partition(|field| field.key == key);
         self.lines = left;
@@ -90,7 +90,7 @@ impl Fields {
     }
 
     /// Takes a field that must be there.
-    pub fn need(&mut self, key: &'static str, example: &str) -> Result<Field, LessonFault> {
+    pub fn need(&mut self, key: &'static str, example: &str) -> Result<BlockLine, LessonFault> {
         self.take(key).ok_or_else(|| self.lack(key, example))
     }
 

@@ -3,7 +3,7 @@
 use crate::{
     LessonFault, Link, Number,
     answer::RunRecord,
-    fields::{Field, Fields, decimal},
+    fields::{BlockLine, BlockLines, decimal},
 };
 use robovac_sim::montecarlo::{RunOutcome, RunsRequest, quantile};
 use serde::Serialize;
@@ -106,7 +106,7 @@ pub struct Judged {
 
 impl Goal {
     /// Reads the block; `id` if it has none.
-    pub(crate) fn parse(fields: &mut Fields, id: String) -> Result<Self, LessonFault> {
+    pub(crate) fn parse(fields: &mut BlockLines, id: String) -> Result<Self, LessonFault> {
         let start = fields.need("in", "room=living&behaviour=bounce")?;
         needs_robot(&start)?;
         let scene = fields.take("scene").map(|field| field.value);
@@ -187,7 +187,7 @@ impl Goal {
 }
 
 /// Fails unless a link of runs names a robot: without, it would be whichever was chosen before.
-pub(crate) fn needs_robot(field: &Field) -> Result<(), LessonFault> {
+pub(crate) fn needs_robot(field: &BlockLine) -> Result<(), LessonFault> {
     if Link::parse(&field.value).get("robot").is_some() {
         return Ok(());
     }
@@ -205,7 +205,7 @@ fn usual(key: &str) -> &'static str {
     }
 }
 
-fn changes(field: &Field) -> Result<Vec<String>, LessonFault> {
+fn changes(field: &BlockLine) -> Result<Vec<String>, LessonFault> {
     let names: Vec<String> = field.value.split(',').map(|name| name.trim().to_owned()).collect();
     match names.iter().find(|name| CHANGES.iter().all(|(known, _)| known != name)) {
         None => Ok(names),
@@ -217,7 +217,7 @@ fn changes(field: &Field) -> Result<Vec<String>, LessonFault> {
 }
 
 impl Need {
-    fn parse(field: &Field) -> Result<Self, LessonFault> {
+    fn parse(field: &BlockLine) -> Result<Self, LessonFault> {
         let wrong = |what: String| {
             let mend = format!("write e.g. \"median coverage >= 95 %\"; numbers are: {}", Number::names());
             LessonFault::new(field.line, what, mend)

@@ -1,6 +1,6 @@
 //! Marking an answer: its runs are made again.
 
-use crate::{Answer, Block, Goal, Lesson, Scene, Verdict, answer::RunRecord};
+use crate::{Answer, Goal, Lesson, LessonBlock, LessonScene, Verdict, answer::RunRecord};
 use robovac_core::program::Program;
 use robovac_sim::{
     experiment::{Algorithm, Settings, plan_of},
@@ -77,7 +77,7 @@ pub fn check(lesson: &Lesson) -> Result<(), String> {
         }
     }
     for block in &lesson.blocks {
-        let Block::Scene(Scene { title, scenario, .. }) = block else { continue };
+        let LessonBlock::Scene(LessonScene { title, scenario, .. }) = block else { continue };
         if !scenario.is_empty() {
             plan_of(None, Some(scenario)).map_err(|error| {
                 format!("the scene \"{title}\": {error}; paste a file that \"Save as…\" has written")

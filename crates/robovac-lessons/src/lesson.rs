@@ -24,21 +24,21 @@ pub struct Lesson {
     /// Digest of the text.
     pub digest: String,
     /// Its content, in order.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<LessonBlock>,
 }
 
 /// A part of a lesson.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "snake_case")]
-pub enum Block {
+pub enum LessonBlock {
     /// Text.
     Prose {
         /// Safe HTML.
         html: String,
     },
     /// Settings or a scenario to be opened.
-    Scene(Scene),
+    Scene(LessonScene),
     /// A question whose answer is committed before the run.
     Predict(Choice),
     /// A button that sets something and plays.
@@ -71,7 +71,7 @@ pub enum Block {
 /// A scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-pub struct Scene {
+pub struct LessonScene {
     /// Its name for goals; can be empty.
     pub id: String,
     /// What is on its button.
@@ -101,19 +101,19 @@ pub struct Choice {
 impl Lesson {
     /// The goals, in order.
     pub fn goals(&self) -> impl Iterator<Item = &Goal> {
-        self.blocks.iter().filter_map(|block| if let Block::Goal(goal) = block { Some(goal) } else { None })
+        self.blocks.iter().filter_map(|block| if let LessonBlock::Goal(goal) = block { Some(goal) } else { None })
     }
 
     /// The quizzes, in order.
     pub fn quizzes(&self) -> impl Iterator<Item = &Quiz> {
-        self.blocks.iter().filter_map(|block| if let Block::Quiz(quiz) = block { Some(quiz) } else { None })
+        self.blocks.iter().filter_map(|block| if let LessonBlock::Quiz(quiz) = block { Some(quiz) } else { None })
     }
 
     /// The scenario of a goal's scene, if it has one.
     pub fn scenario_of(&self, goal: &Goal) -> Option<&str> {
         let id = goal.scene.as_deref()?;
         self.blocks.iter().find_map(|block| match block {
-            Block::Scene(scene) if scene.id == id && !scene.scenario.is_empty() => Some(scene.scenario.as_str()),
+            LessonBlock::Scene(scene) if scene.id == id && !scene.scenario.is_empty() => Some(scene.scenario.as_str()),
             _ => None,
         })
     }
@@ -123,9 +123,11 @@ impl Lesson {
         let mut links = Vec::new();
         for block in &self.blocks {
             match block {
-                Block::Scene(Scene { link, .. }) | Block::Do { link, .. } => links.push(link.as_str()),
-                Block::Goal(goal) => links.push(&goal.start),
-                Block::Measure(measure) => links.extend(measure.rows.iter().map(|row| row.link.as_str())),
+                LessonBlock::Scene(LessonScene { link, .. }) | LessonBlock::Do { link, .. } => {
+                    links.push(link.as_str());
+                }
+                LessonBlock::Goal(goal) => links.push(&goal.start),
+                LessonBlock::Measure(measure) => links.extend(measure.rows.iter().map(|row| row.link.as_str())),
                 _ => {}
             }
         }

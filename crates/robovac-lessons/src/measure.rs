@@ -1,6 +1,6 @@
 //! A table that fills itself from runs.
 
-use crate::{LessonFault, Link, Number, fields::Fields, goal::needs_robot};
+use crate::{LessonFault, Link, Number, fields::BlockLines, goal::needs_robot};
 use robovac_sim::montecarlo::{RunOutcome, RunsRequest, quantile};
 use serde::Serialize;
 
@@ -33,7 +33,7 @@ pub struct MeasureRow {
 }
 
 impl Measure {
-    pub(crate) fn parse(fields: &mut Fields) -> Result<Self, LessonFault> {
+    pub(crate) fn parse(fields: &mut BlockLines) -> Result<Self, LessonFault> {
         let base = fields.need("in", "room=living&robot=roomba600")?;
         needs_robot(&base)?;
         let base = Link::parse(&base.value);

@@ -1,8 +1,8 @@
 //! From the text of a lesson to its blocks.
 
 use crate::{
-    Block, Choice, Goal, Lesson, LessonFault, Measure, Quiz, Scene, digest,
-    fields::{Field, Fields},
+    Choice, Goal, Lesson, LessonBlock, LessonFault, LessonScene, Measure, Quiz, digest,
+    fields::{BlockLine, BlockLines},
     prose::{Prose, options, safe_html},
 };
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
@@ -19,7 +19,7 @@ impl Lesson {
             let what = format!("the lesson has {} kB", text.len() / 1000);
             return Err(LessonFault::new(1, what, format!("keep it below {} kB", MOST_BYTES / 1000)));
         }
-        let mut builder = Builder::default();
+        let mut builder = LessonBuilder::default();
         let mut events = Parser::new_ext(text, options()).into_offset_iter();
         while let Some((event, place)) = events.next() {
             let line = || 1 + text[..place.start].matches('\n').count();
@@ -94,9 +94,9 @@ fn unique(lesson: &Lesson) -> Result<(), LessonFault> {
     let mut seen = std::collections::BTreeSet::new();
     for block in &lesson.blocks {
         let id = match block {
-            Block::Goal(goal) => &goal.id,
-            Block::Quiz(quiz) => &quiz.id,
-            Block::Predict(choice) => &choice.id,
+            LessonBlock::Goal(goal) => &goal.id,
+            LessonBlock::Quiz(quiz) => &quiz.id,
+            LessonBlock::Predict(choice) => &choice.id,
             _ => continue,
         };
         if !seen.insert(id) {
@@ -115,18 +115,18 @@ fn unique(lesson: &Lesson) -> Result<(), LessonFault> {
 }
 
 #[derive(Default)]
-struct Builder<'a> {
+struct LessonBuilder<'a> {
     lesson: Lesson,
     prose: Prose<'a>,
     depth: usize,
     counts: [usize; 3],
 }
 
-impl Builder<'_> {
+impl LessonBuilder<'_> {
     fn flush(&mut self) {
         if !self.prose.is_empty() {
             let html = self.prose.take();
-            self.lesson.blocks.push(Block::Prose { html });
+            self.lesson.blocks.push(LessonBlock::Prose { html });
         }
     }
 
@@ -138,29 +138,29 @@ impl Builder<'_> {
 
     fn block(&mut self, kind: &'static str, rest: &str, line: usize, content: &str) -> Result<(), LessonFault> {
         let block = match kind {
-            "hint" => Block::Hint { html: safe_html(content) },
+            "hint" => LessonBlock::Hint { html: safe_html(content) },
             "code" => {
                 let language = if rest.is_empty() { "python" } else { rest };
                 if !["python", "javascript"].contains(&language) {
                     let what = format!("there are no programs in \"{language}\"");
                     return Err(LessonFault::new(line, what, "write \"code python\" or \"code javascript\""));
                 }
-                Block::Code { language: language.to_owned(), text: content.to_owned() }
+                LessonBlock::Code { language: language.to_owned(), text: content.to_owned() }
             }
             "scene" if content.contains("\n{") || content.starts_with('{') => {
                 let at = content.find('{').unwrap_or_default();
-                let mut fields = Fields::parse(kind, line, &content[..at])?;
-                let scene = Scene {
+                let mut fields = BlockLines::parse(kind, line, &content[..at])?;
+                let scene = LessonScene {
                     id: fields.text("id"),
                     title: fields.take("title").map_or_else(|| "Open the room".to_owned(), |field| field.value),
                     link: String::new(),
                     scenario: content[at..].to_owned(),
                 };
                 fields.finish()?;
-                Block::Scene(scene)
+                LessonBlock::Scene(scene)
             }
             _ => {
-                let mut fields = Fields::parse(kind, line, content)?;
+                let mut fields = BlockLines::parse(kind, line, content)?;
                 let block = self.of_fields(kind, &mut fields, rest)?;
                 fields.finish()?;
                 let Some(block) = block else { return Ok(()) };
@@ -171,7 +171,12 @@ impl Builder<'_> {
         Ok(())
     }
 
-    fn of_fields(&mut self, kind: &str, fields: &mut Fields, rest: &str) -> Result<Option<Block>, LessonFault> {
+    fn of_fields(
+        &mut self,
+        kind: &str,
+        fields: &mut BlockLines,
+        rest: &str,
+    ) -> Result<Option<LessonBlock>, LessonFault> {
         Ok(Some(match kind {
             "lesson" => {
                 self.lesson.id = fields.take("id").map(|field| id(&field)).transpose()?.unwrap_or_default();
@@ -184,27 +189,27 @@ impl Builder<'_> {
                 self.lesson.sources = fields.take_all("source").iter().map(|field| safe_html(&field.value)).collect();
                 return Ok(None);
             }
-            "scene" => Block::Scene(Scene {
+            "scene" => LessonBlock::Scene(LessonScene {
                 id: fields.text("id"),
                 link: fields.need("link", "room=living&behaviour=bounce")?.value,
                 title: fields.take("title").map_or_else(|| "Set the scene".to_owned(), |field| field.value),
                 scenario: String::new(),
             }),
-            "predict" => Block::Predict(self.choice(fields)?),
-            "do" => Block::Do { label: fields.need("label", "Run it")?.value, link: fields.text("link") },
+            "predict" => LessonBlock::Predict(self.choice(fields)?),
+            "do" => LessonBlock::Do { label: fields.need("label", "Run it")?.value, link: fields.text("link") },
             "goal" => {
                 let id = self.next("goal", 0);
-                Block::Goal(Goal::parse(fields, id)?)
+                LessonBlock::Goal(Goal::parse(fields, id)?)
             }
-            "measure" => Block::Measure(Measure::parse(fields)?),
+            "measure" => LessonBlock::Measure(Measure::parse(fields)?),
             _ => {
                 let id = self.next("quiz", 1);
-                Block::Quiz(Quiz::parse(fields, rest, id)?)
+                LessonBlock::Quiz(Quiz::parse(fields, rest, id)?)
             }
         }))
     }
 
-    fn choice(&mut self, fields: &mut Fields) -> Result<Choice, LessonFault> {
+    fn choice(&mut self, fields: &mut BlockLines) -> Result<Choice, LessonFault> {
         let question = fields.need("question", "Which robot sweeps more?")?;
         let options: Vec<String> = fields.take_all("option").into_iter().map(|field| field.value).collect();
         if options.len() < 2 {
@@ -227,7 +232,7 @@ impl Builder<'_> {
     }
 }
 
-fn id(field: &Field) -> Result<String, LessonFault> {
+fn id(field: &BlockLine) -> Result<String, LessonFault> {
     if plain(&field.value) == field.value {
         Ok(field.value.clone())
     } else {
@@ -300,10 +305,10 @@ mod tests {
             .collect();
         assert_eq!(kinds, ["scene", "predict", "do", "hint", "code", "measure", "quiz", "prose"]);
         assert!(
-            matches!(&lesson.blocks[1], Block::Predict(choice) if choice.right == 1 && choice.because.contains("<em>so</em> and so"))
+            matches!(&lesson.blocks[1], LessonBlock::Predict(choice) if choice.right == 1 && choice.because.contains("<em>so</em> and so"))
         );
         assert!(
-            matches!(&lesson.blocks[5], Block::Measure(measure) if measure.columns == ["coverage, %", "bumps"] && measure.rows[0].link == "room=flat&robot=roomba600&behaviour=bounce")
+            matches!(&lesson.blocks[5], LessonBlock::Measure(measure) if measure.columns == ["coverage, %", "bumps"] && measure.rows[0].link == "room=flat&robot=roomba600&behaviour=bounce")
         );
     }
 }

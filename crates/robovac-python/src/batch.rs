@@ -86,7 +86,7 @@ enum Autoreset {
 
 /// What actions mean.
 #[derive(Clone, Copy)]
-enum Action {
+enum ActionSpace {
     Wheels,
     Twist,
 }
@@ -95,7 +95,7 @@ enum Action {
 struct Common {
     task: Arc<Task>,
     rooms: Rooms,
-    action: Action,
+    action: ActionSpace,
     weights: RewardWeights,
     slip: Vec<SlipLevel>,
     noise: Vec<NoiseLevel>,
@@ -122,8 +122,8 @@ pub struct Batch {
 /// The part of the arrays that belongs to one or more environments.
 #[derive(Default)]
 struct Parts<'a> {
-    now: Seen<'a>,
-    last: Seen<'a>,
+    now: ObservationArrays<'a>,
+    last: ObservationArrays<'a>,
     rewards: &'a mut [f64],
     terminated: &'a mut [bool],
     truncated: &'a mut [bool],
@@ -132,7 +132,7 @@ struct Parts<'a> {
 }
 
 #[derive(Default)]
-struct Seen<'a> {
+struct ObservationArrays<'a> {
     oi: Option<&'a mut [f32]>,
     map: Option<&'a mut [u8]>,
     truth: Option<&'a mut [f32]>,
@@ -323,9 +323,9 @@ impl Env {
     }
 
     /// Observes once.
-    fn show(&mut self, seen: Seen<'_>, coverage: &mut [f64]) {
+    fn show(&mut self, seen: ObservationArrays<'_>, coverage: &mut [f64]) {
         if let Some(episode) = &mut self.episode {
-            let Seen { oi, map, truth } = seen;
+            let ObservationArrays { oi, map, truth } = seen;
             episode.observe(Observations { readings: oi, map, truth });
             coverage.fill(episode.coverage());
         }
@@ -357,7 +357,7 @@ impl Env {
     }
 }
 
-impl Action {
+impl ActionSpace {
     fn drive(self, robot: &RobotModel, [a, b]: [f32; 2]) -> Drive {
         let [a, b] = [a, b].map(|share| f64::from(share.clamp(-1.0, 1.0)));
         let most = robot.max_wheel_speed;
@@ -411,7 +411,7 @@ impl BatchArguments {
             common: Common {
                 task: Arc::new(task),
                 rooms,
-                action: if self.action == "wheels" { Action::Wheels } else { Action::Twist },
+                action: if self.action == "wheels" { ActionSpace::Wheels } else { ActionSpace::Twist },
                 weights: RewardWeights { swept_m2, turned_rad, bump, second, fall, finish },
                 slip,
                 noise,
@@ -437,8 +437,12 @@ impl Buffers<'_> {
             Ok(array.as_mut().map(|array| array.as_slice_mut()).transpose()?)
         }
         Ok(Parts {
-            now: Seen { oi: slice(&mut self.oi)?, map: slice(&mut self.map)?, truth: slice(&mut self.truth)? },
-            last: Seen {
+            now: ObservationArrays {
+                oi: slice(&mut self.oi)?,
+                map: slice(&mut self.map)?,
+                truth: slice(&mut self.truth)?,
+            },
+            last: ObservationArrays {
                 oi: slice(&mut self.final_oi)?,
                 map: slice(&mut self.final_map)?,
                 truth: slice(&mut self.final_truth)?,
@@ -475,7 +479,7 @@ impl Parts<'_> {
     }
 }
 
-impl Seen<'_> {
+impl ObservationArrays<'_> {
     fn take(&mut self, count: usize) -> Self {
         Self {
             oi: self.oi.as_mut().map(|oi| first(oi, count * READINGS)),

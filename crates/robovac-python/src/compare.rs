@@ -1,6 +1,6 @@
 //! Planners against each other in the same rooms.
 
-use crate::{failure::Failure, room::Room, watch::Watch};
+use crate::{failure::Failure, room::Room, watch::SignalWatch};
 use coverage_planners::{Observer, ProgressReport, metrics::METRICS};
 use pyo3::prelude::*;
 use robovac_sim::experiment::{Arena, Entrant, planning::choose_robot};
@@ -16,7 +16,7 @@ use std::{
 };
 
 /// A trial: numbers of room and planner, and the seed.
-type Trial = (usize, usize, u64);
+type PythonTrial = (usize, usize, u64);
 
 /// Every trial's outcome as JSON, in their order. `planners` are written as in links: `snake~patience:3`.
 #[pyfunction]
@@ -41,12 +41,12 @@ pub fn compare(
     }
     let seeds_of =
         |entrant: usize| if entrants[entrant].0.is_deterministic() { &seeds[..seeds.len().min(1)] } else { &seeds };
-    let trials: Vec<Trial> = (0..places.len())
+    let trials: Vec<PythonTrial> = (0..places.len())
         .flat_map(|room| (0..entrants.len()).map(move |entrant| (room, entrant)))
         .flat_map(|(room, entrant)| seeds_of(entrant).iter().map(move |&seed| (room, entrant, seed)))
         .collect();
     let threads = threads.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from)).max(1);
-    let mut watch = Watch::new();
+    let mut watch = SignalWatch::new();
     let results = py.detach(|| {
         let arenas: Vec<Result<Arena, String>> = places
             .iter()
@@ -55,7 +55,7 @@ pub fn compare(
                 arena.map(|arena| arena.smooth(smooth))
             })
             .collect();
-        let attempt = |(room, entrant, seed): Trial, observer: Observer<'_>| {
+        let attempt = |(room, entrant, seed): PythonTrial, observer: Observer<'_>| {
             let (entrant, planner) = &entrants[entrant];
             let arena = arenas[room].as_ref().map_err(Clone::clone)?;
             let begin = Instant::now();
@@ -83,10 +83,10 @@ pub fn compare(
 
 /// Makes the trials on `threads` threads, while this one looks for signals.
 fn try_all(
-    trials: &[Trial],
+    trials: &[PythonTrial],
     threads: usize,
-    watch: &mut Watch,
-    attempt: &(dyn Fn(Trial, Observer<'_>) -> Result<Value, String> + Sync),
+    watch: &mut SignalWatch,
+    attempt: &(dyn Fn(PythonTrial, Observer<'_>) -> Result<Value, String> + Sync),
 ) -> Vec<Result<Value, String>> {
     let (next, left, is_over) = (AtomicUsize::new(0), AtomicUsize::new(threads), AtomicBool::new(false));
     let results = Mutex::new(vec![Err("not tried".to_owned()); trials.len()]);

@@ -109,7 +109,7 @@ impl Sensed {
 }
 
 /// What went wrong in a behaviour, if anything did.
-pub type Fault = Arc<Mutex<Option<PyErr>>>;
+pub type BehaviourFault = Arc<Mutex<Option<PyErr>>>;
 
 /// A behaviour: an object with `step(sensed, dt_s)`, which returns speeds of the left and right wheel in m/s, or `None` once
 /// it is done.
@@ -117,17 +117,17 @@ pub struct PythonController {
     behaviour: Py<PyAny>,
     name: String,
     is_done: bool,
-    fault: Fault,
+    fault: BehaviourFault,
 }
 
 impl PythonController {
     /// Drives by `behaviour`, called `name` in messages.
     pub fn new(behaviour: Py<PyAny>, name: String) -> Self {
-        Self { behaviour, name, is_done: false, fault: Fault::default() }
+        Self { behaviour, name, is_done: false, fault: BehaviourFault::default() }
     }
 
     /// The place for its fault.
-    pub fn fault(&self) -> Fault {
+    pub fn fault(&self) -> BehaviourFault {
         Arc::clone(&self.fault)
     }
 

@@ -5,7 +5,7 @@ use crate::{
     failure::Failure,
     place::{PlaceArguments, checked},
     room::Room,
-    watch::Watch,
+    watch::SignalWatch,
 };
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::{prelude::*, types::PyDict};
@@ -45,7 +45,7 @@ pub fn explore(
     explorer: ExplorerArguments,
     conditions: ConditionsArguments,
 ) -> PyResult<Bound<'_, PyDict>> {
-    let mut watch = Watch::new();
+    let mut watch = SignalWatch::new();
     let explored = py.detach(|| explorer.run(&place, &conditions, &mut watch));
     watch.finish()?;
     let Explored { mapper, report, poses, estimates } = explored?;
@@ -66,7 +66,7 @@ impl ExplorerArguments {
         &self,
         place: &PlaceArguments,
         conditions: &ConditionsArguments,
-        watch: &mut Watch,
+        watch: &mut SignalWatch,
     ) -> Result<Explored, Failure> {
         if !(self.max_time_s.is_finite() && self.max_time_s > 0.0) {
             let message = format!("max_time_s can't be {}; use a number of seconds greater than 0", self.max_time_s);

@@ -3,7 +3,7 @@
 use crate::{
     failure::Failure,
     place::{PlaceArguments, checked},
-    watch::Watch,
+    watch::SignalWatch,
 };
 use coverage_planners::{Bounds, CoveragePath, PlannerInfo, find, metrics::METRICS};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -40,7 +40,7 @@ pub fn planner(id: &str) -> Result<&'static PlannerInfo, Failure> {
 
 impl PlanArguments<'_> {
     /// Plans; ends early if `watch` says so.
-    pub fn solve(&self, watch: &mut Watch) -> Result<(PlanningTask, PlanSolution), Failure> {
+    pub fn solve(&self, watch: &mut SignalWatch) -> Result<(PlanningTask, PlanSolution), Failure> {
         let planner = planner(self.planner)?;
         let params = checked(planner.params, self.params)?;
         let mut task = PlanningTask { placement: self.place.placement()?, planner, params, seed: self.seed };
@@ -54,7 +54,7 @@ impl PlanArguments<'_> {
 }
 
 /// Sets the planning cells for a coverage. The start in cells is one of the default cells.
-fn fit_cells(task: &mut PlanningTask, percent: f64, watch: &mut Watch) -> Result<(), Failure> {
+fn fit_cells(task: &mut PlanningTask, percent: f64, watch: &mut SignalWatch) -> Result<(), Failure> {
     if !(0.0..=100.0).contains(&percent) {
         return Err(Failure::usage(format!("coverage_percent can't be {percent}; use a number from 0 to 100")));
     }
@@ -84,7 +84,7 @@ pub fn plan<'py>(
     seed: u64,
 ) -> PyResult<Bound<'py, PyDict>> {
     let arguments = PlanArguments { place: &place, planner, params: &params, coverage_percent, seed };
-    let mut watch = Watch::new();
+    let mut watch = SignalWatch::new();
     let solved = py.detach(|| arguments.solve(&mut watch));
     watch.finish()?;
     let (task, solution) = solved?;

@@ -2,11 +2,11 @@
 
 use crate::{
     conditions::ConditionsArguments,
-    controller::{Fault, PythonController},
+    controller::{BehaviourFault, PythonController},
     failure::Failure,
     place::{PlaceArguments, checked},
     plan::{PlanArguments, flags, points},
-    watch::Watch,
+    watch::SignalWatch,
 };
 use coverage_planners::smooth::SmoothSetup;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -61,7 +61,7 @@ struct Outcome {
     prepared: RoomSetup,
     visits: Vec<u8>,
     line: Vec<Point>,
-    fault: Option<Fault>,
+    fault: Option<BehaviourFault>,
 }
 
 /// Drives to the end.
@@ -72,7 +72,7 @@ pub fn simulate(
     driver: DriverArguments,
     conditions: ConditionsArguments,
 ) -> PyResult<Bound<'_, PyDict>> {
-    let mut watch = Watch::new();
+    let mut watch = SignalWatch::new();
     let outcome = py.detach(|| driver.run(&place, &conditions, &mut watch));
     watch.finish()?;
     let outcome = outcome?;
@@ -102,7 +102,7 @@ impl DriverArguments {
         &self,
         place: &PlaceArguments,
         conditions: &ConditionsArguments,
-        watch: &mut Watch,
+        watch: &mut SignalWatch,
     ) -> Result<Outcome, Failure> {
         for (name, seconds) in [("sample_s", Some(self.sample_s)), ("max_time_s", self.max_time_s)] {
             if let Some(seconds) = seconds.filter(|seconds| !(seconds.is_finite() && *seconds > 0.0)) {
@@ -183,7 +183,7 @@ fn prepare(place: &PlaceArguments) -> Result<(Placement, RoomSetup), Failure> {
 }
 
 /// Drives to the end or for `max_time` seconds.
-fn drive(run: &mut Run, interval: f64, max_time: Option<f64>, watch: &mut Watch) -> Log {
+fn drive(run: &mut Run, interval: f64, max_time: Option<f64>, watch: &mut SignalWatch) -> Log {
     let most_steps = max_time.map_or(u64::MAX, |seconds| (seconds / STEP_S) as u64);
     let mut log = Log::default();
     log.sample(run);

@@ -10,12 +10,12 @@ use std::{
 const EVERY: Duration = Duration::from_millis(50);
 
 /// Asks now and then whether a signal has arrived; keeps the exception of its handler.
-pub struct Watch {
+pub struct SignalWatch {
     last: Instant,
     error: Option<PyErr>,
 }
 
-impl Watch {
+impl SignalWatch {
     /// Begins now.
     pub fn new() -> Self {
         Self { last: Instant::now(), error: None }

@@ -25,7 +25,7 @@ pub type Velocity = [f64; 3];
 
 /// What a battery does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Supply {
+pub enum BatteryActivity {
     /// It isn't known.
     Unknown,
     /// It charges.
@@ -50,7 +50,7 @@ pub struct BatteryState {
     /// Capacity, Ah; 0 if it isn't known.
     pub capacity_ah: f32,
     /// What it does.
-    pub supply: Supply,
+    pub supply: BatteryActivity,
 }
 
 /// Bumper and light bumper.
@@ -84,9 +84,9 @@ impl BatteryState {
             charge_ah: thousandth(battery.charge_mah.into()),
             capacity_ah: thousandth(battery.capacity_mah.into()),
             supply: match battery.on_dock {
-                true if battery.current_ma > 0 => Supply::Charging,
-                true => Supply::NotCharging,
-                false => Supply::Discharging,
+                true if battery.current_ma > 0 => BatteryActivity::Charging,
+                true => BatteryActivity::NotCharging,
+                false => BatteryActivity::Discharging,
             },
         })
     }
@@ -206,10 +206,10 @@ pub fn battery(time_s: f64, state: &BatteryState) -> Cdr {
     cdr.single(f32::NAN);
     cdr.single(if state.capacity_ah > 0.0 { state.charge_ah / state.capacity_ah } else { f32::NAN });
     let supply = match state.supply {
-        Supply::Unknown => UNKNOWN,
-        Supply::Charging => CHARGING,
-        Supply::Discharging => DISCHARGING,
-        Supply::NotCharging => NOT_CHARGING,
+        BatteryActivity::Unknown => UNKNOWN,
+        BatteryActivity::Charging => CHARGING,
+        BatteryActivity::Discharging => DISCHARGING,
+        BatteryActivity::NotCharging => NOT_CHARGING,
     };
     // Health and technology aren't known.
     for value in [supply, 0, 0] {

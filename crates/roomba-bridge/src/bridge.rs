@@ -1,7 +1,7 @@
 //! Who drives, and the dead man's switch.
 
 use super::{
-    motion::{HALT, Motion, STOP, STOP_ALL, starts},
+    motion::{ActiveOutputs, HALT, STOP, STOP_ALL, starts},
     repeat::Repeat,
     words::{FromBridge, Halted, ToBridge},
 };
@@ -87,7 +87,7 @@ pub struct Bridge {
     /// When the last [`FromBridge::Beat`] was sent, which is its number.
     beat_ms: Option<u64>,
     decoder: CommandDecoder,
-    motion: Motion,
+    motion: ActiveOutputs,
     repeat: Repeat,
 }
 
@@ -106,7 +106,7 @@ impl Bridge {
             alive_ms: 0,
             beat_ms: None,
             decoder: CommandDecoder::default(),
-            motion: Motion::UNKNOWN,
+            motion: ActiveOutputs::UNKNOWN,
             repeat: Repeat::default(),
         }
     }
@@ -133,7 +133,7 @@ impl Bridge {
 
     /// The serial port is open: the first that the robot gets is a stop, at both rates that robots have by themselves.
     pub fn opened(&mut self, now_ms: u64, ends: &mut impl Ends) {
-        self.motion = Motion::UNKNOWN;
+        self.motion = ActiveOutputs::UNKNOWN;
         self.baud = self.home_baud;
         if self.home_baud != SLOW_BAUD {
             ends.baud(SLOW_BAUD);
@@ -348,7 +348,7 @@ impl Bridge {
 
     fn stop(&mut self, bytes: &'static [u8], now_ms: u64, ends: &mut impl Ends) {
         self.decoder.clear();
-        self.motion = Motion::OWN;
+        self.motion = ActiveOutputs::OWN;
         self.repeat = Repeat::of(bytes, now_ms);
         ends.stop(bytes);
     }

@@ -14,7 +14,7 @@ pub const STOP_ALL: [u8; 22] = [145, 0, 0, 0, 0, 145, 0, 0, 0, 0, 138, 0, 128, 1
 
 /// What a host switched on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Motion {
+pub struct ActiveOutputs {
     /// The wheels were told to turn.
     pub wheels: bool,
     /// Brushes or vacuum were told to run.
@@ -23,7 +23,7 @@ pub struct Motion {
     pub is_host_driven: bool,
 }
 
-impl Motion {
+impl ActiveOutputs {
     /// Of a robot about which nothing is known.
     pub const UNKNOWN: Self = Self { wheels: true, motors: true, is_host_driven: true };
     /// Of a robot that was stopped, or runs a program of its own.

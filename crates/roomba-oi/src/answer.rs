@@ -15,7 +15,7 @@ pub const MAX_ANSWER: usize = 240;
 /// It has no header, no numbers and no checksum: a lost or additional byte, such as text of a charging robot, shifts
 /// everything after it. The only check is [`Self::is_plausible`]; a stream is more reliable.
 #[derive(Debug, Clone)]
-pub struct Answer {
+pub struct AnswerReader {
     ids: [PacketId; MAX_ANSWER],
     asked: usize,
     bytes: [u8; MAX_ANSWER],
@@ -23,7 +23,7 @@ pub struct Answer {
     expected: usize,
 }
 
-impl Answer {
+impl AnswerReader {
     /// The answer to a question for these packets, nothing of which has arrived yet.
     pub fn to(packets: &[u8]) -> Result<Self, CommandRefusal> {
         let mut answer = Self {
@@ -108,14 +108,17 @@ mod tests {
 
     #[test]
     fn what_cannot_be_asked_is_refused() {
-        assert_eq!(Answer::to(&[7, 60]).unwrap_err(), CommandRefusal::UnknownPacket(60));
-        assert!(Answer::to(&[100; 3]).is_ok_and(|answer| answer.missing() == 240));
-        assert_eq!(Answer::to(&[100; 4]).unwrap_err(), CommandRefusal::BufferTooSmall { needed: 320, got: MAX_ANSWER });
+        assert_eq!(AnswerReader::to(&[7, 60]).unwrap_err(), CommandRefusal::UnknownPacket(60));
+        assert!(AnswerReader::to(&[100; 3]).is_ok_and(|answer| answer.missing() == 240));
+        assert_eq!(
+            AnswerReader::to(&[100; 4]).unwrap_err(),
+            CommandRefusal::BufferTooSmall { needed: 320, got: MAX_ANSWER }
+        );
     }
 
     #[test]
     fn nothing_is_told_before_the_last_byte() {
-        let mut answer = Answer::to(&[2, 35]).unwrap();
+        let mut answer = AnswerReader::to(&[2, 35]).unwrap();
         answer.feed(&[161, 1, 0, 10, 255, 166]);
         assert_eq!((answer.values().count(), answer.apply(&mut Readings::default())), (0, None));
         assert!(!answer.is_plausible());

@@ -3,7 +3,7 @@
 //! For programs that drive such a robot over its serial port, on a computer or a microcontroller, and for emulators of one.
 //! Bytes in, bytes out: `no_std`, no allocation, no panic on bad input.
 //!
-//! - Host: [`Command`] makes bytes, [`StreamParser`] finds sensor frames, [`Answer`] reads the reply to a query, all into
+//! - Host: [`Command`] makes bytes, [`StreamParser`] finds sensor frames, [`AnswerReader`] reads the reply to a query, all into
 //!   [`Readings`].
 //! - Robot: [`CommandDecoder`] reads commands, [`Mode`] has their effects on the mode, [`Readings::write`] and
 //!   [`write_frame`] answer.
@@ -91,7 +91,7 @@ mod readings;
 mod stream;
 mod text;
 
-pub use answer::{Answer, MAX_ANSWER};
+pub use answer::{AnswerReader, MAX_ANSWER};
 pub use bits::{
     BumpsAndDrops, Buttons, ChargingSources, Lamps, LightBumper, Motors, Overcurrents, ScheduleLamps, Stasis, Weekdays,
 };

@@ -1,9 +1,12 @@
 //! Links, scenarios and snapshots.
 
 use super::{finish, opened};
-use robovac_app::explore::{Brush, Session, SessionSnapshot};
+use robovac_app::{
+    Import,
+    explore::{Brush, Session, SessionSnapshot},
+};
 use robovac_core::{
-    floor_plan::SourceFile,
+    floor_plan::{SourceFile, generate::FlatId},
     geometry::{Point, Pose},
 };
 use robovac_sim::experiment::SettingsError;
@@ -223,4 +226,20 @@ fn bad_file_leaves_the_room() {
     assert!(!error.to_string().is_empty());
     assert_eq!(session.link(), before);
     assert!(session.planned().is_some());
+}
+
+#[test]
+fn generated_flat_is_told_by_the_parts_of_its_name() {
+    let mut session = opened();
+    assert_eq!(session.view().room.flat, None);
+    for [seed, area, more] in
+        [["7", "", ""], ["7", "~area:40..60", "~rugs:no"], ["8", "~area:40..60", ""], ["9", "", "~furniture:0.5"]]
+    {
+        let id: FlatId = format!("{seed}{area}{more}").parse().unwrap();
+        session.take_import(Import { plan: id.build(), choices: None }).unwrap();
+        let room = session.view().room;
+        let flat = room.flat.unwrap();
+        assert_eq!([flat.seed.as_str(), &flat.area, &flat.more], [seed, area, more]);
+        assert!(room.note.ends_with(" rooms.") && !room.note.contains("Generated"), "{}", room.note);
+    }
 }

@@ -129,7 +129,7 @@ fn packets() {
         let Some(number) = vector["packet"].as_u64() else {
             let mut asked: Vec<u8> = wanted.keys().map(|key| key.parse().unwrap()).collect();
             asked.sort_unstable();
-            let mut answer = roomba_oi::Answer::to(&asked).unwrap();
+            let mut answer = roomba_oi::AnswerReader::to(&asked).unwrap();
             assert!(answer.feed(&bytes).is_empty() && answer.missing() == 0, "{id}");
             for (packet, raw) in answer.values() {
                 assert_eq!(wanted[&(packet as u8).to_string()], packet.value(raw), "{id}");

@@ -134,7 +134,7 @@ impl PrimalDual {
 
     /// Moves the primal variables; returns the squared length of the move.
     fn primal_step(&mut self, graph: &Graph, share: f64) -> f64 {
-        let pace = Pace { length: -COLUMN / self.weight, share };
+        let pace = UpdateStep { length: -COLUMN / self.weight, share };
         let Iterate { passages, ends, begins, edges, visits, halves } = &mut self.now;
         let costs: [f64; 10] = std::array::from_fn(|index| self.programme.cost(index));
         let half = self.programme.step / 2.0;
@@ -177,7 +177,7 @@ impl PrimalDual {
     /// Moves the dual variables; returns the squared length of the move, each component in terms of its step length.
     fn dual_step(&mut self, graph: &Graph, share: f64) -> f64 {
         let (mut at_edges, mut at_visits, mut at_halves) = (0.0, 0.0, 0.0);
-        let pace = |length: f64| Pace { length: length * self.weight, share };
+        let pace = |length: f64| UpdateStep { length: length * self.weight, share };
         let (edge, visit) = (pace(EDGE), pace(VISIT));
         for cell in 0..graph.len() {
             for side in 0..2 {
@@ -213,12 +213,12 @@ impl PrimalDual {
 }
 
 /// How far a variable moves, and its position between the anchor and its reflection.
-struct Pace {
+struct UpdateStep {
     length: f64,
     share: f64,
 }
 
-impl Pace {
+impl UpdateStep {
     /// Moves a primal variable down its gradient; returns the extrapolated point for the dual step.
     #[inline]
     fn down(&self, value: &mut f64, anchor: f64, gradient: f64, moved: &mut f64) -> f64 {

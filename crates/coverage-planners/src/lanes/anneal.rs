@@ -41,7 +41,7 @@ const WORTH_KEEPING: f64 = 3e-5;
 const SHIFT: (f64, usize) = (0.4, 8);
 
 /// What a search needs.
-pub(super) struct Search<'a> {
+pub(super) struct LaneSearch<'a> {
     pub floor: &'a ReachableFloor,
     pub space: &'a FreeSpace,
     pub times: MotionTimes,
@@ -50,7 +50,7 @@ pub(super) struct Search<'a> {
 }
 
 /// A path that was measured.
-struct Measured {
+struct MeasuredPath {
     points: Vec<Point>,
     seconds: f64,
     coverage: f64,
@@ -58,12 +58,12 @@ struct Measured {
     value: f64,
 }
 
-impl Search<'_> {
-    fn measure(&self, points: &[Point]) -> Measured {
+impl LaneSearch<'_> {
+    fn measure(&self, points: &[Point]) -> MeasuredPath {
         let seconds = self.times.path(points, self.heading);
         let coverage = swept_share(self.floor, points);
         let missing = (self.setup.coverage - coverage).max(0.0) * self.floor.area();
-        Measured { points: points.to_vec(), seconds, coverage, value: seconds + PRICE.2 * missing }
+        MeasuredPath { points: points.to_vec(), seconds, coverage, value: seconds + PRICE.2 * missing }
     }
 }
 
@@ -82,15 +82,15 @@ fn ends_round(mending: &mut Option<(u64, u64)>, is_spent: bool, step: u64) -> bo
 /// Improves the first of `starts` until the effort is spent or the observer stops it, and where there is time for more than one
 /// descent the others as well; returns the best path that was measured.
 pub(super) fn anneal(
-    search: &Search<'_>,
+    search: &LaneSearch<'_>,
     raster: &SweptRaster,
     starts: &[Vec<Point>],
     observer: LanesObserver<'_>,
 ) -> Vec<Point> {
-    let Search { floor, setup, .. } = *search;
+    let LaneSearch { floor, setup, .. } = *search;
     let Some(points) = starts.first() else { return Vec::new() };
     let mut best = search.measure(points);
-    let mut tell = |done: f64, best: &Measured| {
+    let mut tell = |done: f64, best: &MeasuredPath| {
         observer(LanesProgress { done, path: &best.points, duration_s: best.seconds, coverage: best.coverage })
     };
     if tell(0.0, &best).is_break() {

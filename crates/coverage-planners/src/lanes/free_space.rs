@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// A convex obstacle.
 #[derive(Debug, Clone)]
-enum Obstacle {
+enum ConvexObstacle {
     /// A rectangle of the grid: its lower left and upper right corner.
     Rectangle(Point, Point),
     Shape(Shape),
@@ -24,7 +24,7 @@ enum Obstacle {
 /// Where the centre of a disc can be: at least `reach` from every obstacle, and from the edge of the map.
 #[derive(Debug, Clone)]
 pub struct FreeSpace {
-    obstacles: Vec<Obstacle>,
+    obstacles: Vec<ConvexObstacle>,
     /// Boxes around the obstacles, larger by the reach.
     boxes: Vec<(Point, Point)>,
     reach: f64,
@@ -41,8 +41,9 @@ impl FreeSpace {
     pub fn new(walls: &Walls, reach: f64) -> Self {
         let size = Vector::new(walls.squares().width() as f64, walls.squares().height() as f64) * walls.resolution;
         let rectangles = rectangles(walls.squares(), walls.resolution);
-        let mut obstacles: Vec<Obstacle> = rectangles.into_iter().map(|(a, b)| Obstacle::Rectangle(a, b)).collect();
-        obstacles.extend(walls.shapes().iter().cloned().map(Obstacle::Shape));
+        let mut obstacles: Vec<ConvexObstacle> =
+            rectangles.into_iter().map(|(a, b)| ConvexObstacle::Rectangle(a, b)).collect();
+        obstacles.extend(walls.shapes().iter().cloned().map(ConvexObstacle::Shape));
         let margin = Vector::new(reach, reach);
         let boxes: Vec<_> = obstacles
             .iter()
@@ -134,7 +135,7 @@ impl FreeSpace {
     }
 }
 
-impl Obstacle {
+impl ConvexObstacle {
     fn bounds(&self) -> (Point, Point) {
         match self {
             Self::Rectangle(low, high) => (*low, *high),

@@ -44,7 +44,7 @@ pub(super) enum Directions {
 pub(super) type Lane = (Point, Point);
 
 /// Samples of floor and free space in a frame turned by the first direction.
-pub(super) struct Layout {
+pub(super) struct LaneLayout {
     spacing: f64,
     turn: Vector,
     origin: Vector,
@@ -56,14 +56,14 @@ pub(super) struct Layout {
 }
 
 /// Free and floor samples seen row by row, or column by column.
-struct View<'a> {
-    layout: &'a Layout,
+struct SampleView<'a> {
+    layout: &'a LaneLayout,
     is_turned: bool,
     width: usize,
     height: usize,
 }
 
-impl Layout {
+impl LaneLayout {
     /// Samples in the direction, among some, in which the free space has the fewest chords.
     pub fn new(floor: &ReachableFloor, space: &FreeSpace) -> Self {
         let step = math::FRAC_PI_2 / f64::from(DIRECTIONS);
@@ -121,9 +121,9 @@ impl Layout {
         Point::new(self.turn.x * at.x - self.turn.y * at.y, self.turn.y * at.x + self.turn.x * at.y)
     }
 
-    fn view(&self, is_turned: bool) -> View<'_> {
+    fn view(&self, is_turned: bool) -> SampleView<'_> {
         let (width, height) = if is_turned { (self.height, self.width) } else { (self.width, self.height) };
-        View { layout: self, is_turned, width, height }
+        SampleView { layout: self, is_turned, width, height }
     }
 
     /// Lanes in `space` that sweep nearly all floor, in the order in which they were laid.
@@ -165,7 +165,7 @@ impl Layout {
     }
 }
 
-impl View<'_> {
+impl SampleView<'_> {
     fn index(&self, x: usize, y: usize) -> usize {
         if self.is_turned { x * self.layout.width + y } else { y * self.layout.width + x }
     }
@@ -373,7 +373,7 @@ mod tests {
             }
             let floor = ReachableFloor::new(&plan, model("roomba600").unwrap(), None).unwrap();
             let space = FreeSpace::new(floor.limits(), floor.limits().body_radius + 0.003);
-            let layout = Layout::new(&floor, &space);
+            let layout = LaneLayout::new(&floor, &space);
             let lanes = layout.lanes(&space, Directions::Both);
             let (mut all, mut along) = (0.0, 0.0);
             for (a, b) in lanes {
@@ -393,7 +393,7 @@ mod tests {
         let plan = Sketch::open(4.0, 2.0, 0.05).start(1.0, 1.0, 0.0).finish("", "");
         let floor = ReachableFloor::new(&plan, model("roomba600").unwrap(), None).unwrap();
         let space = FreeSpace::new(floor.limits(), floor.limits().body_radius + 0.003);
-        let lanes = Layout::new(&floor, &space).lanes(&space, Directions::Both);
+        let lanes = LaneLayout::new(&floor, &space).lanes(&space, Directions::Both);
         // 2 m less what the body keeps from the tool on both sides, in lanes of 17 cm, rounded down to samples.
         assert!((11..=13).contains(&lanes.len()), "{} lanes", lanes.len());
         assert!(lanes.iter().all(|(a, b)| (b - a).norm() > 3.5 && (b - a).y.abs() < 1e-9), "{lanes:?}");

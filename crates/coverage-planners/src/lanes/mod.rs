@@ -39,7 +39,7 @@ pub use scan::swept_share;
 use anneal::anneal;
 use cost::MotionTimes;
 use lattice::Lattice;
-use layout::{Directions, Layout};
+use layout::{Directions, LaneLayout};
 use raster::SweptRaster;
 use robovac_core::{coverage::ReachableFloor, geometry::Point, robot::RobotModel};
 use std::ops::ControlFlow;
@@ -118,7 +118,7 @@ pub fn plan_lanes(
     let cancelled = |flow: ControlFlow<(), f64>| if flow.is_break() { Err(LanesError::Cancelled) } else { Ok(()) };
     let mut report = |done: f64| observer(LanesProgress { done, path: &[], duration_s: 0.0, coverage: 0.0 });
     cancelled(report(0.0))?;
-    let layout = Layout::new(floor, &space);
+    let layout = LaneLayout::new(floor, &space);
     let mut lattice = Lattice::new(floor, &space);
     let mut raster = SweptRaster::new(floor, layout.along());
     let mut starts: Vec<(f64, Vec<Point>)> = Vec::new();
@@ -132,7 +132,7 @@ pub fn plan_lanes(
     }
     starts.sort_by(|(one, _), (other, _)| one.total_cmp(other));
     let starts: Vec<Vec<Point>> = starts.into_iter().map(|(_, path)| path).collect();
-    let search = anneal::Search { floor, space: &space, times, heading, setup };
+    let search = anneal::LaneSearch { floor, space: &space, times, heading, setup };
     let path = anneal(&search, &raster, &starts, observer);
     let coverage = swept_share(floor, &path);
     let (length_m, duration_s) = (cost::length(&path), times.path(&path, heading));

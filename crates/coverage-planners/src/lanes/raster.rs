@@ -57,7 +57,7 @@ pub(super) struct SweptRaster {
     /// The words with floor.
     floor: Vec<u32>,
     /// Strokes of an exchange with +1 if new and -1 if old, and where they begin and end in a row; kept for their memory.
-    strokes: Vec<(Stroke, i32)>,
+    strokes: Vec<(SweptDisc, i32)>,
     ends: Vec<(i32, i32)>,
 }
 
@@ -66,7 +66,7 @@ const PART_BITS: u32 = 24;
 const PARTS: f64 = (1 << PART_BITS) as f64;
 
 /// The range of samples of a row that a stroke sweeps.
-type Run = (i32, i32);
+type SampleRun = (i32, i32);
 
 impl Word {
     /// Counts one stroke more for the samples of `mask`.
@@ -111,7 +111,7 @@ impl Word {
 
 /// The bits of a word, the `word`th of its row, that belong to a run.
 #[inline]
-fn mask(word: i32, (from, to): Run) -> u64 {
+fn mask(word: i32, (from, to): SampleRun) -> u64 {
     let (from, to) = ((from - (word << 6)).max(0), (to - (word << 6)).min(64));
     (u64::MAX << from) & (u64::MAX >> (64 - to))
 }
@@ -248,7 +248,7 @@ impl SweptRaster {
     pub fn could_win(&self, old: &[(Point, Point)], new: &[(Point, Point)]) -> f64 {
         let mut samples = 0_u32;
         for &(a, b) in new.iter().filter(|piece| !old.contains(piece)) {
-            let Stroke { low, high, rows, slope, radius, .. } = self.stroke(a, b);
+            let SweptDisc { low, high, rows, slope, radius, .. } = self.stroke(a, b);
             let (left, right) = (low.x.min(high.x), low.x.max(high.x));
             // A piece that nobody has checked can lie off the map.
             if rows.0 >= rows.1 {
@@ -324,7 +324,7 @@ impl SweptRaster {
     }
 
     /// Adds to the counts of a run.
-    fn change(&mut self, row: i32, run: Run, by: i32) {
+    fn change(&mut self, row: i32, run: SampleRun, by: i32) {
         for word in run.0 >> 6..=(run.1 - 1) >> 6 {
             let mask = mask(word, run);
             let words = &mut self.words[(row * self.words_across + word) as usize];
@@ -351,9 +351,9 @@ impl SweptRaster {
         }
     }
 
-    fn stroke(&self, a: Point, b: Point) -> Stroke {
+    fn stroke(&self, a: Point, b: Point) -> SweptDisc {
         let local = |p: Point| (into_frame(self.turn, p) - self.origin) / self.spacing;
-        Stroke::new(local(a), local(b), self.radius, self.height)
+        SweptDisc::new(local(a), local(b), self.radius, self.height)
     }
 }
 
@@ -363,7 +363,7 @@ fn into_frame(turn: Vector, p: Point) -> Vector {
 
 /// Calls `each` with every run between two ends in which the count changes, and by how much.
 #[inline]
-fn each_run(ends: &[(i32, i32)], mut each: impl FnMut(Run, i32)) {
+fn each_run(ends: &[(i32, i32)], mut each: impl FnMut(SampleRun, i32)) {
     let mut by = 0;
     for pair in ends.windows(2) {
         by += pair[0].1;
@@ -375,7 +375,7 @@ fn each_run(ends: &[(i32, i32)], mut each: impl FnMut(Run, i32)) {
 
 /// A disc moved along a segment, in samples.
 #[derive(Debug, Clone)]
-struct Stroke {
+struct SweptDisc {
     /// The lower and the upper end.
     low: Vector,
     high: Vector,
@@ -396,7 +396,7 @@ struct Stroke {
     slope: f64,
 }
 
-impl Stroke {
+impl SweptDisc {
     #[inline]
     fn new(a: Vector, b: Vector, radius: f64, height: i32) -> Self {
         let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
@@ -421,7 +421,7 @@ impl Stroke {
 
     /// The samples of a row: convex, so the hull of what both discs and the rectangle between them sweep of it.
     #[inline]
-    fn run(&self, row: i32, width: i32) -> Run {
+    fn run(&self, row: i32, width: i32) -> SampleRun {
         if row >= self.middle.0 && row < self.middle.1 {
             let by = self.step * i64::from(row - self.middle.0);
             let (left, right) = (self.sides.0 + by, self.sides.1 + by);
@@ -432,7 +432,7 @@ impl Stroke {
         self.run_at_end(row, width)
     }
 
-    fn run_at_end(&self, row: i32, width: i32) -> Run {
+    fn run_at_end(&self, row: i32, width: i32) -> SampleRun {
         let y = f64::from(row);
         let (mut left, mut right) = (f64::MAX, f64::MIN);
         for end in [self.low, self.high] {

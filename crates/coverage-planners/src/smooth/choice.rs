@@ -2,7 +2,7 @@
 
 use super::{
     swept::{Runs, SweptCounts},
-    units::{Unit, Way},
+    units::{CornerGroup, CornerWay},
 };
 use robovac_core::{
     geometry::{Point, Vector},
@@ -19,7 +19,7 @@ const PRICES: [f64; 9] = [0.0, 1e-4, 2e-4, 4e-4, 8e-4, 1.6e-3, 3.2e-3, 6.4e-3, f
 /// the time that they save, at rising prices. Each curve counts as leaving out `unseen` samples more than it does.
 pub(super) fn choose(
     line: &[Point],
-    units: &[Unit],
+    units: &[CornerGroup],
     counts: &mut SweptCounts<'_>,
     budget: f64,
     unseen: i64,
@@ -45,7 +45,7 @@ pub(super) fn choose(
 }
 
 /// The parts of the line that no unit changes.
-fn between(line: &[Point], units: &[Unit]) -> Vec<Vec<Point>> {
+fn between(line: &[Point], units: &[CornerGroup]) -> Vec<Vec<Point>> {
     let mut pieces = Vec::with_capacity(units.len() + 1);
     let mut piece = vec![line[0]];
     let mut next = 1;
@@ -62,7 +62,7 @@ fn between(line: &[Point], units: &[Unit]) -> Vec<Vec<Point>> {
 }
 
 /// Where the longest way of a unit begins and ends.
-fn ends(line: &[Point], unit: &Unit) -> [Point; 2] {
+fn ends(line: &[Point], unit: &CornerGroup) -> [Point; 2] {
     let along = |at: Point, to: Point, way: f64| {
         let whole: Vector = to - at;
         at + whole * (way / whole.norm()).min(1.0)
@@ -81,7 +81,7 @@ struct State {
 
 impl State {
     /// With stops.
-    fn new(line: &[Point], unit: &Unit, counts: &mut SweptCounts<'_>) -> Self {
+    fn new(line: &[Point], unit: &CornerGroup, counts: &mut SweptCounts<'_>) -> Self {
         let runs = counts.runs(&points(line, unit, None));
         counts.add(&runs);
         Self { taken: None, runs }
@@ -92,7 +92,7 @@ impl State {
     fn improve(
         &mut self,
         line: &[Point],
-        unit: &Unit,
+        unit: &CornerGroup,
         counts: &mut SweptCounts<'_>,
         (price, left, unseen): (f64, i64, i64),
     ) -> i64 {
@@ -117,7 +117,7 @@ impl State {
 }
 
 /// The way round a unit, between the ends of its longest.
-fn points(line: &[Point], unit: &Unit, way: Option<&Way>) -> Vec<Point> {
+fn points(line: &[Point], unit: &CornerGroup, way: Option<&CornerWay>) -> Vec<Point> {
     let [from, to] = ends(line, unit);
     let mut local = vec![from];
     local.extend(&line[unit.first..unit.first + unit.corners]);

@@ -21,18 +21,18 @@ const HAIR: f64 = 2e-4;
 const LEAST_GAIN: f64 = 0.005;
 
 /// A corner, or the two corners of a U-turn, with the ways round it.
-pub(super) struct Unit {
+pub(super) struct CornerGroup {
     /// Number of the first corner, and how many there are.
     pub first: usize,
     pub corners: usize,
     /// How far the longest of the ways begins before the first corner and ends behind the last, m.
     pub reach: [f64; 2],
     /// Ways that save time, those that save most first.
-    pub ways: Vec<Way>,
+    pub ways: Vec<CornerWay>,
 }
 
 /// A way round a unit.
-pub(super) struct Way {
+pub(super) struct CornerWay {
     /// Shapes of its corners.
     pub roundings: [Rounding; 2],
     /// Seconds saved.
@@ -40,7 +40,12 @@ pub(super) struct Way {
 }
 
 /// The units of a line, from its start to its end, without overlap.
-pub(super) fn units(floor: &ReachableFloor, line: &[Point], limits: &DriveLimits, setup: &SmoothSetup) -> Vec<Unit> {
+pub(super) fn units(
+    floor: &ReachableFloor,
+    line: &[Point],
+    limits: &DriveLimits,
+    setup: &SmoothSetup,
+) -> Vec<CornerGroup> {
     let turns = RoundedLine::turns(line);
     let lengths: Vec<f64> = line.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
     let wanted: Vec<f64> = turns
@@ -84,7 +89,7 @@ pub(super) fn units(floor: &ReachableFloor, line: &[Point], limits: &DriveLimits
             [before.max(tangents[0]), behind.max(tangents[1])]
         });
         if !ways.is_empty() {
-            found.push(Unit { first: i, corners, reach, ways });
+            found.push(CornerGroup { first: i, corners, reach, ways });
         }
         i += corners;
     }
@@ -136,7 +141,7 @@ fn ways(
     options: &[[Rounding; 2]],
     limits: &DriveLimits,
     setup: &SmoothSetup,
-) -> Vec<Way> {
+) -> Vec<CornerWay> {
     let Some((&first, &last)) = line.first().zip(line.last()) else { return Vec::new() };
     let mut local = line.to_vec();
     let end = local.len() - 1;
@@ -146,13 +151,13 @@ fn ways(
     let heading = robovac_core::math::atan2(ahead.y, ahead.x);
     let stopped = RoundedLine::new(&local, heading, &[]).passing_time(limits);
     let reach = floor.limits().body_radius + setup.clearance - HAIR;
-    let mut ways: Vec<Way> = Vec::new();
+    let mut ways: Vec<CornerWay> = Vec::new();
     for &roundings in options {
         let rounded = RoundedLine::new(&local, heading, &[Rounding::Stop, roundings[0], roundings[1], Rounding::Stop]);
         let gain_s = stopped - rounded.passing_time(limits);
         let mut curves = rounded.stretches().filter(|stretch| stretch.is_curved());
         if gain_s > LEAST_GAIN && curves.all(|stretch| is_free(floor.limits(), stretch, reach)) {
-            ways.push(Way { roundings, gain_s });
+            ways.push(CornerWay { roundings, gain_s });
         }
     }
     ways.sort_by(|a, b| b.gain_s.total_cmp(&a.gain_s));

@@ -54,7 +54,7 @@ enum Stop {
 
 /// What the program does next.
 #[derive(Debug, Clone, Copy)]
-enum Next {
+enum NextStep {
     /// Calls `makeMove`.
     Move,
     /// Goes to the label `secondturn`.
@@ -76,7 +76,7 @@ enum Caller {
 
 /// Result of `findMinimumNeighbour`.
 #[derive(Debug, Clone, Copy)]
-enum Found {
+enum MinimumNeighbour {
     /// 0: neither neighbour is inside the grid.
     None,
     /// 1 to 4.
@@ -98,7 +98,7 @@ const CIRCLING: (usize, usize) = (8, 200);
 const REPORT_EVERY: usize = 4096;
 
 /// The state of the program.
-struct Program<'a, 'b> {
+struct PrintedProgram<'a, 'b> {
     memory: SnakeMemory,
     at: Cell,
     facing: Direction,
@@ -119,7 +119,7 @@ struct Program<'a, 'b> {
 
 impl Planner for SnakeByProgram {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
-        let mut program = Program::new(job, ctx);
+        let mut program = PrintedProgram::new(job, ctx);
         let ending = match program.run(job) {
             Stop::End(ending) => ending,
             Stop::Cancelled(error) => return Err(error),
@@ -132,7 +132,7 @@ impl Planner for SnakeByProgram {
     }
 }
 
-impl<'a, 'b> Program<'a, 'b> {
+impl<'a, 'b> PrintedProgram<'a, 'b> {
     fn new(job: &CoverageJob, ctx: &'a mut PlanContext<'b>) -> Self {
         let cells = job.cells();
         Self {
@@ -155,12 +155,12 @@ impl<'a, 'b> Program<'a, 'b> {
     fn run(&mut self, job: &CoverageJob) -> Stop {
         // `main` sets the start to 0 before the first call.
         self.memory.see(job.start);
-        let mut next = self.arrive().map(|()| Next::Move);
+        let mut next = self.arrive().map(|()| NextStep::Move);
         loop {
             next = match next {
-                Ok(Next::Move) => self.make_move(),
-                Ok(Next::SecondTurn) => self.second_turn(),
-                Ok(Next::Return) => self.go_on(),
+                Ok(NextStep::Move) => self.make_move(),
+                Ok(NextStep::SecondTurn) => self.second_turn(),
+                Ok(NextStep::Return) => self.go_on(),
                 Err(stop) => return stop,
             };
         }
@@ -193,7 +193,7 @@ impl<'a, 'b> Program<'a, 'b> {
     // ---- makeMove
 
     /// `makeMove` up to its label.
-    fn make_move(&mut self) -> Result<Next, Stop> {
+    fn make_move(&mut self) -> Result<NextStep, Stop> {
         self.memory.raise(self.at);
         self.memory.see_around(self.at);
         if self.memory.value(self.ahead()) <= SEEN {
@@ -201,7 +201,7 @@ impl<'a, 'b> Program<'a, 'b> {
             return Ok(self.call(Caller::SecondTurn));
         }
         match self.find_minimum_neighbour() {
-            Found::CleanedOrBlocked if self.is_minimum_forward() => {
+            MinimumNeighbour::CleanedOrBlocked if self.is_minimum_forward() => {
                 self.memory.raise(self.at);
                 self.stack.push(self.behind());
                 self.explain(
@@ -212,16 +212,16 @@ impl<'a, 'b> Program<'a, 'b> {
                 self.at = self.ahead();
                 self.arrive()?;
                 self.memory.see_around(self.at);
-                Ok(Next::SecondTurn)
+                Ok(NextStep::SecondTurn)
             }
-            Found::CleanedOrBlocked => {
+            MinimumNeighbour::CleanedOrBlocked => {
                 self.stack.push(self.behind());
                 let note = "A row has a smaller index than the column ahead: back to the cell behind";
                 self.explain("Back", self.facing.opposite(), note);
                 self.go_back()?;
                 Ok(self.call(Caller::TurnAfterBack))
             }
-            Found::Back => {
+            MinimumNeighbour::Back => {
                 self.memory.raise(self.at);
                 self.stack.push(self.ahead());
                 self.explain(
@@ -232,45 +232,45 @@ impl<'a, 'b> Program<'a, 'b> {
                 self.go_back()?;
                 Ok(self.call(Caller::SecondTurn))
             }
-            Found::Equal => {
+            MinimumNeighbour::Equal => {
                 let side = self.smaller_block().ok_or(Stop::End(Ending::SaysComplete))?;
                 self.turn_to_block(side)?;
                 Ok(self.turned())
             }
-            Found::Neighbour(side) => {
+            MinimumNeighbour::Neighbour(side) => {
                 self.facing = side;
                 self.smaller_block().ok_or(Stop::End(Ending::SaysComplete))?;
                 self.advance("Smaller neighbour", "The neighbour on this side has the smaller value")?;
                 Ok(self.turned())
             }
-            Found::None => self.first_turn_without_neighbour(),
+            MinimumNeighbour::None => self.first_turn_without_neighbour(),
         }
     }
 
     /// The last branch of the first turn without a neighbour to turn to: ahead, whatever is there.
-    fn first_turn_without_neighbour(&mut self) -> Result<Next, Stop> {
+    fn first_turn_without_neighbour(&mut self) -> Result<NextStep, Stop> {
         self.smaller_block().ok_or(Stop::End(Ending::SaysComplete))?;
         self.advance("Ahead", "No neighbour was found, and the program goes on as if one had been: straight on")?;
         Ok(self.turned())
     }
 
     /// After the step of a first turn.
-    fn turned(&mut self) -> Next {
+    fn turned(&mut self) -> NextStep {
         self.memory.raise(self.at);
         self.memory.see_around(self.at);
-        Next::SecondTurn
+        NextStep::SecondTurn
     }
 
     /// `makeMove` from its label `secondturn`.
-    fn second_turn(&mut self) -> Result<Next, Stop> {
+    fn second_turn(&mut self) -> Result<NextStep, Stop> {
         match self.find_minimum_neighbour() {
-            Found::CleanedOrBlocked if self.is_minimum_forward() => {
+            MinimumNeighbour::CleanedOrBlocked if self.is_minimum_forward() => {
                 self.memory.raise(self.at);
                 self.advance("Forward", "The column ahead has a smaller index than both rows: straight on")?;
                 self.memory.see_around(self.at);
-                return Ok(Next::SecondTurn);
+                return Ok(NextStep::SecondTurn);
             }
-            Found::CleanedOrBlocked => {
+            MinimumNeighbour::CleanedOrBlocked => {
                 self.memory.raise(self.at);
                 self.memory.see_around(self.at);
                 self.stack.push(self.ahead());
@@ -280,39 +280,39 @@ impl<'a, 'b> Program<'a, 'b> {
                 self.go_back()?;
                 return Ok(self.call(Caller::AheadAfterBack));
             }
-            Found::Back => {
+            MinimumNeighbour::Back => {
                 self.memory.see_around(self.at);
                 self.explain("Back", self.facing, "Blocked on both sides: \"back\", to the last cell pushed");
                 self.go_back()?;
                 self.advance("Ahead", "After going \"back\" the program goes straight on")?;
             }
-            Found::Equal => {
-                let Some(side) = self.smaller_block() else { return Ok(Next::Return) };
+            MinimumNeighbour::Equal => {
+                let Some(side) = self.smaller_block() else { return Ok(NextStep::Return) };
                 self.turn_to_block(side)?;
             }
-            Found::Neighbour(side) => {
+            MinimumNeighbour::Neighbour(side) => {
                 self.facing = side;
                 self.advance("Smaller neighbour", "The neighbour on this side has the smaller value")?;
             }
-            Found::None => self.advance("Ahead", "No neighbour is inside the grid: straight on")?,
+            MinimumNeighbour::None => self.advance("Ahead", "No neighbour is inside the grid: straight on")?,
         }
-        Ok(Next::Move)
+        Ok(NextStep::Move)
     }
 
     /// A call that isn't the last thing its caller does.
-    fn call(&mut self, caller: Caller) -> Next {
+    fn call(&mut self, caller: Caller) -> NextStep {
         self.callers.push(caller);
-        Next::Move
+        NextStep::Move
     }
 
     /// A call has returned.
-    fn go_on(&mut self) -> Result<Next, Stop> {
+    fn go_on(&mut self) -> Result<NextStep, Stop> {
         match self.callers.pop().ok_or(Stop::End(Ending::Returned))? {
-            Caller::SecondTurn => Ok(Next::SecondTurn),
+            Caller::SecondTurn => Ok(NextStep::SecondTurn),
             Caller::TurnAfterBack => self.first_turn_without_neighbour(),
             Caller::AheadAfterBack => {
                 self.advance("Ahead", "The call has returned, and its caller goes on: straight on")?;
-                Ok(Next::Move)
+                Ok(NextStep::Move)
             }
         }
     }
@@ -327,7 +327,7 @@ impl<'a, 'b> Program<'a, 'b> {
         self.at.step(self.facing.opposite())
     }
 
-    fn find_minimum_neighbour(&self) -> Found {
+    fn find_minimum_neighbour(&self) -> MinimumNeighbour {
         let (first, second) = if self.facing.is_horizontal() {
             (Direction::Down, Direction::Up)
         } else {
@@ -335,15 +335,15 @@ impl<'a, 'b> Program<'a, 'b> {
         };
         let value = |side| self.memory.values.get(self.at.step(side)).copied();
         match (value(first), value(second)) {
-            (None, None) => Found::None,
-            (Some(BLOCKED), None | Some(BLOCKED)) | (None, Some(BLOCKED)) => Found::Back,
+            (None, None) => MinimumNeighbour::None,
+            (Some(BLOCKED), None | Some(BLOCKED)) | (None, Some(BLOCKED)) => MinimumNeighbour::Back,
             (Some(BLOCKED), Some(1..)) | (Some(1..), Some(BLOCKED)) if self.facing.is_horizontal() => {
-                Found::CleanedOrBlocked
+                MinimumNeighbour::CleanedOrBlocked
             }
-            (Some(_), None | Some(BLOCKED)) => Found::Neighbour(first),
-            (None | Some(BLOCKED), Some(_)) => Found::Neighbour(second),
-            (Some(a), Some(b)) if a == b => Found::Equal,
-            (Some(a), Some(b)) => Found::Neighbour(if a < b { first } else { second }),
+            (Some(_), None | Some(BLOCKED)) => MinimumNeighbour::Neighbour(first),
+            (None | Some(BLOCKED), Some(_)) => MinimumNeighbour::Neighbour(second),
+            (Some(a), Some(b)) if a == b => MinimumNeighbour::Equal,
+            (Some(a), Some(b)) => MinimumNeighbour::Neighbour(if a < b { first } else { second }),
         }
     }
 

@@ -6,7 +6,7 @@ use crate::PlanError;
 /// A flow network whose nodes are divided into a source side and a sink side such that the arcs from the first to the
 /// second have the least capacity.
 #[derive(Debug)]
-pub(super) struct Network {
+pub(super) struct FlowNetwork {
     /// Residual capacity from the source to each node.
     from_source: Vec<u32>,
     /// Residual capacity from each node to the sink.
@@ -28,7 +28,7 @@ struct FlowArc {
 
 const NONE: u32 = u32::MAX;
 
-impl Network {
+impl FlowNetwork {
     /// Without arcs.
     pub fn new(nodes: usize) -> Self {
         Self { from_source: vec![0; nodes], to_sink: vec![0; nodes], first: vec![NONE; nodes], arcs: Vec::new() }
@@ -163,7 +163,7 @@ mod tests {
                 }).sum();
                 ends + between
             };
-            let mut network = Network::new(6);
+            let mut network = FlowNetwork::new(6);
             for n in 0..6 {
                 network.tie_to_source(n, source[n]);
                 network.tie_to_sink(n, sink[n]);

@@ -12,7 +12,7 @@ use super::{
     axis::swap_grid,
     cost::Costs,
     decompose::{Block, decompose},
-    min_cut::Network,
+    min_cut::FlowNetwork,
     part::MownBlock,
 };
 use crate::PlanError;
@@ -101,7 +101,7 @@ pub fn strips(
         return Ok(Strips { along_x: free.clone(), along_y: free.map(|_| false) });
     }
     // Node 2 p is on the side of the source if piece p is mown along x, node 2 p + 1 if it isn't mown along y.
-    let mut network = Network::new(2 * count);
+    let mut network = FlowNetwork::new(2 * count);
     let mut contacts = Vec::new();
     let mut areas = vec![0_u32; count];
     for (cell, &piece) in pieces.iter().filter(|&(_, &piece)| piece != NONE) {

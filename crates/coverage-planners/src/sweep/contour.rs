@@ -25,7 +25,7 @@ const CUT: f64 = 0.1;
 
 /// A free run of a scan line.
 #[derive(Debug)]
-struct Run {
+struct FreeRun {
     /// Numbers of the subgoals at its left and right end, and their x, m.
     ends: [usize; 2],
     x: [f64; 2],
@@ -59,7 +59,7 @@ enum RunStop {
 /// A walk along runs under construction. `reach` is called with every subgoal that is reached for the first time and with
 /// the way there from the one before.
 pub(super) struct ContourWalk<'a> {
-    runs: Vec<Run>,
+    runs: Vec<FreeRun>,
     joints: Vec<Joint>,
     /// The run of every subgoal.
     run_of: Vec<usize>,
@@ -82,7 +82,7 @@ impl<'a> ContourWalk<'a> {
             (s.line, s.at.x, !s.contact.is_left())
         });
         let mut run_of = vec![0; points.len()];
-        let runs: Vec<Run> = sorted
+        let runs: Vec<FreeRun> = sorted
             .chunks_exact(2)
             .enumerate()
             .map(|(index, pair)| {
@@ -91,7 +91,7 @@ impl<'a> ContourWalk<'a> {
                     run_of[end] = index;
                 }
                 let x = ends.map(|end| places[end].x);
-                Run { ends, x, y: places[ends[0]].y, line: points[ends[0]].line, beside: [Vec::new(), Vec::new()] }
+                FreeRun { ends, x, y: places[ends[0]].y, line: points[ends[0]].line, beside: [Vec::new(), Vec::new()] }
             })
             .collect();
         let count = runs.len();

@@ -230,8 +230,10 @@ pub struct RoomView {
     pub id: &'static str,
     /// Name.
     pub title: String,
-    /// Its purpose.
+    /// Its purpose; without the name of a generated flat.
     pub note: String,
+    /// What it was generated from, also after changes.
+    pub flat: Option<FlatView>,
     /// Width, m.
     pub width_m: f64,
     /// Height, m.
@@ -244,6 +246,29 @@ pub struct RoomView {
     pub reachable_m2: f64,
     /// Free floor that the tool can't reach, m².
     pub left_out_m2: f64,
+}
+
+/// The parts of a generated flat's name: joined, they are the name.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct FlatView {
+    /// Its seed, which can be larger than a JavaScript number.
+    pub seed: String,
+    /// Its area, as in `~area:40..60`; empty if any.
+    pub area: String,
+    /// What else it has.
+    pub more: String,
+}
+
+impl FlatView {
+    /// The parts of a name.
+    pub fn new(name: &str) -> Self {
+        let (seed, rest) = name.split_at(name.find('~').unwrap_or(name.len()));
+        let starts_with_area = rest.starts_with("~area:");
+        let end = if starts_with_area { rest[1..].find('~').map_or(rest.len(), |at| at + 1) } else { 0 };
+        let (area, more) = rest.split_at(end);
+        Self { seed: seed.to_owned(), area: area.to_owned(), more: more.to_owned() }
+    }
 }
 
 /// The plan in numbers; those of walk and drive are 0 while planning, those of the walk also for a path in metres.

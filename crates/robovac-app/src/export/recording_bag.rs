@@ -8,7 +8,7 @@ use robovac_link::{
 };
 use robovac_ros::{
     BASE, Bag, BagError, Cdr, ODOM, Stamped, Topic,
-    message::{self, BatteryState, BumperState, Supply, velocity, velocity_of},
+    message::{self, BatteryActivity, BatteryState, BumperState, velocity, velocity_of},
     topic,
 };
 use roomba_oi::{
@@ -176,10 +176,10 @@ fn battery(reading: &RecordedReading) -> BatteryState {
         charge_ah: thousandth(readings.charge_left_mah().into()),
         capacity_ah: thousandth(readings.capacity_mah.into()),
         supply: match readings.charging {
-            ChargingState::Reconditioning | ChargingState::Full | ChargingState::Trickle => Supply::Charging,
-            ChargingState::None => Supply::Discharging,
-            ChargingState::Waiting | ChargingState::Fault => Supply::NotCharging,
-            ChargingState::Other(_) => Supply::Unknown,
+            ChargingState::Reconditioning | ChargingState::Full | ChargingState::Trickle => BatteryActivity::Charging,
+            ChargingState::None => BatteryActivity::Discharging,
+            ChargingState::Waiting | ChargingState::Fault => BatteryActivity::NotCharging,
+            ChargingState::Other(_) => BatteryActivity::Unknown,
         },
     }
 }

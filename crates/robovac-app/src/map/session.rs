@@ -8,7 +8,7 @@ use super::{
 };
 use crate::explore::Session;
 use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
-use crate::program_run::ProgramRun;
+use crate::program_run::LoggedProgram;
 use robovac_core::{floor_plan::FloorPlan, geometry::Pose};
 use robovac_sim::{
     Input, Run, STEP_S,
@@ -32,7 +32,7 @@ pub struct MapSession {
     /// The map given to the robot.
     pub(super) known: Option<Known>,
     /// What drives the run if that is a user's program.
-    pub(super) program: ProgramRun,
+    pub(super) program: LoggedProgram,
     /// The program that a link was made with.
     pub(super) asked: Option<ProgramMark>,
     /// Where the robot is put down, and the step from which on: a program has to feel it in the air first.
@@ -55,7 +55,7 @@ impl MapSession {
             base: None,
             stage: None,
             known: None,
-            program: ProgramRun::default(),
+            program: LoggedProgram::default(),
             asked: None,
             landing: None,
             playing: false,

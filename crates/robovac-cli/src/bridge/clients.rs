@@ -76,13 +76,13 @@ pub enum Heard {
 pub struct Clients {
     listener: TcpListener,
     gate: Gate,
-    connections: Vec<Connection>,
+    connections: Vec<ClientConnection>,
     last_id: ClientId,
     /// Time of the last round.
     now_ms: u64,
 }
 
-struct Connection {
+struct ClientConnection {
     id: ClientId,
     from: SocketAddr,
     /// When it connected, or was closed.
@@ -178,7 +178,7 @@ impl Clients {
             let stream = Metered { stream, left: MOST_A_ROUND };
             let stage = Stage::after(accept_hdr_with_config(stream, gate.clone(), Some(config())));
             let (id, since_ms) = (self.last_id, self.now_ms);
-            self.connections.push(Connection { id, from, since_ms, gate, stage, is_known: false });
+            self.connections.push(ClientConnection { id, from, since_ms, gate, stage, is_known: false });
         }
     }
 }
@@ -193,7 +193,7 @@ impl Stage {
     }
 }
 
-impl Connection {
+impl ClientConnection {
     fn go_on(&mut self, now_ms: u64, heard: &mut Vec<Heard>) {
         let is_late = now_ms.saturating_sub(self.since_ms) >= PATIENCE_MS;
         match &mut self.stage {

@@ -7,19 +7,19 @@ use tungstenite::handshake::server::{Callback, ErrorResponse, Request, Response}
 /// errors from pages: the connection is accepted and closed at once, with the reason.
 #[derive(Clone)]
 pub struct Gate {
-    rules: Rc<Rules>,
+    rules: Rc<GateRules>,
     /// Why the connection is refused.
     refused: Rc<RefCell<Option<&'static str>>>,
 }
 
-struct Rules {
+struct GateRules {
     token: Option<String>,
     origins: Vec<String>,
 }
 
 impl Gate {
     pub fn new(token: Option<String>, origins: Vec<String>) -> Self {
-        Self { rules: Rc::new(Rules { token, origins }), refused: Rc::default() }
+        Self { rules: Rc::new(GateRules { token, origins }), refused: Rc::default() }
     }
 
     /// For another connection.
@@ -33,7 +33,7 @@ impl Gate {
     }
 }
 
-impl Rules {
+impl GateRules {
     /// Programs that aren't browsers send no origin.
     fn check(&self, origin: Option<&str>, query: Option<&str>) -> Result<(), &'static str> {
         if !origin.is_none_or(|origin| is_local(origin) || self.origins.iter().any(|known| known == origin)) {
@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn pages_of_other_origins_are_refused() {
-        let rules = Rules { token: None, origins: vec!["https://example.org".to_owned()] };
+        let rules = GateRules { token: None, origins: vec!["https://example.org".to_owned()] };
         for good in [
             None,
             Some("http://localhost:8080"),
@@ -101,7 +101,7 @@ mod tests {
 
     #[test]
     fn the_token_must_be_whole() {
-        let rules = Rules { token: Some("abcd1234".to_owned()), origins: vec![] };
+        let rules = GateRules { token: Some("abcd1234".to_owned()), origins: vec![] };
         assert_eq!(rules.check(None, Some("x=1&token=abcd1234")), Ok(()));
         for bad in
             [None, Some(""), Some("token="), Some("token=abcd123"), Some("token=abcd12345"), Some("token=ABCD1234")]

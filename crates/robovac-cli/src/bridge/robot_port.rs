@@ -26,18 +26,18 @@ const BUSY: Duration = Duration::from_millis(100);
 /// For how long the wake-up pin is pulled low. Shorter ones count for a change of the baud rate.
 const WAKE: Duration = Duration::from_millis(600);
 
-pub struct RobotPort {
+pub struct RobotSerialPort {
     name: String,
     port: Box<dyn SerialPort>,
     baud: u32,
-    pace: Pace,
+    pace: UnsentBytes,
     /// Whole commands that wait for the line.
     waiting: VecDeque<Box<[u8]>>,
     /// A write that failed; the next read reports it.
     broken: Option<io::Error>,
 }
 
-impl RobotPort {
+impl RobotSerialPort {
     /// Opens `name`, or the only USB serial port.
     pub fn open(name: Option<&str>, baud: u32) -> Result<Self, Failure> {
         let name = name.map_or_else(only_usb_port, |name| Ok(name.to_owned()))?;
@@ -45,7 +45,7 @@ impl RobotPort {
         // Opening can have pulled the wake-up pin low. Terminals without that wire work, too.
         let _ =
             (port.write_request_to_send(false), port.write_data_terminal_ready(false), port.clear(ClearBuffer::Input));
-        Ok(Self { name, port, baud, pace: Pace::new(Instant::now()), waiting: VecDeque::new(), broken: None })
+        Ok(Self { name, port, baud, pace: UnsentBytes::new(Instant::now()), waiting: VecDeque::new(), broken: None })
     }
 
     pub fn name(&self) -> &str {
@@ -162,12 +162,12 @@ impl RobotPort {
 
 /// How many bytes can't have left yet. Some adapters say that nothing waits, as their own buffers are large.
 #[derive(Debug, Clone, Copy)]
-struct Pace {
+struct UnsentBytes {
     leaving: f64,
     at: Instant,
 }
 
-impl Pace {
+impl UnsentBytes {
     fn new(now: Instant) -> Self {
         Self { leaving: 0.0, at: now }
     }
@@ -227,7 +227,7 @@ mod tests {
     #[test]
     fn a_line_carries_so_many_bytes_in_a_time() {
         let began = Instant::now();
-        let mut pace = Pace::new(began);
+        let mut pace = UnsentBytes::new(began);
         let after = |ms| began + Duration::from_millis(ms);
         pace.sent(began, 115_200, 1152);
         assert_eq!([0, 50, 100, 5000].map(|ms| pace.leaving(after(ms), 115_200)), [1152, 576, 0, 0]);

@@ -4,7 +4,7 @@ use super::Arguments;
 use crate::{
     failure::Failure,
     output::say,
-    run::{Language, ProgramProcess, Reply, Task, Words, hello},
+    run::{Language, ProgramProcess, Reply, WaitFor, Words, hello},
     simulate::autonomous,
 };
 use robovac_core::{
@@ -27,13 +27,13 @@ use std::{
 };
 
 /// Who drives.
-pub enum Pilot {
+pub enum SerialPilot {
     Program(Box<ProgramPilot>),
     Behaviour(Box<dyn Controller>),
 }
 
 /// What a pilot wants.
-pub enum Wish {
+pub enum WantedMotion {
     /// No new speeds: those before go on for 200 ms.
     Nothing,
     Drive(Drive),
@@ -62,7 +62,7 @@ fn behaviour(id: &str, robot: &RobotModel, seed: u64) -> Result<Box<dyn Controll
         .ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))
 }
 
-impl Pilot {
+impl SerialPilot {
     /// The program or the behaviour that is to drive, ready to do so.
     pub fn new(arguments: &Arguments, robot: &RobotModel, end: &Arc<AtomicBool>) -> Result<Self, Failure> {
         if let Some(program) = &arguments.program {
@@ -73,30 +73,30 @@ impl Pilot {
     }
 
     /// Takes a reading, `dt_s` seconds after the last one.
-    pub fn sense(&mut self, robot: &RobotModel, sensed: &SensorReadings, dt_s: f64) -> Wish {
+    pub fn sense(&mut self, robot: &RobotModel, sensed: &SensorReadings, dt_s: f64) -> WantedMotion {
         match self {
             Self::Program(program) => {
                 program.sense(robot, sensed);
-                Wish::Nothing
+                WantedMotion::Nothing
             }
             Self::Behaviour(controller) => {
                 let Drive { left, right, .. } = controller.step(sensed, dt_s);
                 if controller.is_done() {
-                    return Wish::Done;
+                    return WantedMotion::Done;
                 }
                 // Both wheels are slowed alike, so that the way keeps its curvature.
                 let most = left.abs().max(right.abs());
                 let share = if most > robot.max_wheel_speed { robot.max_wheel_speed / most } else { 1.0 };
-                Wish::Drive(Drive::wheels(share * left, share * right))
+                WantedMotion::Drive(Drive::wheels(share * left, share * right))
             }
         }
     }
 
     /// The answer to an earlier reading, if it is there by `now`; it has driven since `began`.
-    pub fn answer(&mut self, robot: &RobotModel, now: f64, began: f64) -> Result<Wish, Failure> {
+    pub fn answer(&mut self, robot: &RobotModel, now: f64, began: f64) -> Result<WantedMotion, Failure> {
         match self {
             Self::Program(program) => program.answer(robot, now, began),
-            Self::Behaviour(_) => Ok(Wish::Nothing),
+            Self::Behaviour(_) => Ok(WantedMotion::Nothing),
         }
     }
 
@@ -122,7 +122,7 @@ impl ProgramPilot {
         let mut process =
             ProgramProcess::start(language.command(), arguments.memory, Arc::clone(end)).map_err(fault)?;
         let greeting = hello(&RobotFacts::of(robot), arguments.seed, false);
-        let ready = process.ask(&greeting, Task::Start).map_err(fault)?.ready;
+        let ready = process.ask(&greeting, WaitFor::Start).map_err(fault)?.ready;
         if ready.as_deref() != Some("behaviour") {
             return Err(fault("only a behaviour drives a robot; a planner needs the grid of a room".to_owned()));
         }
@@ -130,7 +130,7 @@ impl ProgramPilot {
         let (answer, answers) = channel();
         let thread = thread::spawn(move || {
             while let Ok(line) = asked.recv() {
-                let reply = process.ask(&line, Task::Step);
+                let reply = process.ask(&line, WaitFor::Step);
                 let is_over = reply.is_err();
                 if answer.send(reply).is_err() || is_over {
                     break;
@@ -150,8 +150,8 @@ impl ProgramPilot {
         }
     }
 
-    fn answer(&mut self, robot: &RobotModel, now: f64, began: f64) -> Result<Wish, Failure> {
-        let Ok(answer) = self.answers.try_recv() else { return Ok(Wish::Nothing) };
+    fn answer(&mut self, robot: &RobotModel, now: f64, began: f64) -> Result<WantedMotion, Failure> {
+        let Ok(answer) = self.answers.try_recv() else { return Ok(WantedMotion::Nothing) };
         self.is_asked = false;
         let reply =
             answer.map_err(|fault| Failure::planner(format!("{}, at {:.2} s: {fault}", self.name, now - began)))?;
@@ -159,14 +159,14 @@ impl ProgramPilot {
             say(&format!("{now:8.2} s  {}", Words::of(text.as_bytes())));
         }
         if reply.done {
-            return Ok(Wish::Done);
+            return Ok(WantedMotion::Done);
         }
         let wheels = [reply.left, reply.right].map(|speed| wheel_command(robot, speed.unwrap_or(0.0)));
         let [left, right] = wheels.map(|speed| f64::from(speed) / 1000.0);
         if let Some(senses) = &mut self.senses {
             senses.command(wheels);
         }
-        Ok(Wish::Drive(Drive::wheels(left, right)))
+        Ok(WantedMotion::Drive(Drive::wheels(left, right)))
     }
 
     /// Waits until the program has ended.

@@ -44,7 +44,7 @@ pub struct RosNode {
     namespace: String,
     remaps: BTreeMap<String, String>,
     publishers: BTreeMap<&'static str, Publisher<Encoded>>,
-    commands: Option<Subscription<Twist>>,
+    commands: Option<Subscription<TwistMessage>>,
 }
 
 /// A message that is encoded already.
@@ -52,7 +52,7 @@ struct Encoded(Vec<u8>);
 
 /// `geometry_msgs/Twist`
 #[derive(Deserialize)]
-struct Twist {
+struct TwistMessage {
     linear: [f64; 3],
     angular: [f64; 3],
 }
@@ -134,7 +134,7 @@ impl RosNode {
         // A message that can't be read doesn't end those after it.
         for _ in 0..DEPTH {
             match self.commands.as_ref()?.take() {
-                Ok(Some((Twist { linear: [ahead, left, _], angular: [_, _, turn] }, _))) => {
+                Ok(Some((TwistMessage { linear: [ahead, left, _], angular: [_, _, turn] }, _))) => {
                     latest = Some([ahead, left, turn]);
                 }
                 Ok(None) => break,

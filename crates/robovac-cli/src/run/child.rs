@@ -33,7 +33,7 @@ const FAREWELL: Duration = Duration::from_millis(300);
 
 /// What a program is being waited for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Task {
+pub enum WaitFor {
     /// Its start.
     Start,
     /// A command for the next step.
@@ -49,12 +49,12 @@ pub struct ProgramProcess {
     output: BufReader<ChildStdout>,
     line: Vec<u8>,
     errors: Receiver<Vec<u8>>,
-    watch: Arc<Watch>,
+    watch: Arc<ChildWatch>,
     watcher: Option<JoinHandle<()>>,
 }
 
 /// What the watcher thread looks at.
-struct Watch {
+struct ChildWatch {
     began: Instant,
     /// Milliseconds since `began` at which the present task is overdue; 0 for none.
     due: AtomicU64,
@@ -82,7 +82,7 @@ impl ProgramProcess {
         let (tell, last_words) = channel();
         thread::spawn(move || tell.send(last_of(errors)));
         let child = Arc::new(Mutex::new(child));
-        let watch = Arc::new(Watch {
+        let watch = Arc::new(ChildWatch {
             began: Instant::now(),
             due: AtomicU64::new(0),
             is_over: AtomicBool::new(false),
@@ -112,7 +112,7 @@ impl ProgramProcess {
     }
 
     /// Sends a line and waits for the answer.
-    pub fn ask(&mut self, line: &str, task: Task) -> Result<Reply, String> {
+    pub fn ask(&mut self, line: &str, task: WaitFor) -> Result<Reply, String> {
         self.watch.due_in(task.limit());
         let answer = self.put(format!("{line}\n").as_bytes()).and_then(|()| self.answer(task));
         self.watch.due.store(0, Ordering::Relaxed);
@@ -120,7 +120,7 @@ impl ProgramProcess {
     }
 
     /// Waits for a further line.
-    pub fn next(&mut self, task: Task) -> Result<Reply, String> {
+    pub fn next(&mut self, task: WaitFor) -> Result<Reply, String> {
         self.watch.due_in(task.limit());
         let answer = self.answer(task);
         self.watch.due.store(0, Ordering::Relaxed);
@@ -129,7 +129,7 @@ impl ProgramProcess {
 
     /// Sends a frame and waits for the answer, whose length is before it. Both are for a step.
     pub fn exchange(&mut self, frame: &[u8]) -> Result<&[u8], String> {
-        self.watch.due_in(Task::Step.limit());
+        self.watch.due_in(WaitFor::Step.limit());
         let answer = self.put(frame).and_then(|()| self.framed());
         self.watch.due.store(0, Ordering::Relaxed);
         answer.map(|()| self.line.as_slice())
@@ -143,7 +143,7 @@ impl ProgramProcess {
             self.line.clear();
             (&mut self.output).take(length.min(LONGEST_LINE)).read_to_end(&mut self.line)
         });
-        self.in_time(Task::Step)?;
+        self.in_time(WaitFor::Step)?;
         match whole {
             Ok(_) if length > LONGEST_LINE => Err(too_long()),
             Ok(read) if read as u64 == length => Ok(()),
@@ -151,7 +151,7 @@ impl ProgramProcess {
         }
     }
 
-    fn answer(&mut self, task: Task) -> Result<Reply, String> {
+    fn answer(&mut self, task: WaitFor) -> Result<Reply, String> {
         self.line.clear();
         let read = (&mut self.output).take(LONGEST_LINE + 1).read_until(b'\n', &mut self.line);
         self.in_time(task)?;
@@ -165,15 +165,15 @@ impl ProgramProcess {
     }
 
     /// An error if the task took too long.
-    fn in_time(&self, task: Task) -> Result<(), String> {
+    fn in_time(&self, task: WaitFor) -> Result<(), String> {
         if self.watch.was_late.load(Ordering::Relaxed) {
             let seconds = task.limit().as_secs();
             return Err(match task {
-                Task::Start => format!("the program didn't start within {seconds} s; does it read its input?"),
-                Task::Step => format!(
+                WaitFor::Start => format!("the program didn't start within {seconds} s; does it read its input?"),
+                WaitFor::Step => format!(
                     "a step took more than {seconds} s; end its loops, and wait with \"yield\" instead of sleeping"
                 ),
-                Task::Plan => {
+                WaitFor::Plan => {
                     format!("the plan took more than {seconds} s without a cell; yield cells as they are found")
                 }
             });
@@ -221,7 +221,7 @@ impl Drop for ProgramProcess {
     }
 }
 
-impl Watch {
+impl ChildWatch {
     fn due_in(&self, limit: Duration) {
         let due = self.began.elapsed() + limit;
         self.due.store(due.as_millis() as u64, Ordering::Relaxed);
@@ -279,7 +279,7 @@ fn is_out_of_time(status: ExitStatus) -> bool {
     status.code() == Some(CPU_CODE)
 }
 
-impl Task {
+impl WaitFor {
     fn limit(self) -> Duration {
         match self {
             Self::Start => START_LIMIT,

@@ -1,7 +1,7 @@
 //! What is said with a program: the greeting, then readings and commands, or a grid and a walk.
 
 use super::{
-    child::{ProgramProcess, Task},
+    child::{ProgramProcess, WaitFor},
     protocol::{PROTOCOL, Words},
 };
 use robovac_core::grid::Cell;
@@ -54,7 +54,7 @@ pub fn greet(
     let mut line = greeting(robot, seeds.first().copied().unwrap_or_default(), true);
     let layout: Value = serde_json::from_str(&layout_json()).unwrap_or_default();
     line["frames"] = json!({ "seeds": seeds, "layout": layout });
-    let reply = process.ask(&line.to_string(), Task::Start)?;
+    let reply = process.ask(&line.to_string(), WaitFor::Start)?;
     add_prints(prints, 0.0, &reply.print)?;
     match reply.ready.as_deref() {
         Some("behaviour") if reply.frames => Ok(Ready::DrivesFramed),
@@ -74,7 +74,7 @@ pub fn drive(process: &mut ProgramProcess, run: &mut ProgramRun, prints: &mut Pr
         let line = lockstep.readings_json(lockstep.scan() != scan);
         scan = lockstep.scan();
         let told = |fault: String| format!("at {time_s:.2} s: {fault}");
-        let reply = process.ask(&line, Task::Step).map_err(told)?;
+        let reply = process.ask(&line, WaitFor::Step).map_err(told)?;
         add_prints(prints, time_s, &reply.print).map_err(told)?;
         speeds = [reply.left.unwrap_or(speeds[0]), reply.right.unwrap_or(speeds[1])];
         if reply.done {
@@ -91,7 +91,7 @@ pub fn drive(process: &mut ProgramProcess, run: &mut ProgramRun, prints: &mut Pr
 /// The walk that a program plans in a room.
 pub fn plan(process: &mut ProgramProcess, room: &ProgramRoom, prints: &mut Prints) -> Result<Vec<Cell>, String> {
     let mut cells = Vec::new();
-    let mut reply = process.ask(&json!({ "room": room }).to_string(), Task::Plan)?;
+    let mut reply = process.ask(&json!({ "room": room }).to_string(), WaitFor::Plan)?;
     loop {
         add_prints(prints, 0.0, &reply.print)?;
         // A number that is no cell's stays one that is none.
@@ -103,7 +103,7 @@ pub fn plan(process: &mut ProgramProcess, room: &ProgramRoom, prints: &mut Print
         if reply.done {
             return Ok(cells);
         }
-        reply = process.next(Task::Plan)?;
+        reply = process.next(WaitFor::Plan)?;
     }
 }
 

@@ -53,7 +53,7 @@ pub struct Arguments {
 }
 
 /// What is known of an algorithm in one set of rooms under the same conditions.
-struct Group {
+struct ResultGroup {
     algorithm: String,
     rooms: &'static str,
     conditions: String,
@@ -118,18 +118,19 @@ fn spec(is_quick: bool) -> serde_json::Value {
 }
 
 /// Groups in the order of the study.
-fn groups(opened: &Opened, shards: &Shards) -> Result<Vec<Group>, Failure> {
-    let mut groups: Vec<Group> = Vec::new();
+fn groups(opened: &Opened, shards: &Shards) -> Result<Vec<ResultGroup>, Failure> {
+    let mut groups: Vec<ResultGroup> = Vec::new();
     for shard in 0..shards.count() {
         for row in shards.load(shard)? {
             let Some(run) = opened.study.run(row.run) else { continue };
             let rooms = if matches!(run.room, StudyRoom::Flat(_)) { "flats" } else { "rooms" };
             let (algorithm, conditions) = (run.entrant.to_string(), run.conditions.name.clone());
-            let is_its =
-                |group: &Group| group.algorithm == algorithm && group.rooms == rooms && group.conditions == conditions;
+            let is_its = |group: &ResultGroup| {
+                group.algorithm == algorithm && group.rooms == rooms && group.conditions == conditions
+            };
             let index = groups.iter().position(is_its).unwrap_or(groups.len());
             if index == groups.len() {
-                groups.push(Group::new(algorithm, rooms, conditions));
+                groups.push(ResultGroup::new(algorithm, rooms, conditions));
             }
             let Some(group) = groups.get_mut(index) else { continue };
             group.runs += 1;
@@ -152,7 +153,7 @@ fn groups(opened: &Opened, shards: &Shards) -> Result<Vec<Group>, Failure> {
     Ok(groups)
 }
 
-impl Group {
+impl ResultGroup {
     fn new(algorithm: String, rooms: &'static str, conditions: String) -> Self {
         let (coverage, reached_s, distance_m, bumps, digests) = Default::default();
         let (runs, failed) = (0, 0);
@@ -167,12 +168,12 @@ impl Group {
 }
 
 /// One line for each group.
-fn csv(groups: &[Group]) -> String {
+fn csv(groups: &[ResultGroup]) -> String {
     let mut text = "algorithm,rooms,conditions,runs,failed,coverage_percent,coverage_p10,coverage_p90,time_to_90_s,\
                     distance_m,bumps,digest,version\n"
         .to_owned();
     for group in groups {
-        let Group { algorithm, rooms, conditions, runs, failed, .. } = group;
+        let ResultGroup { algorithm, rooms, conditions, runs, failed, .. } = group;
         let number = |value: Option<f64>| {
             value.filter(|value| value.is_finite()).map_or_else(String::new, |value| format!("{value:.2}"))
         };
@@ -190,9 +191,9 @@ fn csv(groups: &[Group]) -> String {
 }
 
 /// One line for each algorithm.
-fn markdown(groups: &[Group], command: &str) -> String {
+fn markdown(groups: &[ResultGroup], command: &str) -> String {
     let (mut names, mut columns) = (Vec::new(), Vec::new());
-    for Group { algorithm, rooms, conditions, .. } in groups {
+    for ResultGroup { algorithm, rooms, conditions, .. } in groups {
         if !names.contains(&algorithm.as_str()) {
             names.push(algorithm.as_str());
         }
@@ -210,7 +211,7 @@ fn markdown(groups: &[Group], command: &str) -> String {
         let _ = write!(text, "| `{name}` |");
         for (rooms, conditions) in &columns {
             let group = its().find(|group| group.rooms == *rooms && group.conditions == *conditions);
-            let cell = group.and_then(Group::coverage);
+            let cell = group.and_then(ResultGroup::coverage);
             let cell =
                 cell.map_or("–".to_owned(), |[median, low, high]| format!("{median:.1} ({low:.0} to {high:.0})"));
             let _ = write!(text, " {cell} |");

@@ -27,16 +27,16 @@ use std::{
 const GROUP: usize = 10_000;
 
 /// What a column takes from a row.
-type Row<'a> = (&'a Opened, &'a StudyRow, StudyRun<'a>);
+type TableRow<'a> = (&'a Opened, &'a StudyRow, StudyRun<'a>);
 
 /// How a column's value is found.
 enum Value {
-    Int(fn(&Row<'_>) -> Option<i64>),
-    Float(fn(&Row<'_>) -> Option<f64>),
-    Flag(fn(&Row<'_>) -> bool),
-    Text(fn(&Row<'_>) -> Option<String>),
+    Int(fn(&TableRow<'_>) -> Option<i64>),
+    Float(fn(&TableRow<'_>) -> Option<f64>),
+    Flag(fn(&TableRow<'_>) -> bool),
+    Text(fn(&TableRow<'_>) -> Option<String>),
     /// A list of numbers; empty if there is none.
-    Floats(fn(&Row<'_>) -> Vec<f32>),
+    Floats(fn(&TableRow<'_>) -> Vec<f32>),
 }
 
 use Value::{Flag, Float, Floats, Int, Text};
@@ -118,7 +118,7 @@ pub fn write(opened: &Opened, shards: &Shards, out: &Path) -> Result<(), Failure
     for shard in 0..shards.count() {
         rows.extend(shards.load(shard)?);
         if rows.len() >= GROUP || shard + 1 == shards.count() {
-            let group: Vec<Row<'_>> =
+            let group: Vec<TableRow<'_>> =
                 rows.iter().filter_map(|row| Some((opened, row, opened.study.run(row.run)?))).collect();
             let mut into = writer.next_row_group().map_err(bad)?;
             put(&group, &mut into).map_err(bad)?;
@@ -149,7 +149,7 @@ fn schema() -> String {
     format!("message run {{ {} }}", columns.concat())
 }
 
-fn put(rows: &[Row<'_>], group: &mut SerializedRowGroupWriter<'_, File>) -> Result<(), ParquetError> {
+fn put(rows: &[TableRow<'_>], group: &mut SerializedRowGroupWriter<'_, File>) -> Result<(), ParquetError> {
     for (_, value) in COLUMNS {
         let Some(mut column) = group.next_column()? else { break };
         match (value, column.untyped()) {

@@ -2,7 +2,7 @@
 
 use super::{
     Obstacle, Walls,
-    stamp::{PolygonStamp, Run, fitting},
+    stamp::{PolygonStamp, StampRun, fitting},
 };
 use crate::{
     geometry::{Point, Shape, Vector, convex_pieces, edges, outward, overlap, overlap_box, overlap_disc},
@@ -32,7 +32,7 @@ pub(super) fn for_polygon(limits: &Walls, covered: &Grid<bool>, corners: &[[f64;
     let runs = PolygonStamp::new(corners, limits.resolution).around(heading);
     // By centres of cells it is right but for half a cell; certain where even a cell more is free of all that is touched.
     let mut fits = fitting(&covered.map(|&is_covered| !is_covered), &runs);
-    let larger: Vec<Run> =
+    let larger: Vec<StampRun> =
         runs.iter().flat_map(|&(dy, first, last)| [-1, 0, 1].map(|up| (dy + up, first - 1, last + 1))).collect();
     let certain = fitting(&limits.clearance.map(|&c| c > 0.0), &larger);
     let body = TurnedBody::new(corners, heading);

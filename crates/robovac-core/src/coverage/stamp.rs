@@ -69,7 +69,7 @@ pub(super) struct PolygonStamp {
 }
 
 /// A run of cells: its row, its first and its last column, relative to another cell.
-pub(super) type Run = (i32, i32, i32);
+pub(super) type StampRun = (i32, i32, i32);
 
 impl PolygonStamp {
     /// The polygon with these corners, m, on cells of `resolution` metres.
@@ -80,7 +80,7 @@ impl PolygonStamp {
 
     /// Calls `visit` with every run of cells that have their centre in the polygon when its origin is at (`x`, `y`),
     /// in cells, at a heading with that sine and cosine. Runs of different pieces can share cells.
-    pub fn runs(&self, (x, y): (f64, f64), (sin, cos): (f64, f64), mut visit: impl FnMut(Run)) {
+    pub fn runs(&self, (x, y): (f64, f64), (sin, cos): (f64, f64), mut visit: impl FnMut(StampRun)) {
         for piece in &self.pieces {
             let corners = piece.iter().map(|p| Point::new(x + cos * p.x - sin * p.y, y + sin * p.x + cos * p.y));
             let corners: Vec<Point> = corners.collect();
@@ -99,7 +99,7 @@ impl PolygonStamp {
     }
 
     /// The runs around a cell in whose centre the origin is, at that heading, rad.
-    pub fn around(&self, heading: f64) -> Vec<Run> {
+    pub fn around(&self, heading: f64) -> Vec<StampRun> {
         let mut runs = Vec::new();
         self.runs((0.5, 0.5), math::sin_cos(heading), |run| runs.push(run));
         runs
@@ -107,7 +107,7 @@ impl PolygonStamp {
 }
 
 /// Cells around which all of `runs` lie in `free`: where a body fits.
-pub(super) fn fitting(free: &Grid<bool>, runs: &[Run]) -> Grid<bool> {
+pub(super) fn fitting(free: &Grid<bool>, runs: &[StampRun]) -> Grid<bool> {
     // The body overlaps a cell that isn't free from wherever its mirror image there reaches.
     let (width, height) = (free.width() as i32, free.height() as i32);
     let mut fits = free.clone();
@@ -131,7 +131,7 @@ pub(super) fn fitting(free: &Grid<bool>, runs: &[Run]) -> Grid<bool> {
 }
 
 /// All cells in `runs` around any cell of `places`.
-pub(super) fn spread(places: &Grid<bool>, runs: &[Run]) -> Grid<bool> {
+pub(super) fn spread(places: &Grid<bool>, runs: &[StampRun]) -> Grid<bool> {
     let (width, height) = (places.width() as i32, places.height() as i32);
     let mut swept = Grid::filled(places.width(), places.height(), false);
     for &(dy, first, last) in runs {

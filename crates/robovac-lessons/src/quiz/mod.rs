@@ -5,7 +5,7 @@ mod room;
 
 use crate::{
     LessonFault,
-    fields::{Fields, decimal},
+    fields::{BlockLines, decimal},
 };
 use robovac_core::rng::seeded;
 use serde::Serialize;
@@ -108,7 +108,7 @@ impl QuizKind {
 }
 
 impl Quiz {
-    pub(crate) fn parse(fields: &mut Fields, rest: &str, id: String) -> Result<Self, LessonFault> {
+    pub(crate) fn parse(fields: &mut BlockLines, rest: &str, id: String) -> Result<Self, LessonFault> {
         let about = QuizKind::parse(rest).ok_or_else(|| {
             let known = QuizKind::ALL.map(|(_, name)| name).join(", ");
             LessonFault::new(

@@ -5,7 +5,7 @@ use rand::RngExt;
 use robovac_core::rng::Rng;
 
 /// A small room of square cells, rows from top to bottom.
-struct Room {
+struct QuizRoom {
     width: usize,
     free: Vec<bool>,
 }
@@ -13,7 +13,7 @@ struct Room {
 /// How many cells a robot of one cell reaches.
 pub fn reachable(rng: &mut Rng) -> Question {
     loop {
-        let room = Room::random(rng, 8, 6, 0.32);
+        let room = QuizRoom::random(rng, 8, 6, 0.32);
         let Some(start) = room.free.iter().position(|free| *free) else { continue };
         let count = room.reached(start).iter().filter(|reached| **reached).count();
         let free = room.free.iter().filter(|free| **free).count();
@@ -41,7 +41,7 @@ pub fn reachable(rng: &mut Rng) -> Question {
 /// Whether lanes along the rows or along the columns are fewer.
 pub fn lanes(rng: &mut Rng) -> Question {
     loop {
-        let room = Room::with_boxes(rng);
+        let room = QuizRoom::with_boxes(rng);
         let (along_rows, along_columns) = (room.lanes(false), room.lanes(true));
         if along_rows.abs_diff(along_columns) < 2 {
             continue;
@@ -67,7 +67,7 @@ pub fn lanes(rng: &mut Rng) -> Question {
 pub fn parity(rng: &mut Rng) -> Question {
     let wants = rng.random_range(0..2) == 0;
     loop {
-        let room = Room::random(rng, 5, 4, 0.2);
+        let room = QuizRoom::random(rng, 5, 4, 0.2);
         let Some(start) = room.free.iter().position(|free| *free) else { continue };
         if room.reached(start) != room.free || room.free.iter().filter(|free| **free).count() < 10 {
             continue;
@@ -102,7 +102,7 @@ pub fn parity(rng: &mut Rng) -> Question {
     }
 }
 
-impl Room {
+impl QuizRoom {
     fn random(rng: &mut Rng, width: usize, height: usize, walls: f64) -> Self {
         Self { width, free: (0..width * height).map(|_| rng.random_range(0.0..1.0) >= walls).collect() }
     }
@@ -211,8 +211,8 @@ impl Room {
 mod tests {
     use super::*;
 
-    fn room(rows: &[&str]) -> Room {
-        Room { width: rows[0].len(), free: rows.iter().flat_map(|row| row.chars().map(|c| c == '.')).collect() }
+    fn room(rows: &[&str]) -> QuizRoom {
+        QuizRoom { width: rows[0].len(), free: rows.iter().flat_map(|row| row.chars().map(|c| c == '.')).collect() }
     }
 
     #[test]

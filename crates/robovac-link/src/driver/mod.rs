@@ -41,7 +41,7 @@ pub use wheels::{DEAD_MAN_S, WheelCommand};
 use self::{
     distance_angle_poll::DistanceAnglePoll,
     line_classifier::LineClassifier,
-    question::{Next, Question},
+    question::{Next, PendingQuery},
     reckoned_counts::ReckonedCounts,
 };
 use robovac_core::robot::{DistanceAngle, Drive, RobotPort, SensorReadings};
@@ -146,7 +146,7 @@ pub struct Driver {
     actuators: Actuators,
     /// Whether encoder packets 43 and 44 are swapped on this robot.
     swapped: bool,
-    question: Option<Question>,
+    question: Option<PendingQuery>,
     /// Whether the robot has the packets of a Create 1 only, and its counts then.
     is_older: bool,
     reckoned: ReckonedCounts,

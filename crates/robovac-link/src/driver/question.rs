@@ -3,7 +3,7 @@
 //! Answers have neither header nor checksum: between frames they couldn't be recognised. So the stream is paused, and
 //! the query is sent after the last frame has arrived.
 
-use roomba_oi::{Answer, Command, CommandDecoder};
+use roomba_oi::{AnswerReader, Command, CommandDecoder};
 
 /// Time for the last frame to arrive, s.
 const DRAIN_S: f64 = 0.05;
@@ -12,7 +12,7 @@ const ANSWER_S: f64 = 0.1;
 
 /// A query in progress.
 #[derive(Debug)]
-pub(super) struct Question {
+pub(super) struct PendingQuery {
     bytes: Vec<u8>,
     ids: Vec<u8>,
     began: f64,
@@ -29,7 +29,7 @@ pub(super) enum Next {
     Done(Vec<u8>, String),
 }
 
-impl Question {
+impl PendingQuery {
     /// The query in these bytes; `None` if there is none.
     pub fn of(bytes: &[u8], now: f64) -> Option<Self> {
         let mut decoder = CommandDecoder::default();
@@ -69,7 +69,7 @@ impl Question {
     }
 
     fn words(&self) -> String {
-        let mut answer = match Answer::to(&self.ids) {
+        let mut answer = match AnswerReader::to(&self.ids) {
             Ok(answer) => answer,
             Err(error) => return format!("the answer can't be read: {error}"),
         };
@@ -93,7 +93,7 @@ mod tests {
 
     #[test]
     fn answers_are_put_in_words() {
-        let mut question = Question::of(&[142, 22, 149, 2, 7, 35], 0.0).unwrap();
+        let mut question = PendingQuery::of(&[142, 22, 149, 2, 7, 35], 0.0).unwrap();
         assert_eq!(question.advance(0.01), Next::Wait);
         assert!(matches!(question.advance(0.06), Next::Send(bytes) if bytes.len() == 6));
         for byte in [58, 152, 3, 1] {
@@ -102,6 +102,6 @@ mod tests {
         let Next::Done(bytes, words) = question.advance(1.0) else { panic!() };
         assert_eq!(bytes, [58, 152, 3, 1]);
         assert!(words.contains("15000 mV"), "{words}");
-        assert!(Question::of(&[128, 131], 0.0).is_none());
+        assert!(PendingQuery::of(&[128, 131], 0.0).is_none());
     }
 }

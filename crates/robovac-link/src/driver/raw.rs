@@ -1,6 +1,6 @@
 //! Raw bytes, typed by the user or from a recording.
 
-use super::{ConnectionPhase, Driver, Happening, Question, Step};
+use super::{ConnectionPhase, Driver, Happening, PendingQuery, Step};
 use roomba_oi::{Command, CommandDecoder, Mode, Opcode};
 use thiserror::Error;
 
@@ -31,7 +31,7 @@ impl Driver {
         if let Some((opcode, _)) = decoder.waiting() {
             return Err(RawRefusal::Incomplete(opcode));
         }
-        self.question = Question::of(bytes, now);
+        self.question = PendingQuery::of(bytes, now);
         if self.question.is_some() {
             self.link_stats.pause();
             let _ = self.send(now, Command::PauseResume { state: 0 });

@@ -8,7 +8,7 @@ use super::{
     lights::{Condition, Lights},
     line::SerialLine,
     motion::{Brushes, DistanceAngleSum, Told, to_drive},
-    personality::{Log, Personality},
+    personality::{ChargingLogTimes, Personality},
     power::{Brc, PowerState, SLEEPS_AFTER},
     report::Stream,
     sound::Sound,
@@ -279,9 +279,9 @@ impl Machine {
             self.report();
         }
         let is_logging = match self.who.log {
-            Log::Never => false,
-            Log::Charging => self.charger.state != ChargingState::None,
-            Log::Always => true,
+            ChargingLogTimes::Never => false,
+            ChargingLogTimes::Charging => self.charger.state != ChargingState::None,
+            ChargingLogTimes::Always => true,
         };
         if !is_logging {
             self.log = (self.now + SECOND, self.now);

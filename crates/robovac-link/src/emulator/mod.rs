@@ -44,7 +44,7 @@ mod sound;
 mod uart;
 mod view;
 
-pub use personality::{Banner, Log, PERSONALITIES, Personality, personality};
+pub use personality::{Banner, ChargingLogTimes, PERSONALITIES, Personality, personality};
 pub use view::{PersonalityView, VirtualView};
 
 use clock::{Nanos, SECOND};

@@ -46,7 +46,7 @@ pub struct Personality {
     /// Whether it stays in its boot loader after a reset.
     pub stays_in_boot_loader: bool,
     /// When it writes its charging log, one line per second.
-    pub log: Log,
+    pub log: ChargingLogTimes,
     /// Whether it reports falling asleep and waking up.
     pub tells_of_sleep: bool,
     /// Whether its bytes arrive at all.
@@ -76,7 +76,7 @@ pub enum Banner {
 
 /// When a robot writes its charging log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Log {
+pub enum ChargingLogTimes {
     /// Never.
     Never,
     /// While it charges.
@@ -101,7 +101,7 @@ const BY_THE_BOOK: Personality = Personality {
     last_packet: 58,
     banner: Banner::Stm32,
     stays_in_boot_loader: false,
-    log: Log::Never,
+    log: ChargingLogTimes::Never,
     tells_of_sleep: false,
     is_heard: true,
     lost_to_host: 0.0,
@@ -150,7 +150,7 @@ pub const PERSONALITIES: &[Personality] = &[
         summary: "Mixes text about its battery into the data every second, and when it wakes or sleeps.",
         // Most robots do so only while they charge (see "docked"). Some logged text within the data of an active
         // interface, away from any dock: the worse case, which a driver must handle.
-        log: Log::Always,
+        log: ChargingLogTimes::Always,
         tells_of_sleep: true,
         ..BY_THE_BOOK
     },
@@ -159,7 +159,7 @@ pub const PERSONALITIES: &[Personality] = &[
         title: "On its dock",
         summary: "Charges on its dock, logs this every second, and falls back from Safe to Passive at once.",
         starts_docked: true,
-        log: Log::Charging,
+        log: ChargingLogTimes::Charging,
         tells_of_sleep: true,
         ..BY_THE_BOOK
     },

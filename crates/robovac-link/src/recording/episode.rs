@@ -5,7 +5,7 @@ const APART_S: f64 = 0.5;
 
 /// A condition with parts, such as the wheels that hang down.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Episode {
+pub(super) struct LastingCondition {
     /// Parts, as bits, that were set in it; when it began, and when it was last seen.
     present: Option<(u8, f64, f64)>,
 }
@@ -13,7 +13,7 @@ pub(super) struct Episode {
 /// An episode that is over: its parts, when it began, and how long it lasted, s.
 pub(super) type Over = (u8, f64, f64);
 
-impl Episode {
+impl LastingCondition {
     /// Takes the parts that are set now; the episode before, if it is over.
     pub fn see(&mut self, now: f64, bits: u8) -> Option<Over> {
         let over = match self.present {
@@ -73,7 +73,7 @@ mod tests {
 
     #[test]
     fn contacts_that_bounce_are_one_episode() {
-        let mut wheels = Episode::default();
+        let mut wheels = LastingCondition::default();
         assert_eq!(
             [(1.0, 1), (1.1, 0), (1.3, 2), (1.6, 2), (1.7, 0)].map(|(at, bits)| wheels.see(at, bits)),
             [None; 5]

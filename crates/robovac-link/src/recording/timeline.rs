@@ -2,7 +2,7 @@
 
 use super::{
     LineEvent, RecordedReading, Timeline, Watch,
-    episode::{Cluster, Episode, Over},
+    episode::{Cluster, LastingCondition, Over},
     words::{EntryKind, TimelineEntry, counted, lasting, named},
 };
 use crate::{
@@ -98,14 +98,14 @@ struct Notes {
     cause: Option<(Opcode, Mode, f64)>,
     /// Since when a reading is due; `None` if none is.
     due_since: Option<f64>,
-    wheels: Episode,
-    cliffs: Episode,
-    motors: Episode,
-    virtual_wall: Episode,
-    buttons: Episode,
-    chargers: Episode,
-    charging_fault: Episode,
-    brushes: Episode,
+    wheels: LastingCondition,
+    cliffs: LastingCondition,
+    motors: LastingCondition,
+    virtual_wall: LastingCondition,
+    buttons: LastingCondition,
+    chargers: LastingCondition,
+    charging_fault: LastingCondition,
+    brushes: LastingCondition,
     brushes_on: bool,
     bumped: bool,
     /// Number of low charges mentioned.

@@ -149,7 +149,7 @@ impl<'a> Found<'a> {
         let (delay, noise) = (named("Delay to a command", "ms", 0), named("Scatter of the counts", "counts", 2));
         let noise = TwinFigure { model: Some(ROUNDING), ..noise };
         let Some(fitted) = self.response else {
-            let untold = "no command of wheel speeds drove it far enough. Drive it 30 cm or more by hand.";
+            let untold = "no command of wheel speeds drove it far enough. ComparedDrive it 30 cm or more by hand.";
             return [
                 speed.of_model(format!("The model's: {untold}")),
                 acceleration.of_model(format!("The model's: {untold}")),
@@ -242,8 +242,7 @@ impl<'a> Found<'a> {
         };
         let noise = TwinFigure { how, ..named("Light bumper, noise", "", 0) };
         let Some(fitted) = self.law else {
-            let why =
-                "The model's: no wall was met head-on. Drive straight at a wall until the bumper touches, three times.";
+            let why = "The model's: no wall was met head-on. ComparedDrive straight at a wall until the bumper touches, three times.";
             return [gain.of_model(why.to_owned()), offset.of_model(why.to_owned()), noise];
         };
         let met = counted(fitted.contacts, "wall");

@@ -46,7 +46,7 @@ pub(super) struct FittedLaw {
 
 /// Signals of the two middle beams at a distance of a wall ahead.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Point {
+pub(super) struct WallSignals {
     /// Distance along the beams from the body's edge, m.
     distance: f64,
     /// Signal above the idle value.
@@ -72,7 +72,7 @@ pub(super) fn idle(log: &MotionLog) -> Option<(f64, NoiseLevel)> {
 }
 
 /// The points before each head-on contact. `robot` converts counts.
-pub(super) fn contacts(log: &MotionLog, robot: &RobotModel, light: &LightBumper) -> Vec<Vec<Point>> {
+pub(super) fn contacts(log: &MotionLog, robot: &RobotModel, light: &LightBumper) -> Vec<Vec<WallSignals>> {
     let Some((idle, _)) = idle(log) else { return Vec::new() };
     let mut found = Vec::new();
     for (index, pair) in log.samples.windows(2).enumerate() {
@@ -88,7 +88,7 @@ pub(super) fn contacts(log: &MotionLog, robot: &RobotModel, light: &LightBumper)
 }
 
 /// The points on the way to the contact at the last sample; none if it wasn't straight and head-on.
-fn approach(samples: &[Sample], robot: &RobotModel, light: &LightBumper, idle: f64) -> Vec<Point> {
+fn approach(samples: &[Sample], robot: &RobotModel, light: &LightBumper, idle: f64) -> Vec<WallSignals> {
     let (mut points, mut unlike) = (Vec::new(), Vec::new());
     let Some((contact, earlier)) = samples.split_last() else { return points };
     let cosine = math::cos(light.angles[MIDDLE[0]]);
@@ -107,7 +107,8 @@ fn approach(samples: &[Sample], robot: &RobotModel, light: &LightBumper, idle: f
             continue;
         }
         unlike.push((one / other).ln().abs());
-        points.push(Point { distance: (robot.radius + gap) / cosine - robot.radius, light: (one * other).sqrt() });
+        points
+            .push(WallSignals { distance: (robot.radius + gap) / cosine - robot.radius, light: (one * other).sqrt() });
     }
     if unlike.iter().sum::<f64>() > ALIKE * unlike.len() as f64 {
         return Vec::new();
@@ -116,8 +117,8 @@ fn approach(samples: &[Sample], robot: &RobotModel, light: &LightBumper, idle: f
 }
 
 /// Fits the law to contacts; `None` without enough of them.
-pub(super) fn fit(contacts: &[Vec<Point>], light: &LightBumper) -> Option<FittedLaw> {
-    let points: Vec<Point> = contacts.iter().flatten().copied().collect();
+pub(super) fn fit(contacts: &[Vec<WallSignals>], light: &LightBumper) -> Option<FittedLaw> {
+    let points: Vec<WallSignals> = contacts.iter().flatten().copied().collect();
     if points.len() < LEAST_POINTS {
         return None;
     }
@@ -173,7 +174,7 @@ pub(super) fn fit(contacts: &[Vec<Point>], light: &LightBumper) -> Option<Fitted
 }
 
 /// Root mean square of the logarithm of measured over predicted signals.
-pub(super) fn misfit(contacts: &[Vec<Point>], light: &LightBumper) -> Option<f64> {
+pub(super) fn misfit(contacts: &[Vec<WallSignals>], light: &LightBumper) -> Option<f64> {
     let cosine = math::cos(light.angles[MIDDLE[0]]);
     let errors: Vec<f64> =
         contacts.iter().flatten().map(|p| (p.light / light.light_at(p.distance, cosine).max(1e-3)).ln()).collect();

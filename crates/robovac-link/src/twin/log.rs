@@ -36,7 +36,7 @@ pub(super) struct Sample {
 
 /// Wheel speeds of a command, left and right, mm/s; `None` for one whose speeds aren't known.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Told {
+pub(super) struct CommandedSpeeds {
     pub at: f64,
     pub speeds: Option<[f64; 2]>,
 }
@@ -61,7 +61,7 @@ pub(super) struct Claims {
 #[derive(Debug, Default)]
 pub(super) struct MotionLog {
     pub samples: Vec<Sample>,
-    pub told: Vec<Told>,
+    pub told: Vec<CommandedSpeeds>,
     pub measured: Vec<Measured>,
     pub claims: Claims,
     pub lost_frames: u64,
@@ -267,7 +267,7 @@ impl Measured {
 }
 
 /// What a command says about the wheels.
-fn told(at: f64, command: Command<'_>) -> Option<Told> {
+fn told(at: f64, command: Command<'_>) -> Option<CommandedSpeeds> {
     let speeds = match command {
         Command::Drive { velocity, radius } => {
             let WheelSpeeds { right, left } = WheelSpeeds::of_drive(velocity, radius).limited();
@@ -278,5 +278,5 @@ fn told(at: f64, command: Command<'_>) -> Option<Told> {
         Command::DrivePwm { .. } | Command::Clean | Command::Spot | Command::Max | Command::SeekDock => None,
         _ => return None,
     };
-    Some(Told { at, speeds })
+    Some(CommandedSpeeds { at, speeds })
 }

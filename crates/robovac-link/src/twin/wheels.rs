@@ -4,7 +4,7 @@
 //! counts the robot takes for a millimetre, how fast its speed changes, and how late it obeys; but not the size of its
 //! wheels.
 
-use super::log::{MotionLog, Sample, Told};
+use super::log::{CommandedSpeeds, MotionLog, Sample};
 use robovac_core::robot::RobotModel;
 use robovac_sim::kept_speed;
 
@@ -95,7 +95,7 @@ pub(super) fn compare(
     let counts_per_mm = robot.counts_per_metre / 1000.0;
     let mut compared = Vec::with_capacity(2 * stretches.len());
     for wheel in 0..2 {
-        let mut follower = Follower::new(&log.told, robot, response, wheel);
+        let mut follower = LaggingWheel::new(&log.told, robot, response, wheel);
         let mut stretches = stretches.iter().peekable();
         let (mut way, mut from) = (0.0, 0.0);
         for (index, pair) in log.samples.windows(2).enumerate() {
@@ -116,7 +116,7 @@ pub(super) fn compare(
 /// Finds the response that explains the counts best; `None` if the robot wasn't driven far enough by commands.
 pub(super) fn fit(log: &MotionLog, robot: &RobotModel) -> Option<FittedResponse> {
     let stretches = moving(log, stretches(log, TOGETHER));
-    let drive = Drive { log, robot, stretches: &stretches };
+    let drive = ComparedDrive { log, robot, stretches: &stretches };
     let way: f64 = drive.compare(&Response::of(robot, 0.0)).iter().map(|c| c.counted.abs()).sum();
     if way < 2.0 * LEAST_COUNTS {
         return None;
@@ -167,13 +167,13 @@ fn moving(log: &MotionLog, mut stretches: Vec<[usize; 2]>) -> Vec<[usize; 2]> {
 }
 
 /// Readings to compare with predictions.
-struct Drive<'a> {
+struct ComparedDrive<'a> {
     log: &'a MotionLog,
     robot: &'a RobotModel,
     stretches: &'a [[usize; 2]],
 }
 
-impl Drive<'_> {
+impl ComparedDrive<'_> {
     fn compare(&self, response: &Response) -> Vec<Compared> {
         compare(self.log, self.robot, response, self.stretches)
     }
@@ -230,8 +230,8 @@ fn inverse_diagonal(m: [[f64; 3]; 3]) -> [f64; 3] {
 }
 
 /// A wheel that follows commands.
-struct Follower<'a> {
-    told: std::iter::Peekable<std::slice::Iter<'a, Told>>,
+struct LaggingWheel<'a> {
+    told: std::iter::Peekable<std::slice::Iter<'a, CommandedSpeeds>>,
     response: Response,
     steps: [f64; 2],
     wheel: usize,
@@ -242,8 +242,8 @@ struct Follower<'a> {
     speed: f64,
 }
 
-impl<'a> Follower<'a> {
-    fn new(told: &'a [Told], robot: &RobotModel, response: &Response, wheel: usize) -> Self {
+impl<'a> LaggingWheel<'a> {
+    fn new(told: &'a [CommandedSpeeds], robot: &RobotModel, response: &Response, wheel: usize) -> Self {
         Self {
             told: told.iter().peekable(),
             response: *response,

@@ -109,7 +109,7 @@ struct SnakeDrive {
     cell: f64,
     /// Cells in which it met something.
     met: BTreeMap<Cell, Met>,
-    phase: SnakePhase,
+    phase: OnlineSnakePhase,
     /// Whether it has turned round since it came to the cell, and how often it couldn't turn there.
     has_looked: bool,
     stuck_turns: u32,
@@ -130,7 +130,7 @@ enum Met {
 }
 
 #[derive(Clone)]
-enum SnakePhase {
+enum OnlineSnakePhase {
     /// Turns round for its scanner to see what is behind: at the start, and before it takes the room for clean.
     Look,
     /// Decides where to go.
@@ -161,7 +161,7 @@ impl SnakeDrive {
             snake: OnlineSnake::new(CELLS, CELLS, middle, Direction::Right),
             cell,
             met: BTreeMap::new(),
-            phase: if setup.robot.sensors.laser.is_some() { SnakePhase::Look } else { SnakePhase::Blind },
+            phase: if setup.robot.sensors.laser.is_some() { OnlineSnakePhase::Look } else { OnlineSnakePhase::Blind },
             has_looked: true,
             stuck_turns: 0,
             lookout: Lookout::new(setup.robot),
@@ -228,11 +228,11 @@ impl SnakeDrive {
         self.look();
         let Some(next) = self.snake.next_cell() else {
             self.phase = if !self.has_looked {
-                SnakePhase::Look
+                OnlineSnakePhase::Look
             } else if self.forgive() {
-                SnakePhase::Choose
+                OnlineSnakePhase::Choose
             } else {
-                SnakePhase::Done
+                OnlineSnakePhase::Done
             };
             self.has_looked = true;
             return;
@@ -245,7 +245,8 @@ impl SnakeDrive {
         }
         let end = self.end(next, towards);
         line.push(self.centre(end));
-        self.phase = SnakePhase::Drive { route: Route::new(here, line), next, towards, patience: self.patience(next) };
+        self.phase =
+            OnlineSnakePhase::Drive { route: Route::new(here, line), next, towards, patience: self.patience(next) };
     }
 
     /// The last cell that it comes to without a turn.
@@ -268,7 +269,7 @@ impl SnakeDrive {
         let end = self.end(cell, towards);
         let end = self.centre(end);
         let (patience_s, from) = (self.patience(cell), self.centre(next));
-        if let SnakePhase::Drive { route, next, patience, .. } = &mut self.phase {
+        if let OnlineSnakePhase::Drive { route, next, patience, .. } = &mut self.phase {
             (*next, *patience) = (cell, patience_s);
             // What it sees now can lead it farther, or less far.
             if route.rest() != [end] {
@@ -279,12 +280,12 @@ impl SnakeDrive {
 
     /// Something is in the way to the next cell.
     fn meet(&mut self, is_barred: bool) {
-        let SnakePhase::Drive { next, .. } = self.phase else { return };
+        let OnlineSnakePhase::Drive { next, .. } = self.phase else { return };
         let before = self.met.get(&next);
         let met = if is_barred || before.is_some() { Met::Barred } else { Met::Once };
         self.met.insert(next, met);
         self.snake.see(next, false);
-        self.phase = SnakePhase::Choose;
+        self.phase = OnlineSnakePhase::Choose;
     }
 
     /// Tries once more where it met something that can have gone, and where it can't see; whether there is such a place.
@@ -310,33 +311,36 @@ impl SnakeDrive {
     /// Starts to relocalise.
     fn search(&mut self, pilot: &mut Pilot) {
         let can = self.search.begin(pilot, &self.mapper);
-        self.phase = if can { SnakePhase::Search } else { SnakePhase::Lost };
+        self.phase = if can { OnlineSnakePhase::Search } else { OnlineSnakePhase::Lost };
     }
 }
 
 impl Behaviour for SnakeDrive {
     fn begin(&mut self, pilot: &mut Pilot) {
-        if std::mem::take(&mut self.is_lifted) && self.mapper.is_lost() && !matches!(self.phase, SnakePhase::Blind) {
+        if std::mem::take(&mut self.is_lifted)
+            && self.mapper.is_lost()
+            && !matches!(self.phase, OnlineSnakePhase::Blind)
+        {
             self.search(pilot);
-        } else if matches!(self.phase, SnakePhase::Drive { .. }) {
-            self.phase = SnakePhase::Choose;
+        } else if matches!(self.phase, OnlineSnakePhase::Drive { .. }) {
+            self.phase = OnlineSnakePhase::Choose;
         }
     }
 
     fn watch(&mut self, sensed: &SensorReadings, dt_s: f64) {
         self.is_lifted |= sensed.wheel_drop_left && sensed.wheel_drop_right;
         self.mapper.update(sensed);
-        if matches!(self.phase, SnakePhase::Search) {
+        if matches!(self.phase, OnlineSnakePhase::Search) {
             match self.search.watch(&mut self.mapper, sensed, dt_s) {
                 Searched::Looking => {}
-                Searched::Found => self.phase = SnakePhase::Choose,
-                Searched::InVain => self.phase = SnakePhase::Lost,
+                Searched::Found => self.phase = OnlineSnakePhase::Choose,
+                Searched::InVain => self.phase = OnlineSnakePhase::Lost,
             }
         }
     }
 
     fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive {
-        if matches!(self.phase, SnakePhase::Search) {
+        if matches!(self.phase, OnlineSnakePhase::Search) {
             return self.search.roam(pilot, sensed, dt_s);
         }
         if self.mapper.is_lost() && !self.is_done() {
@@ -346,16 +350,16 @@ impl Behaviour for SnakeDrive {
         }
         let pose = self.mapper.pose();
         let (next, towards) = match &mut self.phase {
-            SnakePhase::Look => {
+            OnlineSnakePhase::Look => {
                 pilot.go(&[Move::Turn(math::PI), Move::Turn(math::PI)]);
-                self.phase = SnakePhase::Choose;
+                self.phase = OnlineSnakePhase::Choose;
                 return Drive::STOP;
             }
-            SnakePhase::Choose => {
+            OnlineSnakePhase::Choose => {
                 self.choose();
                 return Drive::STOP;
             }
-            SnakePhase::Drive { next, towards, patience, .. } => {
+            OnlineSnakePhase::Drive { next, towards, patience, .. } => {
                 *patience -= dt_s;
                 if *patience < 0.0 {
                     self.meet(false);
@@ -363,7 +367,9 @@ impl Behaviour for SnakeDrive {
                 }
                 (*next, *towards)
             }
-            SnakePhase::Search | SnakePhase::Done | SnakePhase::Lost | SnakePhase::Blind => return Drive::STOP,
+            OnlineSnakePhase::Search | OnlineSnakePhase::Done | OnlineSnakePhase::Lost | OnlineSnakePhase::Blind => {
+                return Drive::STOP;
+            }
         };
         let along = self.along(towards);
         let left = (self.centre(next) - pose.position()).dot(&along);
@@ -371,7 +377,7 @@ impl Behaviour for SnakeDrive {
             self.arrive(next, towards);
         }
         let room = self.lookout.as_ref().map_or(f64::INFINITY, |lookout| lookout.room_ahead(sensed));
-        let SnakePhase::Drive { route, .. } = &mut self.phase else { return Drive::STOP };
+        let OnlineSnakePhase::Drive { route, .. } = &mut self.phase else { return Drive::STOP };
         let is_on_line = route.is_driving() && route.rest().len() == 1 && left >= THERE;
         if is_on_line && room < left - SHORT && pose.direction().dot(&along) > ALIGNED {
             self.meet(false);
@@ -382,20 +388,20 @@ impl Behaviour for SnakeDrive {
         let drive = route.steer(pose, &pilot.robot, speed);
         if drive.is_none() && left >= THERE {
             // Its estimate has jumped.
-            self.phase = SnakePhase::Choose;
+            self.phase = OnlineSnakePhase::Choose;
         }
         drive.unwrap_or(Drive::STOP)
     }
 
     fn on_obstruction(&mut self, pilot: &mut Pilot, obstruction: Obstruction) {
-        if matches!(self.phase, SnakePhase::Search) {
+        if matches!(self.phase, OnlineSnakePhase::Search) {
             return self.search.on_obstruction(pilot, obstruction);
         }
         let is_bump = obstruction.kind == ObstructionKind::Bump;
-        let is_turning = matches!(&self.phase, SnakePhase::Drive { route, .. } if !route.is_driving());
+        let is_turning = matches!(&self.phase, OnlineSnakePhase::Drive { route, .. } if !route.is_driving());
         if is_bump && is_turning && self.stuck_turns < MOST_TURNS {
             self.stuck_turns += 1;
-            self.phase = SnakePhase::Choose;
+            self.phase = OnlineSnakePhase::Choose;
         } else {
             self.meet(!is_bump);
         }
@@ -403,18 +409,18 @@ impl Behaviour for SnakeDrive {
     }
 
     fn is_done(&self) -> bool {
-        matches!(self.phase, SnakePhase::Done | SnakePhase::Lost | SnakePhase::Blind)
+        matches!(self.phase, OnlineSnakePhase::Done | OnlineSnakePhase::Lost | OnlineSnakePhase::Blind)
     }
 
     fn activity(&self) -> &'static str {
         match &self.phase {
-            SnakePhase::Look => "looking around",
-            SnakePhase::Choose => "choosing the next cell",
-            SnakePhase::Drive { .. } => "driving from cell to cell",
-            SnakePhase::Search => "relocalising on its map",
-            SnakePhase::Done => "done: all cells that it can reach are clean",
-            SnakePhase::Lost => "done: relocalisation failed",
-            SnakePhase::Blind => "done: it needs a laser scanner",
+            OnlineSnakePhase::Look => "looking around",
+            OnlineSnakePhase::Choose => "choosing the next cell",
+            OnlineSnakePhase::Drive { .. } => "driving from cell to cell",
+            OnlineSnakePhase::Search => "relocalising on its map",
+            OnlineSnakePhase::Done => "done: all cells that it can reach are clean",
+            OnlineSnakePhase::Lost => "done: relocalisation failed",
+            OnlineSnakePhase::Blind => "done: it needs a laser scanner",
         }
     }
 
@@ -423,8 +429,8 @@ impl Behaviour for SnakeDrive {
     }
 
     fn intent(&self) -> Option<Intent<'_>> {
-        let route = if let SnakePhase::Drive { route, .. } = &self.phase { route.rest() } else { &[] };
-        let locator = self.search.locator().filter(|_| matches!(self.phase, SnakePhase::Search));
+        let route = if let OnlineSnakePhase::Drive { route, .. } = &self.phase { route.rest() } else { &[] };
+        let locator = self.search.locator().filter(|_| matches!(self.phase, OnlineSnakePhase::Search));
         Some(Intent { route, locator, ..Intent::default() })
     }
 

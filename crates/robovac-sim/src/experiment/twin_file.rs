@@ -84,12 +84,12 @@ impl TwinFile {
     /// Reads and checks a file.
     pub fn read(bytes: &[u8]) -> Result<Self, TwinFileError> {
         #[derive(Deserialize)]
-        struct Header {
+        struct TwinHeader {
             format: String,
             version: u64,
         }
         let not = |error: serde_json::Error| TwinFileError::NotATwin(error.to_string());
-        let header: Header = serde_json::from_slice(bytes).map_err(not)?;
+        let header: TwinHeader = serde_json::from_slice(bytes).map_err(not)?;
         if header.format != FORMAT {
             let found = header.format.chars().take(40).collect::<String>();
             return Err(TwinFileError::NotATwin(format!("its format is \"{found}\", not \"{FORMAT}\"")));

@@ -28,7 +28,7 @@ const FIRST: f64 = 0.5 * (SIDE as f64 - 1.0);
 /// What is known of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(i8)]
-pub enum Mark {
+pub enum PatchMark {
     /// Something is in the way.
     Obstacle = -1,
     /// Nothing is known.
@@ -56,12 +56,12 @@ impl EgoMap {
     }
 
     /// Marks the cell at a point.
-    pub fn mark(&mut self, at: Point, mark: Mark) {
+    pub fn mark(&mut self, at: Point, mark: PatchMark) {
         self.set(math::floor(at.x / CELL_M), math::floor(at.y / CELL_M), mark);
     }
 
     /// Marks all cells whose centres lie in a disc.
-    pub fn mark_disc(&mut self, centre: Point, radius_m: f64, mark: Mark) {
+    pub fn mark_disc(&mut self, centre: Point, radius_m: f64, mark: PatchMark) {
         let (x, y, r) = (centre.x / CELL_M - 0.5, centre.y / CELL_M - 0.5, radius_m / CELL_M);
         for row in math::ceil(y - r)..=math::floor(y + r) {
             let off = f64::from(row) - y;
@@ -72,7 +72,7 @@ impl EgoMap {
         }
     }
 
-    fn set(&mut self, x: i32, y: i32, mark: Mark) {
+    fn set(&mut self, x: i32, y: i32, mark: PatchMark) {
         let index = index(self.bits, x, y);
         let Some(cell) = self.levels[0].get_mut(index) else { return };
         let change = mark as i8 - *cell;
@@ -88,12 +88,12 @@ impl EgoMap {
     }
 
     /// What is known of the cell at a point.
-    pub fn at(&self, point: Point) -> Mark {
+    pub fn at(&self, point: Point) -> PatchMark {
         let index = index(self.bits, math::floor(point.x / CELL_M), math::floor(point.y / CELL_M));
         match self.levels[0].get(index) {
-            Some(1) => Mark::Swept,
-            Some(-1) => Mark::Obstacle,
-            _ => Mark::Unknown,
+            Some(1) => PatchMark::Swept,
+            Some(-1) => PatchMark::Obstacle,
+            _ => PatchMark::Unknown,
         }
     }
 
@@ -160,7 +160,7 @@ mod tests {
         for heading in [0.0, math::FRAC_PI_2, math::PI, -math::FRAC_PI_2] {
             let mut map = EgoMap::new(5.0);
             let pose = Pose::new(-3.0, 7.0, heading);
-            map.mark(pose.to_world(Point::new(0.525, 0.225)), Mark::Obstacle);
+            map.mark(pose.to_world(Point::new(0.525, 0.225)), PatchMark::Obstacle);
             let out = patches(&map, pose);
             // 10 cells ahead, 4 cells to the left.
             assert_eq!(out.iter().take(SIDE * SIDE).position(|&p| p == 0), Some(5 * SIDE + 11), "{heading}");
@@ -177,18 +177,18 @@ mod tests {
     #[test]
     fn swept_floor_is_white_at_all_scales_and_marks_can_be_taken_back() {
         let mut map = EgoMap::new(20.0);
-        map.mark_disc(Point::new(2.0, 3.0), 12.0, Mark::Swept);
+        map.mark_disc(Point::new(2.0, 3.0), 12.0, PatchMark::Swept);
         let pose = Pose::new(2.0, 3.0, 0.4);
         assert!(patches(&map, pose).iter().all(|&pixel| pixel == 255));
-        assert_eq!(map.at(Point::new(2.0, 3.0)), Mark::Swept);
-        map.mark_disc(Point::new(2.0, 3.0), 12.1, Mark::Unknown);
+        assert_eq!(map.at(Point::new(2.0, 3.0)), PatchMark::Swept);
+        map.mark_disc(Point::new(2.0, 3.0), 12.1, PatchMark::Unknown);
         assert!(patches(&map, pose).iter().all(|&pixel| pixel == 128));
     }
 
     #[test]
     fn no_patch_shows_a_place_twice() {
         let mut map = EgoMap::new(10.0);
-        map.mark_disc(Point::new(0.5, 0.5), 0.3, Mark::Obstacle);
+        map.mark_disc(Point::new(0.5, 0.5), 0.3, PatchMark::Obstacle);
         assert!(patches(&map, Pose::new(10.0, 10.0, 0.8)).iter().all(|&pixel| pixel == 128));
         assert!(EgoMap::new(f64::INFINITY).bytes() < 30_000_000);
         assert!(EgoMap::new(f64::NAN).bytes() > 0);

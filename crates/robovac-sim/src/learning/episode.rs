@@ -1,6 +1,6 @@
 //! One robot on one floor, step by step.
 
-use super::{Gains, OwnMap, Readings, truth};
+use super::{Gains, OwnMap, ReadingsEncoder, truth};
 use crate::{Conditions, Life, STEP_S, SimRobot, World};
 use robovac_core::{
     coverage::{CoverageTracker, FloorError, ReachableFloor},
@@ -67,7 +67,7 @@ pub struct Episode {
     life: Life,
     tracker: CoverageTracker,
     own_map: Option<OwnMap>,
-    readings: Readings,
+    readings: ReadingsEncoder,
     steps: u32,
     is_finished: bool,
 }
@@ -111,7 +111,7 @@ impl Episode {
             robot,
             tracker,
             own_map,
-            readings: Readings::default(),
+            readings: ReadingsEncoder::default(),
             steps: 0,
             is_finished: false,
         }

@@ -3,7 +3,7 @@
 //! It drifts as the robot's odometry does. Swept floor is a disc of the tool's width along the way; an obstacle is marked where
 //! the bumper's switches, a bright echo of the light bumper or a cliff sensor put it.
 
-use super::{EgoMap, Mark};
+use super::{EgoMap, PatchMark};
 use crate::mapping::observation::{IDLE, LEAST, REFLECTED};
 use robovac_core::{
     geometry::{Point, Pose, Vector},
@@ -48,7 +48,7 @@ impl OwnMap {
         let moved = self.last.is_none_or(|last| (pose.position() - last).norm_squared() > SPACING * SPACING);
         if moved && !sensed.wheel_dropped() {
             self.last = Some(pose.position());
-            self.map.mark_disc(pose.position(), 0.5 * robot.tool_width, Mark::Swept);
+            self.map.mark_disc(pose.position(), 0.5 * robot.tool_width, PatchMark::Swept);
         }
         if sensed.bumped() {
             self.touch(robot, sensed, pose);
@@ -83,14 +83,14 @@ impl OwnMap {
         }
         for (place, sees_void) in robot.sensors.cliffs.iter().zip(sensed.cliff) {
             if let Some(place) = place.filter(|_| sees_void) {
-                self.map.mark(pose.to_world(Point::from(place)), Mark::Obstacle);
+                self.map.mark(pose.to_world(Point::from(place)), PatchMark::Obstacle);
             }
         }
     }
 
     fn mark_at(&mut self, pose: Pose, direction: f64, distance: f64) {
         let (sin, cos) = math::sin_cos(direction);
-        self.map.mark(pose.to_world(Point::new(distance * cos, distance * sin)), Mark::Obstacle);
+        self.map.mark(pose.to_world(Point::new(distance * cos, distance * sin)), PatchMark::Obstacle);
     }
 
     /// Writes the patches around the robot, see [`EgoMap::patches`].
@@ -133,7 +133,10 @@ mod tests {
         sensed.bump_right = true;
         map.update(robot, &sensed);
         let at = |x: f64, y: f64| map.map().at(Point::new(x, y));
-        assert_eq!([at(0.5, 0.0), at(0.5, 0.04), at(0.5, 0.2)], [Mark::Swept, Mark::Swept, Mark::Unknown]);
-        assert_eq!(at(x + robot.radius + INSIDE, 0.01), Mark::Obstacle);
+        assert_eq!(
+            [at(0.5, 0.0), at(0.5, 0.04), at(0.5, 0.2)],
+            [PatchMark::Swept, PatchMark::Swept, PatchMark::Unknown]
+        );
+        assert_eq!(at(x + robot.radius + INSIDE, 0.01), PatchMark::Obstacle);
     }
 }

@@ -45,11 +45,11 @@ pub const READING_NAMES: [&str; 33] = [
 
 /// Turns readings into values, and keeps the wheel counts of the last observation.
 #[derive(Debug, Clone, Default)]
-pub struct Readings {
+pub struct ReadingsEncoder {
     counts: Option<[u16; 2]>,
 }
 
-impl Readings {
+impl ReadingsEncoder {
     /// Writes [`READINGS`] values into `out`; `step_s` is the time between observations, s.
     pub fn write(
         &mut self,
@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn each_value_has_its_name() {
         let robot = model("roomba600").unwrap();
-        let mut readings = Readings::default();
+        let mut readings = ReadingsEncoder::default();
         let mut out = [f32::NAN; READINGS];
         let mut sensed = SensorReadings::default();
         readings.write(robot, &sensed, Drive::STOP, 0.1, &mut out);

@@ -30,7 +30,7 @@ pub use layout::{
 pub use lockstep::{Lockstep, LockstepFrame};
 pub use log::{CommandChange, CommandLog, LogEnd, LogError, LogPart};
 pub use logged::{Logged, SharedLog};
-pub use piloted::{Pilot, Piloted};
+pub use piloted::{Piloted, RemotePilot};
 pub use room::ProgramRoom;
 pub use senses::ProgramSenses;
 pub use walk::{MissedCells, WalkFault, check_walk};

@@ -15,10 +15,10 @@ const FIRST: u64 = 200;
 
 /// What goes to and fro between a [`Piloted`] robot and its program.
 #[derive(Debug, Clone, Default)]
-pub struct Pilot(Rc<RefCell<Exchange>>);
+pub struct RemotePilot(Rc<RefCell<Mailbox>>);
 
 #[derive(Debug, Default)]
-struct Exchange {
+struct Mailbox {
     /// The latest readings, unless they were taken.
     asked: Option<Vec<f64>>,
     /// Steps when the last answer came, and what it was.
@@ -29,7 +29,7 @@ struct Exchange {
     has_missed: bool,
 }
 
-impl Pilot {
+impl RemotePilot {
     /// The latest readings, as [`SLOTS`](super::SLOTS) lists them, once.
     pub fn take_readings(&self) -> Option<Vec<f64>> {
         self.0.borrow_mut().asked.take()
@@ -53,7 +53,7 @@ impl Pilot {
 /// Drives as a program elsewhere answers to the readings of each step. An answer holds for 200 ms; without another the
 /// robot is stopped for good.
 pub struct Piloted {
-    pilot: Pilot,
+    pilot: RemotePilot,
     senses: ProgramSenses,
     robot: RobotModel,
     is_first: bool,
@@ -61,7 +61,7 @@ pub struct Piloted {
 
 impl Piloted {
     /// A `robot` that stands at `start`.
-    pub fn new(pilot: Pilot, robot: &RobotModel, start: Pose) -> Self {
+    pub fn new(pilot: RemotePilot, robot: &RobotModel, start: Pose) -> Self {
         let senses = ProgramSenses::new(robot, start, &SensorReadings::default());
         Self { pilot, senses, robot: robot.clone(), is_first: true }
     }
@@ -112,8 +112,8 @@ mod tests {
     use super::*;
     use robovac_core::robot::model;
 
-    fn piloted() -> (Pilot, Piloted) {
-        let pilot = Pilot::default();
+    fn piloted() -> (RemotePilot, Piloted) {
+        let pilot = RemotePilot::default();
         (pilot.clone(), Piloted::new(pilot, model("roomba600").unwrap(), Pose::new(1.0, 2.0, 0.0)))
     }
 

@@ -183,9 +183,9 @@ fn usual_furniture() -> f64 {
 }
 
 /// A path in the file, and what is wrong there.
-type Fault = (String, String);
+type SpecFault = (String, String);
 
-fn at(path: impl Into<String>) -> impl FnOnce(&dyn Display) -> Fault {
+fn at(path: impl Into<String>) -> impl FnOnce(&dyn Display) -> SpecFault {
     let path = path.into();
     move |error| (path, error.to_string())
 }
@@ -213,7 +213,7 @@ impl StudySpec {
         })
     }
 
-    fn checked(self) -> Result<Study, Fault> {
+    fn checked(self) -> Result<Study, SpecFault> {
         let fail = |path: &str, cause: &str| Err((path.to_owned(), cause.to_owned()));
         if self.format != STUDY_FORMAT {
             return fail("format", &format!("this is not a study; its format must be \"{STUDY_FORMAT}\""));
@@ -268,7 +268,7 @@ impl StudySpec {
 }
 
 impl RoomSpec {
-    fn check(&self, path: &str, rooms: &mut Vec<StudyRoom>) -> Result<(), Fault> {
+    fn check(&self, path: &str, rooms: &mut Vec<StudyRoom>) -> Result<(), SpecFault> {
         match self {
             Self::Room(id) => {
                 if room(id).is_none() {
@@ -295,7 +295,7 @@ impl RoomSpec {
 }
 
 impl AlgorithmEntry {
-    fn entrant(&self, path: &str) -> Result<Entrant, Fault> {
+    fn entrant(&self, path: &str) -> Result<Entrant, SpecFault> {
         let (kind, id) = match (&self.planner, &self.behaviour) {
             (Some(id), None) => (PLANNER, id),
             (None, Some(id)) => (BEHAVIOUR, id),
@@ -314,7 +314,7 @@ impl AlgorithmEntry {
 }
 
 impl ConditionsEntry {
-    fn check(&self, path: &str) -> Result<StudyConditions, Fault> {
+    fn check(&self, path: &str) -> Result<StudyConditions, SpecFault> {
         let mut settings = Settings::new();
         settings.odometry = OdometryModel::Arc;
         if let Some(slip) = &self.slip {

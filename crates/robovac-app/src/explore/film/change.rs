@@ -22,7 +22,7 @@ impl WalkDiff {
     pub fn between(former: &[Cell], latter: &[Cell]) -> Self {
         let (mut before, mut after) = (passages(former), passages(latter));
         let (mut before_steps, mut after_steps) = (edges(former), edges(latter));
-        let changed = Bag::of(before.unlike(&after).chain(after.unlike(&before)).map(|passage| passage >> 8));
+        let changed = Multiset::of(before.unlike(&after).chain(after.unlike(&before)).map(|passage| passage >> 8));
         Self {
             cells: changed.0.iter().map(|&(cell, _)| cell_of(cell)).collect(),
             parts: pieces(former, &mut after_steps, &mut after).0,
@@ -34,9 +34,9 @@ impl WalkDiff {
 }
 
 /// A multiset. Trees of several types would be more code in the page than the rest of the film.
-struct Bag(Vec<(u64, usize)>);
+struct Multiset(Vec<(u64, usize)>);
 
-impl Bag {
+impl Multiset {
     fn of(things: impl Iterator<Item = u64>) -> Self {
         let mut bag = Self(Vec::new());
         for thing in things {
@@ -91,16 +91,16 @@ fn passage(walk: &[Cell], index: usize) -> u64 {
     number(walk[index]) << 8 | before.min(after) << 4 | before.max(after)
 }
 
-fn edges(walk: &[Cell]) -> Bag {
-    Bag::of(walk.windows(2).map(|pair| edge(pair[0], pair[1])))
+fn edges(walk: &[Cell]) -> Multiset {
+    Multiset::of(walk.windows(2).map(|pair| edge(pair[0], pair[1])))
 }
 
-fn passages(walk: &[Cell]) -> Bag {
-    Bag::of((0..walk.len()).map(|index| passage(walk, index)))
+fn passages(walk: &[Cell]) -> Multiset {
+    Multiset::of((0..walk.len()).map(|index| passage(walk, index)))
 }
 
 /// Cuts a walk into pieces that another walk shares, and the others.
-fn pieces(walk: &[Cell], steps: &mut Bag, ways: &mut Bag) -> (Vec<Vec<Cell>>, Vec<Vec<Cell>>) {
+fn pieces(walk: &[Cell], steps: &mut Multiset, ways: &mut Multiset) -> (Vec<Vec<Cell>>, Vec<Vec<Cell>>) {
     let (mut kept, mut torn): (Vec<Vec<Cell>>, Vec<Vec<Cell>>) = (Vec::new(), Vec::new());
     let mut was_kept = None;
     for (index, pair) in walk.windows(2).enumerate() {

@@ -4,4 +4,4 @@ mod change;
 mod showing;
 
 use change::WalkDiff;
-pub use showing::{FilmInk, Picture, Showing};
+pub use showing::{FilmInk, FilmPicture, Showing};

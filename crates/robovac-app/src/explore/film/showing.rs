@@ -29,7 +29,7 @@ pub enum FilmInk {
 
 /// One picture of a film.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Picture {
+pub struct FilmPicture {
     /// Lines, m, the later ones above the earlier.
     pub lines: Vec<(FilmInk, Vec<Point>)>,
     /// Cells where the walk changes.
@@ -41,7 +41,7 @@ pub struct Picture {
 /// A film being shown.
 #[derive(Debug)]
 pub struct Showing {
-    pictures: Vec<Picture>,
+    pictures: Vec<FilmPicture>,
     /// Index of the current picture; the number of pictures once the film is over.
     at: usize,
     /// Time since it appeared, s.
@@ -58,7 +58,7 @@ impl Showing {
         // A closed tour continues from there, back to the start.
         let begun =
             search.first().and_then(|begun| firsts.iter().position(|frame| begun.walk.starts_with(&frame.walk)));
-        let mut pictures: Vec<Picture> = Vec::new();
+        let mut pictures: Vec<FilmPicture> = Vec::new();
         for (index, frame) in firsts.iter().enumerate() {
             pictures.push(first(frame, (index + 1, firsts.len()), begun == Some(index), planning_grid));
         }
@@ -114,7 +114,7 @@ impl Showing {
     }
 
     /// The current picture; `None` once the film is over.
-    pub fn picture(&self) -> Option<&Picture> {
+    pub fn picture(&self) -> Option<&FilmPicture> {
         self.pictures.get(self.at)
     }
 
@@ -149,12 +149,17 @@ fn won(former: &FilmFrame, latter: &FilmFrame) -> f64 {
 }
 
 /// The picture of a walk that the search could start from.
-fn first(frame: &FilmFrame, (number, all): (usize, usize), is_chosen: bool, planning_grid: &PlanningGrid) -> Picture {
+fn first(
+    frame: &FilmFrame,
+    (number, all): (usize, usize),
+    is_chosen: bool,
+    planning_grid: &PlanningGrid,
+) -> FilmPicture {
     let FilmFrame { walk, planner, .. } = frame;
     let (steps, turns) = (amount(steps(walk), "step"), amount(turns(walk), "turn"));
     let which = if all == 1 { "First walk".to_owned() } else { format!("Construction, {number} of {all}") };
     let chosen = if is_chosen { " The search starts from it." } else { "" };
-    Picture {
+    FilmPicture {
         lines: vec![(FilmInk::Walk, planning_grid.anchors(walk))],
         tinted: Vec::new(),
         text: format!("{which}: {planner} needs {steps} and {turns}.{chosen}"),
@@ -162,7 +167,7 @@ fn first(frame: &FilmFrame, (number, all): (usize, usize), is_chosen: bool, plan
 }
 
 /// The pictures of an improvement: the walk before with the changing parts, the parts that stay, and the walk after.
-fn improvement([former, latter]: [&FilmFrame; 2], total: u32, planning_grid: &PlanningGrid) -> [Picture; 3] {
+fn improvement([former, latter]: [&FilmFrame; 2], total: u32, planning_grid: &PlanningGrid) -> [FilmPicture; 3] {
     let change = WalkDiff::between(&former.walk, &latter.walk);
     let which = if latter.number > former.number + 1 {
         format!("Improvements {} to {} of {total}", former.number + 1, latter.number)
@@ -182,7 +187,7 @@ fn improvement([former, latter]: [&FilmFrame; 2], total: u32, planning_grid: &Pl
         format!("{which}: rejoined, {} ({share} % of the bound); now {}.", less(&change), good(latter.proof)),
     ];
     let [marked, apart, merged_text] = texts;
-    let picture = |lines, text| Picture { lines, tinted: change.cells.clone(), text };
+    let picture = |lines, text| FilmPicture { lines, tinted: change.cells.clone(), text };
     [
         picture(vec![(FilmInk::Walk, planning_grid.anchors(&former.walk))], marked),
         picture(parts, apart),

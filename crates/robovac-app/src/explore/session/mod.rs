@@ -13,7 +13,7 @@ pub use self::saved::{LinkOutline, LoadError};
 pub(super) use self::saved::known_room;
 use crate::explore::{Action, Editor, PlanSearch, SessionState, Showing};
 use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
-use crate::program_run::ProgramRun;
+use crate::program_run::LoggedProgram;
 use coverage_planners::{CoveragePath, Film, Proof};
 use robovac_core::{
     floor_plan::{self, FloorPlan},
@@ -47,7 +47,7 @@ pub struct Session {
     planned: Option<Planned>,
     recording: Option<RunRecording>,
     /// What drives the run if that is a user's program.
-    program: ProgramRun,
+    program: LoggedProgram,
     /// The run before the room was changed; what it has swept stays swept.
     before: Option<Run>,
     /// Number of runs begun.
@@ -107,7 +107,7 @@ impl Session {
             planning: None,
             planned: None,
             recording: None,
-            program: ProgramRun::default(),
+            program: LoggedProgram::default(),
             before: None,
             runs: 0,
             playing: true,

@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::explore::{
-    Picture, PlanSearch, SessionState, Showing,
+    FilmPicture, PlanSearch, SessionState, Showing,
     view::{FilmView, SearchView},
 };
 use coverage_planners::{MOST_FILMED_CELLS, PlannerInfo, ShownSearch, TraceStep};
@@ -65,7 +65,7 @@ impl Session {
     }
 
     /// The current picture of the film; `None` while the robot drives.
-    pub fn picture(&self) -> Option<&Picture> {
+    pub fn picture(&self) -> Option<&FilmPicture> {
         self.shown_film().filter(|_| !self.is_driving())?.picture()
     }
 

@@ -2,10 +2,10 @@
 
 use super::Session;
 use crate::{
-    FilmScene, RobotView, Scene, SearchScene, Sensed,
+    FilmScene, RobotView, Scene, SearchScene, SensedFloor,
     explore::{
         Action, SessionState, SessionView, diary_version, in_words,
-        view::{PlanView, RoomView, SessionActions},
+        view::{FlatView, PlanView, RoomView, SessionActions},
     },
 };
 use coverage_planners::{
@@ -13,6 +13,7 @@ use coverage_planners::{
     metrics::{DriveMetrics, WalkMetrics},
 };
 use robovac_core::{
+    floor_plan::generate::FlatId,
     robot::{CustomRobot, OwnRobot},
     trajectory::DriveLimits,
 };
@@ -54,7 +55,7 @@ impl Session {
             start_radius: model.radius,
             start_body: model.body,
             shows: Shows { coverage, ..self.settings.shows },
-            sensed: run.filter(|_| sensors).map(|run| Sensed { reading: run.sensors(), floor: run.floor() }),
+            sensed: run.filter(|_| sensors).map(|run| SensedFloor { reading: run.sensors(), floor: run.floor() }),
             ..Scene::empty(self.editor.plan())
         }
     }
@@ -65,6 +66,10 @@ impl Session {
         let run = self.recording.as_ref().map(RunRecording::run);
         let (plan, conditions) = (self.plan(), self.settings.conditions);
         let custom = self.settings.custom.as_ref();
+        let (flat, about) = match FlatId::in_note(&plan.note) {
+            Some((name, about)) if self.editor.room().is_none() => (Some(FlatView::new(name)), about),
+            _ => (None, plan.note.as_str()),
+        };
         SessionView {
             state,
             can: self.can(state),
@@ -73,7 +78,8 @@ impl Session {
             room: RoomView {
                 id: self.editor.room().unwrap_or(""),
                 title: self.room_title(),
-                note: plan.note.clone(),
+                note: about.to_owned(),
+                flat,
                 width_m: plan.width_m(),
                 height_m: plan.height_m(),
                 resolution_m: plan.resolution,

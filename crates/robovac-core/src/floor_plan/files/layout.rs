@@ -5,13 +5,13 @@ use std::io::{Result, Write};
 
 /// Breaks the lines of the outermost object and of the lists in it, nothing deeper.
 #[derive(Debug, Default)]
-pub(super) struct Layout {
+pub(super) struct JsonLayout {
     /// For every open list or object, whether it is broken into lines.
     open: Vec<bool>,
     is_empty: bool,
 }
 
-impl Layout {
+impl JsonLayout {
     fn begin<W: ?Sized + Write>(&mut self, writer: &mut W, bracket: &[u8], is_broken: bool) -> Result<()> {
         self.open.push(is_broken);
         self.is_empty = true;
@@ -44,7 +44,7 @@ fn new_line<W: ?Sized + Write>(writer: &mut W, depth: usize) -> Result<()> {
     (0..depth).try_for_each(|_| writer.write_all(b"  "))
 }
 
-impl Formatter for Layout {
+impl Formatter for JsonLayout {
     fn begin_array<W: ?Sized + Write>(&mut self, writer: &mut W) -> Result<()> {
         let is_broken = self.open.len() == 1;
         self.begin(writer, b"[", is_broken)
@@ -87,7 +87,7 @@ mod tests {
             "a": { "b": [1, [], {}] }, "c": [], "d": [{ "e": [[1, 2], [3, 4]] }, "x"], "f": {}
         });
         let mut text = Vec::new();
-        value.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Layout::default())).unwrap();
+        value.serialize(&mut serde_json::Serializer::with_formatter(&mut text, JsonLayout::default())).unwrap();
         let expected = "{\n  \"a\": { \"b\": [1, [], {}] },\n  \"c\": [],\n  \"d\": [\n    { \"e\": [[1, 2], [3, 4]] },\n    \"x\"\n  ],\n  \"f\": {}\n}";
         assert_eq!(String::from_utf8(text).unwrap(), expected);
     }

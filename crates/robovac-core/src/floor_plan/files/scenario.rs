@@ -7,7 +7,7 @@ use super::{
     Flaw, FloorPlan, JsonPlace, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, MapError, Object, PlacementFault,
     PlacementRefusal,
     ascii::{cell_of, glyph},
-    layout::Layout,
+    layout::JsonLayout,
     scenario_object::ScenarioObject,
 };
 use crate::{
@@ -254,7 +254,7 @@ impl Scenario {
     pub fn to_json(&self) -> String {
         let mut text = Vec::new();
         // Strings, numbers and maps with string keys can always be serialised.
-        let _ = self.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Layout::default()));
+        let _ = self.serialize(&mut serde_json::Serializer::with_formatter(&mut text, JsonLayout::default()));
         text.push(b'\n');
         String::from_utf8(text).unwrap_or_default()
     }

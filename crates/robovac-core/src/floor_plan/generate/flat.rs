@@ -22,7 +22,7 @@ use crate::{
 };
 use area::Area;
 use furnish::Furnished;
-use layout::Layout;
+use layout::FlatLayout;
 use serde::{Deserialize, Serialize};
 
 /// Side of a cell of the plan, m.
@@ -108,18 +108,18 @@ impl FlatSpec {
 pub fn generate_flat(seed: u64, spec: &FlatSpec) -> FloorPlan {
     let spec = spec.possible();
     let mut rng = seeded(seed, STREAM);
-    let layout = Layout::new(&spec, &mut rng);
+    let layout = FlatLayout::new(&spec, &mut rng);
     let furnished = furnish::furnish(&layout, &spec, &mut rng);
     draw(FlatId { seed, spec }, &layout, furnished)
 }
 
-fn draw(id: FlatId, layout: &Layout, furnished: Furnished) -> FloorPlan {
+fn draw(id: FlatId, layout: &FlatLayout, furnished: Furnished) -> FloorPlan {
     let rects = |areas: &[Area]| areas.iter().map(Area::metres).collect::<Vec<_>>();
     let free: Vec<Area> = layout.rooms.iter().map(|room| room.area).chain(layout.doors.iter().map(|d| d.gap)).collect();
     let (width, height) = (f64::from(layout.width) * CELL, f64::from(layout.height) * CELL);
     let sketch = Sketch::solid(width, height, CELL).carve(&rects(&free)).fill(&rects(&furnished.solids));
     let area = layout.area_m2();
-    let note = format!("Generated flat {id}: {area:.0} m² in {} rooms.", layout.rooms.len());
+    let note = id.note(&format!("{area:.0} m² in {} rooms.", layout.rooms.len()));
     let mut plan = sketch.finish(&format!("Flat {}", id.seed), &note);
     plan.objects = furnished.objects;
     plan.start = Some(furnished.start);
@@ -137,7 +137,7 @@ mod tests {
         let plan = generate_flat(seed, spec);
         assert_eq!(plan, generate_flat(seed, spec), "{seed}");
         assert_eq!(plan.check_objects(plan.start), Ok(()), "{seed}");
-        let layout = Layout::new(&spec.possible(), &mut seeded(seed, STREAM));
+        let layout = FlatLayout::new(&spec.possible(), &mut seeded(seed, STREAM));
         let area = layout.area_m2();
         assert!((0.98 * spec.area_m2[0]..=1.02 * spec.area_m2[1]).contains(&area), "{seed}: {area}");
         let docks = plan.objects.iter().filter(|object| matches!(object, Object::Dock { .. })).count();
@@ -185,7 +185,7 @@ mod tests {
     fn layouts_of_hundreds_of_seeds_are_different_homes() {
         let (mut plans, mut purposes, mut areas) = (HashSet::new(), HashSet::new(), Vec::new());
         for seed in 0..400 {
-            let layout = Layout::new(&FlatSpec::default(), &mut seeded(seed, STREAM));
+            let layout = FlatLayout::new(&FlatSpec::default(), &mut seeded(seed, STREAM));
             plans.insert(format!("{:?}", layout.rooms));
             purposes.extend(layout.rooms.iter().map(|room| room.purpose));
             areas.push(layout.area_m2());

@@ -39,7 +39,7 @@ const VISITS: f64 = 8.0;
 const VISITED_M: f64 = 0.35;
 
 /// Where the robot is, and what is around it.
-pub(super) struct Around<'a> {
+pub(super) struct Vicinity<'a> {
     pub map: &'a SweptMap,
     pub way: &'a Way,
     pub pose: Pose,
@@ -54,7 +54,7 @@ pub(super) fn angle(direction: usize) -> f64 {
     DEGREES.get(direction).copied().unwrap_or(0.0).to_radians()
 }
 
-impl Around<'_> {
+impl Vicinity<'_> {
     /// The values of all directions, mostly from -1 to 1.
     pub(super) fn inputs(&self) -> [[f32; INPUTS]; DIRECTIONS] {
         let here = self.pose.position();

@@ -42,7 +42,7 @@ use crate::mapping::{
     Mapper, MapperSetup,
     observation::{IDLE, REFLECTED},
 };
-use inputs::{Around, DIRECTIONS, INPUTS, angle};
+use inputs::{DIRECTIONS, INPUTS, Vicinity, angle};
 use rand::RngExt;
 use robovac_core::{
     geometry::{Point, Pose, difference},
@@ -243,7 +243,7 @@ impl Learned {
             self.map.try_for(goal);
         }
         let light = pilot.robot.sensors.light_bumper;
-        let around = Around { map: &self.map, way: &self.way, pose, light, sensed, untouched_s: self.untouched_s };
+        let around = Vicinity { map: &self.map, way: &self.way, pose, light, sensed, untouched_s: self.untouched_s };
         let mut best = (f32::NEG_INFINITY, 0.0, 0.0);
         for (direction, inputs) in around.inputs().iter().enumerate().take(DIRECTIONS) {
             let turn = angle(direction);

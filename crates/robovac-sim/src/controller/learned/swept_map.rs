@@ -28,7 +28,7 @@ const BLOCKED: u8 = 2;
 
 /// Sums over the cells of a block, and what the robot did there.
 #[derive(Debug, Clone, Copy)]
-struct Block {
+struct SweptBlock {
     new: u8,
     blocked: u8,
     visits: u8,
@@ -39,7 +39,7 @@ struct Block {
 #[derive(Debug, Clone)]
 pub(super) struct SweptMap {
     cells: Vec<u8>,
-    blocks: Vec<Block>,
+    blocks: Vec<SweptBlock>,
 }
 
 /// Indices of a block, which wrap round.
@@ -47,7 +47,7 @@ pub(super) type BlockAt = (i32, i32);
 
 impl SweptMap {
     pub(super) fn new() -> Self {
-        let block = Block { new: CELLS_OF_BLOCK, blocked: 0, visits: 0, tries: 0 };
+        let block = SweptBlock { new: CELLS_OF_BLOCK, blocked: 0, visits: 0, tries: 0 };
         Self { cells: vec![0; 1 << (2 * BITS)], blocks: vec![block; (BLOCKS * BLOCKS) as usize] }
     }
 
@@ -133,7 +133,7 @@ impl SweptMap {
         self.at(at).map_or(0, |block| block.visits)
     }
 
-    fn at(&self, at: BlockAt) -> Option<&Block> {
+    fn at(&self, at: BlockAt) -> Option<&SweptBlock> {
         self.blocks.get(block_index(at))
     }
 }

@@ -31,10 +31,10 @@ pub(super) struct Landmarks {
 
 /// What receivers see of docks: green and red beam on any of them, a beam on the left, and one on the right. The force
 /// field doesn't count, as it is reflected from everywhere.
-pub(super) type Light = [bool; 4];
+pub(super) type DockLight = [bool; 4];
 
 /// Nothing of it.
-pub(super) const DARK: Light = [false; 4];
+pub(super) const DARK: DockLight = [false; 4];
 
 impl Landmarks {
     pub fn new(docks: &[Pose], robot: &RobotModel) -> Self {
@@ -42,7 +42,7 @@ impl Landmarks {
     }
 
     /// What a robot with a reading sees of docks; `None` if it can't see any.
-    pub fn seen(&self, sensed: &SensorReadings) -> Option<Light> {
+    pub fn seen(&self, sensed: &SensorReadings) -> Option<DockLight> {
         self.receivers.filter(|_| !self.docks.is_empty())?;
         let beams = |character: u8| {
             let is_of_dock = character & !(FIELD | GREEN | RED) == BASE;
@@ -60,7 +60,7 @@ impl Landmarks {
     }
 
     /// Natural logarithm of the likelihood of seeing `seen` at `pose`, 0 at best.
-    pub fn fit(&self, seen: Light, field: &DistanceField, pose: Pose) -> f64 {
+    pub fn fit(&self, seen: DockLight, field: &DistanceField, pose: Pose) -> f64 {
         let expected = self.expected(field, pose);
         match (seen == DARK, expected == DARK) {
             (true, true) => 0.0,
@@ -74,7 +74,7 @@ impl Landmarks {
     }
 
     /// What it should see at `pose`.
-    fn expected(&self, field: &DistanceField, pose: Pose) -> Light {
+    fn expected(&self, field: &DistanceField, pose: Pose) -> DockLight {
         let mut light = DARK;
         let Some(ahead) = self.receivers else { return light };
         let receiver = pose.to_world(Point::new(ahead, 0.0));

@@ -55,7 +55,7 @@ const PAINT: (f64, f64) = (0.05, 0.1);
 
 /// A scan, and where it was taken.
 #[derive(Debug, Clone)]
-struct View {
+struct PlacedScan {
     frame: usize,
     relative: Pose,
     scan: Arc<[f32]>,
@@ -84,7 +84,7 @@ pub(in crate::mapping) struct ScanMapper {
     /// The key frame that the present pose refers to: the nearest linked one.
     current: usize,
     /// Scans and places to paint the map from, and the places and headings that have been stored.
-    views: Vec<View>,
+    views: Vec<PlacedScan>,
     places: Vec<Place>,
     viewed: TiledLayer<u16>,
     /// Map that it began with, with its boundary's points.
@@ -240,7 +240,7 @@ impl ScanMapper {
         if self.viewed.get(cell) & (1 << sector) == 0 && (!is_doubtful || !is_covered) {
             self.viewed.update(cell, |sectors| sectors | (1 << sector));
             let relative = between(self.graph.poses[self.current], pose);
-            self.views.push(View { frame: self.current, relative, scan: Arc::clone(scan) });
+            self.views.push(PlacedScan { frame: self.current, relative, scan: Arc::clone(scan) });
         }
         adjusted
     }
@@ -379,7 +379,7 @@ impl ScanMapper {
     /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         let points = self.frames.iter().map(|points| points.len() * size_of::<ScanPoint>()).sum::<usize>();
-        let views = self.views.iter().map(|view| size_of::<View>() + size_of_val(&*view.scan)).sum::<usize>();
+        let views = self.views.iter().map(|view| size_of::<PlacedScan>() + size_of_val(&*view.scan)).sum::<usize>();
         points + views + self.places.len() * size_of::<Place>() + self.viewed.bytes() + self.graph.bytes()
     }
 }

@@ -33,7 +33,7 @@ const MOST: i32 = 2000;
 
 /// Sums over the points of a cell.
 #[derive(Debug, Clone, Copy, Default)]
-struct Sum {
+struct PointSums {
     weight: f32,
     /// Place relative to the grid's corner, and normal.
     place: [f32; 2],
@@ -42,7 +42,7 @@ struct Sum {
 
 /// A few centimetres of surface.
 #[derive(Debug, Clone, Copy)]
-struct Surface {
+struct SurfacePatch {
     point: Point,
     normal: Vector,
 }
@@ -56,7 +56,7 @@ pub(in crate::mapping) struct SurfaceMap {
     height: i32,
     /// Index + 1 of each cell's surface, 0 without one.
     cells: Vec<u32>,
-    surfaces: Vec<Surface>,
+    surfaces: Vec<SurfacePatch>,
 }
 
 /// Comparison of a scan with surfaces.
@@ -94,7 +94,7 @@ impl SurfaceMap {
         let low = [left - REACH, bottom - REACH];
         let [width, height] = [right - left, top - bottom].map(|size| (size + 1 + 2 * REACH).min(MOST));
         let corner = Cell::new(low[0], low[1]).centre(SIDE);
-        let mut sums = vec![Sum::default(); (width * height) as usize];
+        let mut sums = vec![PointSums::default(); (width * height) as usize];
         let mut filled = Vec::new();
         for (at, normal, deviation) in scans.flat_map(world) {
             let cell = Cell::at(at, SIDE);
@@ -129,7 +129,7 @@ impl SurfaceMap {
     }
 
     /// The surface of a cell and its neighbours.
-    fn blend(&self, sums: &[Sum], index: usize, corner: Point) -> Option<Surface> {
+    fn blend(&self, sums: &[PointSums], index: usize, corner: Point) -> Option<SurfacePatch> {
         let own = Vector::new(f64::from(sums[index].normal[0]), f64::from(sums[index].normal[1]));
         let length = own.norm();
         if length < 1e-6 {
@@ -149,15 +149,15 @@ impl SurfaceMap {
             }
         }
         let length = normal.norm();
-        (length > 1e-6).then(|| Surface { point: corner + place / weight, normal: normal / length })
+        (length > 1e-6).then(|| SurfacePatch { point: corner + place / weight, normal: normal / length })
     }
 
     /// The surface that a point with the normal `facing` lies on, or nearly.
-    fn nearest(&self, at: Point, facing: Vector) -> Option<Surface> {
+    fn nearest(&self, at: Point, facing: Vector) -> Option<SurfacePatch> {
         let cell = Cell::at(at, SIDE);
         let (x, y) = (cell.x - self.low[0], cell.y - self.low[1]);
         let columns = (x - REACH).max(0)..=(x + REACH).min(self.width - 1);
-        let mut best: Option<(f64, Surface)> = None;
+        let mut best: Option<(f64, SurfacePatch)> = None;
         for row in (y - REACH).max(0)..=(y + REACH).min(self.height - 1) {
             for column in columns.clone() {
                 let index = self.cells[(row * self.width + column) as usize];

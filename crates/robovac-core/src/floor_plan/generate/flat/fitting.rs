@@ -4,7 +4,7 @@ use super::{
     area::{Area, Side},
     layout::Doorway,
     passable::Mask,
-    piece::{Part, Piece, Stand},
+    piece::{FurniturePart, Piece, Stand},
 };
 use crate::{floor_plan::Object, rng::Rng};
 use rand::RngExt;
@@ -20,7 +20,7 @@ const OPEN: i32 = 10;
 
 /// Kinds of places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Spot {
+pub(super) enum PlaceKind {
     /// Anywhere along a wall.
     Wall,
     /// At a wall, in a corner.
@@ -70,7 +70,7 @@ impl Fitting {
     }
 
     /// Looks for a place for a piece, anew at every try; returns where it stands.
-    pub fn put(&mut self, make: fn(&mut Rng) -> Piece, spot: Spot, rng: &mut Rng) -> Option<Stand> {
+    pub fn put(&mut self, make: fn(&mut Rng) -> Piece, spot: PlaceKind, rng: &mut Rng) -> Option<Stand> {
         (0..TRIES).find_map(|_| {
             let piece = make(rng);
             let stand = self.choose(&piece, spot, rng)?;
@@ -91,7 +91,7 @@ impl Fitting {
         // In the cells beside the opening.
         let (from, to) = if at_end { (wide + 0.005, wide + 0.045) } else { (-0.045, -0.005) };
         let (near, far) = (0.005, deep - 0.005);
-        let leaf = Part::Slab(vec![[from, near], [to, near], [to, far], [from, far]]);
+        let leaf = FurniturePart::Slab(vec![[from, near], [to, near], [to, far], [from, far]]);
         let Some(taken) = stand.taken(&leaf) else { return };
         let mut mask = self.mask.clone();
         mask.take(&taken);
@@ -106,9 +106,9 @@ impl Fitting {
 
     /// The dock, at any wall with floor before it; the robot starts `ahead` cells before its back.
     pub fn dock(&mut self, ahead: i32, rng: &mut Rng) -> Option<Stand> {
-        let piece = Piece { parts: vec![Part::Dock([0.25, 0.0])], ..Piece::new(10, 1).front(22) };
+        let piece = Piece { parts: vec![FurniturePart::Dock([0.25, 0.0])], ..Piece::new(10, 1).front(22) };
         (0..20 * TRIES).find_map(|_| {
-            let stand = self.choose(&piece, Spot::Wall, rng)?;
+            let stand = self.choose(&piece, PlaceKind::Wall, rng)?;
             let Area { left, bottom, right, top } = stand.front(2 * ahead - 2);
             self.doors.push((i32::midpoint(left, right), i32::midpoint(bottom, top)));
             let stands = self.place(&piece, stand);
@@ -119,10 +119,10 @@ impl Fitting {
         })
     }
 
-    fn choose(&self, piece: &Piece, spot: Spot, rng: &mut Rng) -> Option<Stand> {
+    fn choose(&self, piece: &Piece, spot: PlaceKind, rng: &mut Rng) -> Option<Stand> {
         let (wide, deep) = piece.size;
         let mut back = Side::ALL[rng.random_range(0..4)];
-        if spot == Spot::Facing {
+        if spot == PlaceKind::Facing {
             back = self.last?.back.opposite();
         }
         let along = self.room.length(back) - wide;
@@ -135,9 +135,9 @@ impl Fitting {
         // Not everything is moved right up to the wall.
         let gap = in_range(rng, 0, away.min(1));
         let (u, v) = match spot {
-            Spot::Wall => (in_range(rng, 0, along), gap),
-            Spot::Corner => (if rng.random_bool(0.5) { 0 } else { along }, 0),
-            Spot::Facing => {
+            PlaceKind::Wall => (in_range(rng, 0, along), gap),
+            PlaceKind::Corner => (if rng.random_bool(0.5) { 0 } else { along }, 0),
+            PlaceKind::Facing => {
                 let Area { left, bottom, right, top } = self.last?.area;
                 let middle = match back {
                     Side::Bottom => i32::midpoint(left, right) - self.room.left,
@@ -147,8 +147,8 @@ impl Fitting {
                 };
                 ((middle - wide / 2 + rng.random_range(-4..=4)).clamp(0, along), gap)
             }
-            Spot::Open => (in_range(rng, OPEN, along - OPEN), in_range(rng, OPEN, away - OPEN)),
-            Spot::Anywhere => (in_range(rng, 0, along), in_range(rng, 0, away)),
+            PlaceKind::Open => (in_range(rng, OPEN, along - OPEN), in_range(rng, OPEN, away - OPEN)),
+            PlaceKind::Anywhere => (in_range(rng, 0, along), in_range(rng, 0, away)),
         };
         let room = self.room;
         let area = match back {
@@ -163,7 +163,7 @@ impl Fitting {
     /// Leaves the piece there if the floor is free and the robot still gets about.
     fn place(&mut self, piece: &Piece, stand: Stand) -> bool {
         let front = stand.front(piece.front);
-        let lies = piece.parts.iter().all(|part| matches!(part, Part::Rug(_)));
+        let lies = piece.parts.iter().all(|part| matches!(part, FurniturePart::Rug(_)));
         let is_free = |area: &Area| !self.claimed.iter().any(|other| other.overlaps(area));
         let is_clear = !self.clear.iter().any(|other| other.overlaps(&stand.area));
         let stands = self.room.holds(&front) && is_clear && is_free(&stand.area) && is_free(&front);
@@ -189,7 +189,7 @@ impl Fitting {
         }
         for part in &piece.parts {
             match part {
-                Part::Solid(edges) => self.solids.push(stand.area(*edges)),
+                FurniturePart::Solid(edges) => self.solids.push(stand.area(*edges)),
                 other => self.objects.extend(stand.object(other)),
             }
         }

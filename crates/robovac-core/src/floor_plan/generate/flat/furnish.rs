@@ -3,8 +3,8 @@
 use super::{
     FlatSpec,
     area::Area,
-    fitting::{Fitting, Spot},
-    layout::{FlatRoom, Layout, RoomUse},
+    fitting::{Fitting, PlaceKind},
+    layout::{FlatLayout, FlatRoom, RoomUse},
     piece::Piece,
     pieces::{
         armchair, basin, bookcase, breakfast_table, chair, chest_of_drawers, desk, dining_table, double_bed, duct,
@@ -21,106 +21,106 @@ const USUAL: f64 = 0.7;
 const AHEAD: i32 = 6;
 
 /// A piece that a kind of room can have, where, and how often in a usual home.
-type Wish = (fn(&mut Rng) -> Piece, Spot, f64);
+type Wish = (fn(&mut Rng) -> Piece, PlaceKind, f64);
 
 const LIVING: &[Wish] = &[
-    (duct, Spot::Corner, 0.15),
-    (sofa, Spot::Wall, 0.95),
-    (sideboard, Spot::Facing, 0.9),
-    (dining_table, Spot::Open, 0.5),
-    (bookcase, Spot::Wall, 0.7),
-    (armchair, Spot::Anywhere, 0.5),
-    (bookcase, Spot::Wall, 0.3),
-    (round_thing, Spot::Corner, 0.6),
-    (round_thing, Spot::Wall, 0.4),
-    (chair, Spot::Wall, 0.2),
+    (duct, PlaceKind::Corner, 0.15),
+    (sofa, PlaceKind::Wall, 0.95),
+    (sideboard, PlaceKind::Facing, 0.9),
+    (dining_table, PlaceKind::Open, 0.5),
+    (bookcase, PlaceKind::Wall, 0.7),
+    (armchair, PlaceKind::Anywhere, 0.5),
+    (bookcase, PlaceKind::Wall, 0.3),
+    (round_thing, PlaceKind::Corner, 0.6),
+    (round_thing, PlaceKind::Wall, 0.4),
+    (chair, PlaceKind::Wall, 0.2),
 ];
 const OPEN_PLAN: &[Wish] = &[
-    (duct, Spot::Corner, 0.15),
-    (worktop, Spot::Corner, 1.0),
-    (fridge, Spot::Corner, 0.9),
-    (worktop, Spot::Corner, 0.4),
-    (sofa, Spot::Wall, 0.95),
-    (sideboard, Spot::Facing, 0.9),
-    (dining_table, Spot::Open, 0.9),
-    (island, Spot::Open, 0.4),
-    (bookcase, Spot::Wall, 0.5),
-    (armchair, Spot::Anywhere, 0.4),
-    (round_thing, Spot::Corner, 0.6),
-    (round_thing, Spot::Wall, 0.4),
+    (duct, PlaceKind::Corner, 0.15),
+    (worktop, PlaceKind::Corner, 1.0),
+    (fridge, PlaceKind::Corner, 0.9),
+    (worktop, PlaceKind::Corner, 0.4),
+    (sofa, PlaceKind::Wall, 0.95),
+    (sideboard, PlaceKind::Facing, 0.9),
+    (dining_table, PlaceKind::Open, 0.9),
+    (island, PlaceKind::Open, 0.4),
+    (bookcase, PlaceKind::Wall, 0.5),
+    (armchair, PlaceKind::Anywhere, 0.4),
+    (round_thing, PlaceKind::Corner, 0.6),
+    (round_thing, PlaceKind::Wall, 0.4),
 ];
 const STUDIO: &[Wish] = &[
-    (double_bed, Spot::Corner, 0.7),
-    (single_bed, Spot::Corner, 0.3),
-    (wardrobe, Spot::Wall, 0.9),
-    (sofa, Spot::Wall, 0.6),
-    (sideboard, Spot::Facing, 0.6),
-    (breakfast_table, Spot::Wall, 0.8),
-    (worktop, Spot::Corner, 0.5),
-    (desk, Spot::Wall, 0.5),
-    (bookcase, Spot::Wall, 0.4),
-    (round_thing, Spot::Corner, 0.5),
+    (double_bed, PlaceKind::Corner, 0.7),
+    (single_bed, PlaceKind::Corner, 0.3),
+    (wardrobe, PlaceKind::Wall, 0.9),
+    (sofa, PlaceKind::Wall, 0.6),
+    (sideboard, PlaceKind::Facing, 0.6),
+    (breakfast_table, PlaceKind::Wall, 0.8),
+    (worktop, PlaceKind::Corner, 0.5),
+    (desk, PlaceKind::Wall, 0.5),
+    (bookcase, PlaceKind::Wall, 0.4),
+    (round_thing, PlaceKind::Corner, 0.5),
 ];
 const KITCHEN: &[Wish] = &[
-    (worktop, Spot::Corner, 1.0),
-    (fridge, Spot::Corner, 0.9),
-    (worktop, Spot::Corner, 0.4),
-    (dining_table, Spot::Open, 0.4),
-    (breakfast_table, Spot::Wall, 0.6),
-    (round_thing, Spot::Wall, 0.6),
-    (chair, Spot::Wall, 0.2),
+    (worktop, PlaceKind::Corner, 1.0),
+    (fridge, PlaceKind::Corner, 0.9),
+    (worktop, PlaceKind::Corner, 0.4),
+    (dining_table, PlaceKind::Open, 0.4),
+    (breakfast_table, PlaceKind::Wall, 0.6),
+    (round_thing, PlaceKind::Wall, 0.6),
+    (chair, PlaceKind::Wall, 0.2),
 ];
 const BEDROOM: &[Wish] = &[
-    (double_bed, Spot::Wall, 0.95),
-    (wardrobe, Spot::Wall, 0.95),
-    (chest_of_drawers, Spot::Wall, 0.6),
-    (desk, Spot::Wall, 0.15),
-    (armchair, Spot::Anywhere, 0.2),
-    (chair, Spot::Wall, 0.5),
-    (round_thing, Spot::Corner, 0.5),
+    (double_bed, PlaceKind::Wall, 0.95),
+    (wardrobe, PlaceKind::Wall, 0.95),
+    (chest_of_drawers, PlaceKind::Wall, 0.6),
+    (desk, PlaceKind::Wall, 0.15),
+    (armchair, PlaceKind::Anywhere, 0.2),
+    (chair, PlaceKind::Wall, 0.5),
+    (round_thing, PlaceKind::Corner, 0.5),
 ];
 const CHILD: &[Wish] = &[
-    (single_bed, Spot::Corner, 0.95),
-    (wardrobe, Spot::Wall, 0.8),
-    (desk, Spot::Wall, 0.8),
-    (bookcase, Spot::Wall, 0.6),
-    (chest_of_drawers, Spot::Wall, 0.4),
-    (thing_on_floor, Spot::Anywhere, 0.6),
-    (thing_on_floor, Spot::Anywhere, 0.5),
-    (thing_on_floor, Spot::Anywhere, 0.4),
-    (thing_on_floor, Spot::Anywhere, 0.3),
-    (round_thing, Spot::Corner, 0.4),
+    (single_bed, PlaceKind::Corner, 0.95),
+    (wardrobe, PlaceKind::Wall, 0.8),
+    (desk, PlaceKind::Wall, 0.8),
+    (bookcase, PlaceKind::Wall, 0.6),
+    (chest_of_drawers, PlaceKind::Wall, 0.4),
+    (thing_on_floor, PlaceKind::Anywhere, 0.6),
+    (thing_on_floor, PlaceKind::Anywhere, 0.5),
+    (thing_on_floor, PlaceKind::Anywhere, 0.4),
+    (thing_on_floor, PlaceKind::Anywhere, 0.3),
+    (round_thing, PlaceKind::Corner, 0.4),
 ];
 const STUDY: &[Wish] = &[
-    (desk, Spot::Wall, 1.0),
-    (bookcase, Spot::Wall, 0.9),
-    (bookcase, Spot::Wall, 0.5),
-    (sofa, Spot::Wall, 0.3),
-    (armchair, Spot::Anywhere, 0.4),
-    (chest_of_drawers, Spot::Wall, 0.4),
-    (thing_on_floor, Spot::Anywhere, 0.4),
-    (round_thing, Spot::Corner, 0.6),
+    (desk, PlaceKind::Wall, 1.0),
+    (bookcase, PlaceKind::Wall, 0.9),
+    (bookcase, PlaceKind::Wall, 0.5),
+    (sofa, PlaceKind::Wall, 0.3),
+    (armchair, PlaceKind::Anywhere, 0.4),
+    (chest_of_drawers, PlaceKind::Wall, 0.4),
+    (thing_on_floor, PlaceKind::Anywhere, 0.4),
+    (round_thing, PlaceKind::Corner, 0.6),
 ];
 const BATH: &[Wish] = &[
-    (tub, Spot::Corner, 0.55),
-    (shower, Spot::Corner, 0.6),
-    (toilet, Spot::Wall, 1.0),
-    (basin, Spot::Wall, 1.0),
-    (washing_machine, Spot::Wall, 0.5),
-    (round_thing, Spot::Corner, 0.5),
+    (tub, PlaceKind::Corner, 0.55),
+    (shower, PlaceKind::Corner, 0.6),
+    (toilet, PlaceKind::Wall, 1.0),
+    (basin, PlaceKind::Wall, 1.0),
+    (washing_machine, PlaceKind::Wall, 0.5),
+    (round_thing, PlaceKind::Corner, 0.5),
 ];
 const STORAGE: &[Wish] = &[
-    (shelves, Spot::Wall, 1.0),
-    (shelves, Spot::Wall, 0.7),
-    (shelves, Spot::Corner, 0.5),
-    (thing_on_floor, Spot::Anywhere, 0.5),
+    (shelves, PlaceKind::Wall, 1.0),
+    (shelves, PlaceKind::Wall, 0.7),
+    (shelves, PlaceKind::Corner, 0.5),
+    (thing_on_floor, PlaceKind::Anywhere, 0.5),
 ];
 const HALL: &[Wish] = &[
-    (shoe_rack, Spot::Wall, 0.8),
-    (wardrobe, Spot::Wall, 0.3),
-    (round_thing, Spot::Corner, 0.5),
-    (thing_on_floor, Spot::Wall, 0.3),
-    (chair, Spot::Wall, 0.15),
+    (shoe_rack, PlaceKind::Wall, 0.8),
+    (wardrobe, PlaceKind::Wall, 0.3),
+    (round_thing, PlaceKind::Corner, 0.5),
+    (thing_on_floor, PlaceKind::Wall, 0.3),
+    (chair, PlaceKind::Wall, 0.15),
 ];
 
 impl RoomUse {
@@ -159,7 +159,7 @@ pub(super) struct Furnished {
 }
 
 /// Furnishes all rooms.
-pub(super) fn furnish(layout: &Layout, spec: &FlatSpec, rng: &mut Rng) -> Furnished {
+pub(super) fn furnish(layout: &FlatLayout, spec: &FlatSpec, rng: &mut Rng) -> Furnished {
     let fitting = |number: usize, room: &FlatRoom| {
         Fitting::new(room.area, layout.doors.iter().filter(|door| door.rooms.contains(&number)))
     };
@@ -182,7 +182,7 @@ pub(super) fn furnish(layout: &Layout, spec: &FlatSpec, rng: &mut Rng) -> Furnis
             }
         }
         if rng.random_bool(how_often(room.purpose.has_rug()).clamp(0.0, 1.0)) && spec.rugs {
-            fitting.put(rug, Spot::Anywhere, rng);
+            fitting.put(rug, PlaceKind::Anywhere, rng);
         }
     }
     let (mut solids, mut objects) = (Vec::new(), Vec::new());
@@ -197,7 +197,7 @@ pub(super) fn furnish(layout: &Layout, spec: &FlatSpec, rng: &mut Rng) -> Furnis
 }
 
 /// Puts the dock into the hall, if it fits there, or into a living room; returns the start.
-fn put_dock(layout: &Layout, rooms: &mut [Fitting], rng: &mut Rng) -> Pose {
+fn put_dock(layout: &FlatLayout, rooms: &mut [Fitting], rng: &mut Rng) -> Pose {
     let hall_first = rng.random_bool(0.5);
     let rank = |room: &FlatRoom| match room.purpose {
         RoomUse::Hall => u8::from(!hall_first),

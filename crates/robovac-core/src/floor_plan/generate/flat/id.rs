@@ -33,7 +33,20 @@ pub enum FlatIdError {
     Spec(#[from] FlatSpecError),
 }
 
+/// How the note of a generated flat begins.
+const NOTE: &str = "Generated flat ";
+
 impl FlatId {
+    /// The note of the flat, which ends with `about`.
+    pub(super) fn note(&self, about: &str) -> String {
+        format!("{NOTE}{self}: {about}")
+    }
+
+    /// The name in the note of a flat, and what the note says about it; `None` for other notes.
+    pub fn in_note(note: &str) -> Option<(&str, &str)> {
+        note.strip_prefix(NOTE)?.split_once(": ")
+    }
+
     /// The flat.
     pub fn build(&self) -> FloorPlan {
         generate_flat(self.seed, &self.spec)
@@ -95,6 +108,18 @@ mod tests {
             assert_eq!(text.parse::<FlatId>().unwrap().to_string(), text);
         }
         assert_eq!("7~area:60".parse::<FlatId>().unwrap().spec.area_m2, [60.0, 60.0]);
+    }
+
+    #[test]
+    fn notes_name_the_flat() {
+        let id: FlatId = "7~area:40..60".parse().unwrap();
+        let note = id.build().note;
+        let (name, about) = FlatId::in_note(&note).unwrap();
+        assert_eq!((name.parse(), id.note(about)), (Ok(id), note.clone()));
+        assert!(about.contains(" rooms."), "{about}");
+        for other in ["", "Generated flat", "Generated flat 7.", "A flat: 7"] {
+            assert_eq!(FlatId::in_note(other), None, "{other}");
+        }
     }
 
     #[test]

@@ -92,7 +92,7 @@ pub(super) struct Doorway {
 
 /// A flat without furniture.
 #[derive(Debug, Clone)]
-pub(super) struct Layout {
+pub(super) struct FlatLayout {
     /// Columns and rows with the outer walls.
     pub width: i32,
     pub height: i32,
@@ -100,7 +100,7 @@ pub(super) struct Layout {
     pub doors: Vec<Doorway>,
 }
 
-impl Layout {
+impl FlatLayout {
     pub fn new(spec: &FlatSpec, rng: &mut Rng) -> Self {
         let [low, high] = spec.area_m2;
         let area = if low < high { rng.random_range(low..high) } else { low };
@@ -224,12 +224,12 @@ fn across(area: f64, height: i32) -> i32 {
 }
 
 /// One room, bath and hall or kitchen at its side.
-fn studio(area: f64, rng: &mut Rng) -> Option<Layout> {
+fn studio(area: f64, rng: &mut Rng) -> Option<FlatLayout> {
     let height = rng.random_range(96..150);
     let width = across(area, height);
     let strip = rng.random_range(36..50);
     let bath = rng.random_range(34..52);
-    let mut flat = Layout::empty((width, height));
+    let mut flat = FlatLayout::empty((width, height));
     let (left, bottom) = (OUTER, OUTER);
     let (right, top) = (left + width, bottom + height);
     let split = bottom + strip;
@@ -245,7 +245,7 @@ fn studio(area: f64, rng: &mut Rng) -> Option<Layout> {
 }
 
 /// Rooms on both sides of a corridor.
-fn corridor(area: f64, rng: &mut Rng) -> Option<Layout> {
+fn corridor(area: f64, rng: &mut Rng) -> Option<FlatLayout> {
     let depths = [rng.random_range(52..100), rng.random_range(52..100)];
     let hall = rng.random_range(22..34);
     let height = depths[0] + depths[1] + hall + 2 * WALL;
@@ -257,7 +257,7 @@ fn corridor(area: f64, rng: &mut Rng) -> Option<Layout> {
     if rows.iter().any(Vec::is_empty) {
         return None;
     }
-    let mut flat = Layout::empty((width, height));
+    let mut flat = FlatLayout::empty((width, height));
     let (left, right) = (OUTER, OUTER + width);
     let bottoms = [OUTER, OUTER + depths[0] + hall + 2 * WALL];
     let way = (OUTER + depths[0] + WALL, OUTER + depths[0] + WALL + hall);
@@ -285,7 +285,7 @@ fn corridor(area: f64, rng: &mut Rng) -> Option<Layout> {
 }
 
 /// A living room with a kitchen, as deep as the flat, and rooms at one or both of its sides.
-fn open_plan(area: f64, rng: &mut Rng) -> Option<Layout> {
+fn open_plan(area: f64, rng: &mut Rng) -> Option<FlatLayout> {
     let height = rng.random_range(90..200);
     let width = across(area, height);
     let living = rng.random_range(70..=MOST_BITS);
@@ -300,7 +300,7 @@ fn open_plan(area: f64, rng: &mut Rng) -> Option<Layout> {
     if homes[..sides as usize].iter().any(Vec::is_empty) {
         return None;
     }
-    let mut flat = Layout::empty((width, height));
+    let mut flat = FlatLayout::empty((width, height));
     let edge = if sides == 2 { OUTER + columns[0] + WALL } else { OUTER };
     let middle = flat.add(RoomUse::OpenPlan, Area::new(edge, OUTER, edge + living, OUTER + height));
     let lefts = if sides == 2 { [OUTER, edge + living + WALL] } else { [edge + living + WALL, 0] };
@@ -351,7 +351,7 @@ fn split(length: i32, rooms: &[RoomUse], rng: &mut Rng) -> Option<Vec<i32>> {
 }
 
 /// A second door between neighbours, now and then: homes have loops.
-fn also_join(flat: &mut Layout, one: usize, other: usize, rng: &mut Rng) {
+fn also_join(flat: &mut FlatLayout, one: usize, other: usize, rng: &mut Rng) {
     use RoomUse::{Bath, Bedroom, Child, Kitchen, Living, Study};
     let mut pair = [flat.rooms[one].purpose, flat.rooms[other].purpose];
     pair.sort_by_key(|&purpose| purpose as usize);
@@ -367,11 +367,11 @@ fn also_join(flat: &mut Layout, one: usize, other: usize, rng: &mut Rng) {
 }
 
 /// One room without walls inside, as large as a room can be, beside its bath.
-fn single(area: f64) -> Layout {
+fn single(area: f64) -> FlatLayout {
     let strip = cells(2.0);
     let height = cells((area.sqrt() * 0.9).min(6.0)) + strip + WALL;
     let width = across(area, height);
-    let mut flat = Layout::empty((width, height));
+    let mut flat = FlatLayout::empty((width, height));
     let split = OUTER + strip;
     let main = flat.add(RoomUse::Studio, Area::new(OUTER, split + WALL, OUTER + width, OUTER + height));
     let bath = flat.add(RoomUse::Bath, Area::new(OUTER, OUTER, OUTER + cells(2.2), split));
@@ -394,7 +394,7 @@ mod tests {
         for tenth in 250..=1200 {
             let area = f64::from(tenth) / 10.0;
             let spec = FlatSpec { area_m2: [area, area], ..FlatSpec::default() };
-            let flat = Layout::new(&spec, &mut seeded(tenth as u64, 0));
+            let flat = FlatLayout::new(&spec, &mut seeded(tenth as u64, 0));
             let studio = flat.rooms.iter().any(|room| room.purpose == RoomUse::Studio);
             assert_eq!(studio, area < STUDIO, "{area}");
             assert!((flat.area_m2() / area - 1.0).abs() < 0.02, "{area}");
@@ -413,7 +413,7 @@ mod tests {
     #[test]
     fn doors_lie_in_walls_between_their_rooms() {
         for seed in 0..300 {
-            let flat = Layout::new(&FlatSpec::default(), &mut seeded(seed, 0));
+            let flat = FlatLayout::new(&FlatSpec::default(), &mut seeded(seed, 0));
             let mut reached = vec![false; flat.rooms.len()];
             reached[0] = true;
             for _ in &flat.rooms {

@@ -17,12 +17,12 @@ pub(super) struct Piece {
     pub size: (i32, i32),
     /// Depth of the floor before it that stays clear of other furniture, cells.
     pub front: i32,
-    pub parts: Vec<Part>,
+    pub parts: Vec<FurniturePart>,
 }
 
 /// A part of a piece.
 #[derive(Debug, Clone)]
-pub(super) enum Part {
+pub(super) enum FurniturePart {
     /// What stands flush on the floor: left, near, right and far edge, cells.
     Solid([i32; 4]),
     /// A leg or anything else that is round: its centre and radius, m.
@@ -58,17 +58,17 @@ impl Piece {
     }
 
     pub fn solid(mut self, edges: [i32; 4]) -> Self {
-        self.parts.push(Part::Solid(edges));
+        self.parts.push(FurniturePart::Solid(edges));
         self
     }
 
     pub fn rug(mut self, edges: [i32; 4]) -> Self {
-        self.parts.push(Part::Rug(edges));
+        self.parts.push(FurniturePart::Rug(edges));
         self
     }
 
     pub fn round(mut self, u: f64, v: f64, radius: f64) -> Self {
-        self.parts.push(Part::Round([u, v], radius));
+        self.parts.push(FurniturePart::Round([u, v], radius));
         self
     }
 
@@ -88,7 +88,7 @@ impl Piece {
 
     /// A square of `side` metres around a point, turned by `angle`.
     pub fn turned(mut self, (u, v): (f64, f64), side: f64, angle: f64) -> Self {
-        self.parts.push(Part::Slab(turned_square(side, angle).map(|[du, dv]| [u + du, v + dv]).to_vec()));
+        self.parts.push(FurniturePart::Slab(turned_square(side, angle).map(|[du, dv]| [u + du, v + dv]).to_vec()));
         self
     }
 }
@@ -146,24 +146,24 @@ impl Stand {
     }
 
     /// The object that a part is, unless it is drawn into the cells.
-    pub fn object(&self, part: &Part) -> Option<Object> {
+    pub fn object(&self, part: &FurniturePart) -> Option<Object> {
         let corners = |area: Area| {
             let [left, bottom, right, top] = area.metres();
             [(left, bottom), (right, bottom), (right, top), (left, top)].map(|(x, y)| Point::new(x, y)).to_vec()
         };
         match part {
-            Part::Solid(_) => None,
-            &Part::Round(at, radius) => Some(Object::Leg { at: self.point(at), radius }),
-            Part::Slab(outline) => {
+            FurniturePart::Solid(_) => None,
+            &FurniturePart::Round(at, radius) => Some(Object::Leg { at: self.point(at), radius }),
+            FurniturePart::Slab(outline) => {
                 Some(Object::Furniture { outline: outline.iter().map(|&at| self.point(at)).collect() })
             }
-            &Part::Rug(edges) => Some(Object::Carpet { outline: corners(self.area(edges)) }),
-            &Part::Dock(at) => Some(Object::Dock { pose: self.pose(at) }),
+            &FurniturePart::Rug(edges) => Some(Object::Carpet { outline: corners(self.area(edges)) }),
+            &FurniturePart::Dock(at) => Some(Object::Dock { pose: self.pose(at) }),
         }
     }
 
     /// The cells that a part takes; at least all those that it touches.
-    pub fn taken(&self, part: &Part) -> Option<Area> {
+    pub fn taken(&self, part: &FurniturePart) -> Option<Area> {
         let around = |points: &[Point], margin: f64| {
             let cell = |metres: f64| math::floor(metres / CELL);
             let low = points.iter().fold(points[0], |low, point| low.inf(point));
@@ -171,11 +171,15 @@ impl Stand {
             Area::new(cell(low.x - margin), cell(low.y - margin), cell(high.x + margin) + 1, cell(high.y + margin) + 1)
         };
         match part {
-            &Part::Solid(edges) => Some(self.area(edges)),
-            &Part::Round(at, radius) => Some(around(&[self.point(at)], radius)),
-            Part::Slab(outline) => Some(around(&outline.iter().map(|&at| self.point(at)).collect::<Vec<_>>(), 0.0)),
-            Part::Rug(_) => None,
-            &Part::Dock([u, v]) => Some(around(&[self.point([u - 0.08, v]), self.point([u + 0.08, v + 0.02])], 0.0)),
+            &FurniturePart::Solid(edges) => Some(self.area(edges)),
+            &FurniturePart::Round(at, radius) => Some(around(&[self.point(at)], radius)),
+            FurniturePart::Slab(outline) => {
+                Some(around(&outline.iter().map(|&at| self.point(at)).collect::<Vec<_>>(), 0.0))
+            }
+            FurniturePart::Rug(_) => None,
+            &FurniturePart::Dock([u, v]) => {
+                Some(around(&[self.point([u - 0.08, v]), self.point([u + 0.08, v + 0.02])], 0.0))
+            }
         }
     }
 }
