@@ -1,0 +1,26 @@
+// Every algorithm that the tab Robot offers drives the virtual Roomba. Other tabs: choices, compare and map.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openRobot } from "./connection.mjs";
+import { values } from "./app.mjs";
+
+// slow: some forty algorithms take their turn, and a Roomba drives no faster than one on the floor.
+test("every algorithm of the menu drives the virtual robot", async (t) => {
+  const { page, app, robot } = await openRobot(t);
+  await robot.connect();
+  await robot.arm();
+  const offered = await values(page, "connection-algorithm");
+  assert.ok(offered.length > 20, offered.join());
+  for (const algorithm of offered) {
+    await page.locator("#connection-algorithm").selectOption(algorithm);
+    const atStart = page.locator("#connection-to-start");
+    if (await atStart.isVisible()) await atStart.click();
+    await atStart.waitFor({ state: "hidden" });
+    const before = await robot.distance();
+    await page.locator("#connection-go").click();
+    await app.poll(() => robot.distance(), (metres) => metres > before, `${algorithm} to drive`);
+    assert.equal(await page.locator("#panel-connection .message").isVisible(), false, algorithm);
+    await page.locator("#connection-end").click();
+    await page.locator("#connection-end[aria-disabled=true], #connection-end:disabled").waitFor();
+  }
+});
