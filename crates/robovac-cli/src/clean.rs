@@ -7,9 +7,8 @@ use super::{
     simulate::DEFAULT_ROBOT,
     task::{ParamArguments, PlacementArguments},
 };
-use robovac_core::rng::seeded;
 use robovac_sim::{
-    Input, Run, STEP_S, controller,
+    Input, RandomStream, Run, STEP_S, controller,
     mapping::{MapObserver, Mapper, MapperSetup, Tracking},
     montecarlo::quantile,
 };
@@ -18,8 +17,6 @@ use std::fmt::Write;
 
 /// Longest time that it cleans, s.
 const MOST_S: f64 = 4.0 * 3600.0;
-/// Stream of the places where it is put down.
-const STREAM: u64 = 15;
 
 /// Simulate a robot that maps a room, then cleans the remaining floor using that map
 #[derive(clap::Args)]
@@ -118,7 +115,8 @@ fn clean(mut run: Run, arguments: &Arguments, planner: &'static str, seed: u64) 
             for _ in 0..100 {
                 run.step();
             }
-            let place = run.floor().anywhere(&mut seeded(seed, STREAM)).unwrap_or(run.pose());
+            let place =
+                run.floor().anywhere(&mut RandomStream::KidnappingBetweenCleanings.seeded(seed)).unwrap_or(run.pose());
             run.apply(Input::PutDown(place));
         }
         run.step();

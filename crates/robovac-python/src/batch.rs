@@ -15,17 +15,15 @@ use pyo3::prelude::*;
 use rand::RngExt;
 use robovac_core::{
     floor_plan::generate::FlatSpec,
-    rng::{Rng, seeded},
+    rng::Rng,
     robot::{Drive, RobotModel, model},
 };
 use robovac_sim::{
-    Conditions, Noise, NoiseLevel, SlipLevel,
+    Conditions, Noise, NoiseLevel, RandomStream, SlipLevel,
     learning::{Episode, Gains, Observations, PATCH_LEN, READINGS, RewardWeights, Task, truth},
 };
 use std::{sync::Arc, thread, time::Instant};
 
-/// Stream of an environment's random numbers.
-const STREAM: u64 = 71;
 /// Environments below which another thread isn't worth its start.
 const FEW: usize = 16;
 
@@ -161,7 +159,7 @@ impl Batch {
                 return Ok(());
             }
             if let Some(seed) = seeds[index] {
-                env.rng = seeded(seed, STREAM);
+                env.rng = RandomStream::Environment.seeded(seed);
             }
             let mut part = part;
             part.clear();
@@ -423,7 +421,9 @@ impl BatchArguments {
                     _ => Autoreset::NextStep,
                 },
             },
-            envs: (0..self.num_envs).map(|_| Env { episode: None, rng: seeded(0, STREAM), is_done: false }).collect(),
+            envs: (0..self.num_envs)
+                .map(|_| Env { episode: None, rng: RandomStream::Environment.seeded(0), is_done: false })
+                .collect(),
             threads: threads.max(1),
         })
     }

@@ -52,6 +52,7 @@ pub mod learning;
 pub mod mapping;
 pub mod montecarlo;
 pub mod program;
+mod random_stream;
 mod recording;
 pub mod study;
 
@@ -62,6 +63,7 @@ pub use input::Input;
 pub use life::Life;
 pub use noise::{Noise, NoiseLevel, SensorKind};
 pub use observer::RunObserver;
+pub use random_stream::RandomStream;
 pub use recording::RunRecording;
 pub use run::{Conditions, Run, RunSetup};
 pub use senses::Supply;

@@ -1,15 +1,11 @@
 //! Changes in the world during a run: movers and dirt.
 
-use super::{STEP_S, World, dirt::Spot, mover::Mover};
+use super::{RandomStream, STEP_S, World, dirt::Spot, mover::Mover};
 use robovac_core::{
     coverage::ReachableFloor,
     geometry::{Point, Pose},
-    rng::seeded,
     robot::RobotModel,
 };
-
-/// Stream of the random numbers.
-const STREAM: u64 = 5;
 
 /// The changing part of a world: positions of movers, and remaining dirt.
 #[derive(Debug, Clone, Default)]
@@ -26,7 +22,7 @@ impl Life {
     /// The world at the start of a run; `seed` determines everything random. Movers that would stand at the robot's
     /// start begin elsewhere.
     pub fn new(world: &World, floor: &ReachableFloor, seed: u64) -> Self {
-        let mut rng = seeded(seed, STREAM);
+        let mut rng = RandomStream::Life.seeded(seed);
         let spots: Vec<Spot> = world
             .dirt
             .iter()
@@ -41,7 +37,7 @@ impl Life {
             .iter()
             .enumerate()
             .map(|(number, (who, path))| {
-                Mover::new(*who, path, seeded(seed, STREAM + ((number as u64 + 1) << 8)), start, radius)
+                Mover::new(*who, path, RandomStream::Life.seeded_for(number, seed), start, radius)
             })
             .collect();
         let discs = movers.iter().map(Mover::disc).collect();

@@ -2,18 +2,14 @@
 //!
 //! The effect of each level on a kind of sensor is documented in that sensor's file.
 
+use crate::RandomStream;
 use rand::Rng as _;
-use robovac_core::{
-    math,
-    rng::{Rng, seeded},
-};
+use robovac_core::{math, rng::Rng};
 use serde::{Deserialize, Serialize};
 use std::{fmt, ops::Range, sync::Arc};
 
 /// Random bytes that are drawn in each step.
 const BYTES: usize = 16;
-/// Stream of the sensors' random numbers.
-const STREAM: u64 = 4;
 /// Steps of the normal distribution's numerical integration, per unit.
 const FINE: i32 = 128;
 /// Limit of the integration.
@@ -176,7 +172,7 @@ pub(super) struct NoiseSource {
 impl NoiseSource {
     /// The source of the robot with number `seed`.
     pub fn new(seed: u64) -> Self {
-        Self { rng: seeded(seed, STREAM), normals: Normals::new() }
+        Self { rng: RandomStream::Sensors.seeded(seed), normals: Normals::new() }
     }
 
     /// The random bytes of one step, for all sensors except the laser: each uses its own, so that the level of one kind

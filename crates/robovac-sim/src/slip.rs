@@ -14,8 +14,9 @@
 //! - Encoders of a Roomba 630 read about 10 % low (`PyRoombaAdapter`, pull request 28), a 780's odometry needs a
 //!   factor of 1.125 (`create_robot`, issue 32): uncalibrated robots are off by whole percents.
 
+use crate::RandomStream;
 use rand::Rng as _;
-use robovac_core::rng::{Rng, normal, seeded};
+use robovac_core::rng::{Rng, normal};
 use serde::{Deserialize, Serialize};
 
 /// Level of wheel slip.
@@ -86,7 +87,7 @@ pub struct Slip {
 impl Slip {
     /// The wheels of the robot with number `seed`.
     pub fn new(level: SlipLevel, seed: u64) -> Self {
-        let mut rng = seeded(seed, 1);
+        let mut rng = RandomStream::Slip.seeded(seed);
         let figures = level.figures();
         let mut about_one = |deviation: f64| 1.0 + deviation * normal(&mut rng);
         let sizes = [figures.size; 3].map(&mut about_one);

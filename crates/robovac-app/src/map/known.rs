@@ -6,11 +6,10 @@ use robovac_core::{
     floor_plan::FloorPlan,
     geometry::Pose,
     grid::{Cell, Occupancy},
-    rng::seeded,
     robot::{OdometryModel, RobotModel},
 };
 use robovac_sim::{
-    Input, World, dock_at,
+    Input, RandomStream, World, dock_at,
     mapping::{
         Marks, OccupancyMap,
         locate::{Locator, LocatorSetup},
@@ -18,8 +17,6 @@ use robovac_sim::{
 };
 use std::{fmt::Write, sync::Arc};
 
-/// Stream of random places for a robot that is to relocalise.
-const STREAM: u64 = 14;
 /// Log odds of a cell that is certain in a file.
 const SURE: f64 = 5.0;
 /// Longest side of a map, m; beyond any home.
@@ -196,7 +193,11 @@ impl MapSession {
     pub(super) fn lose(&mut self) {
         let seed = self.base.as_ref().map_or(0, |base| base.seed);
         if let Some(stage) = &mut self.stage {
-            let place = stage.run().floor().anywhere(&mut seeded(seed, STREAM)).unwrap_or(stage.run().pose());
+            let place = stage
+                .run()
+                .floor()
+                .anywhere(&mut RandomStream::KidnappingOnMap.seeded(seed))
+                .unwrap_or(stage.run().pose());
             stage.input(Input::Lift);
             stage.input(Input::PutDown(place));
         }

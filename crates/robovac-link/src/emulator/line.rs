@@ -6,11 +6,10 @@ use super::{
     uart::{Uart, byte_time},
 };
 use rand::RngExt;
-use robovac_core::rng::{Rng, seeded};
+use robovac_core::rng::Rng;
+use robovac_sim::RandomStream;
 use std::collections::VecDeque;
 
-/// Stream of the random numbers.
-const STREAM: u64 = 6;
 /// Most bytes waiting to be sent. Others are lost, so a stream that overruns its slots is corrupted after a while, as
 /// the specification warns. The size is ours.
 const BUFFER: usize = 1024;
@@ -62,7 +61,7 @@ impl SerialLine {
             host_ear: Uart::default(),
             faults: [who.lost_to_host, who.flipped_to_host, who.lost_to_robot],
             is_cut: !who.is_heard,
-            rng: seeded(seed, STREAM),
+            rng: RandomStream::SerialLine.seeded(seed),
         }
     }
 

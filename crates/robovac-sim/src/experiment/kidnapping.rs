@@ -1,7 +1,7 @@
 //! Kidnapped robot trials: the time until a robot with a map relocalises.
 
 use crate::{
-    Conditions, Input, STEP_S,
+    Conditions, Input, RandomStream, STEP_S,
     controller::BehaviourInfo,
     experiment::planning::RoomSetup,
     mapping::{
@@ -16,12 +16,9 @@ use robovac_core::{
     geometry::{Pose, difference},
     math,
     registry::Params,
-    rng::seeded,
     robot::{OdometryModel, RobotModel},
 };
 
-/// Stream of the places where it is put down.
-const STREAM: u64 = 13;
 /// Steps before it is picked up, and for which it is held.
 const BEFORE: u64 = 1000;
 const IN_THE_AIR: u64 = 200;
@@ -70,7 +67,7 @@ impl Kidnapping<'_> {
         let map = OccupancyMap::of(&with_objects(self.plan));
         let setup = LocatorSetup { robot: self.robot.clone(), odometry: self.odometry, seed };
         let mut locator = Locator::new(&map, setup)?.knowing_docks(&self.prepared.world.docks);
-        let mut rng = seeded(seed, STREAM);
+        let mut rng = RandomStream::Kidnapping.seeded(seed);
         let places = locator.places();
         let at = places[rng.random_range(0..places.len())];
         let pose = Pose::new(at.x, at.y, rng.random_range(-math::PI..math::PI));

@@ -15,16 +15,13 @@
 //! the time.
 
 use super::Carrier;
-use crate::{Conditions, NoiseLevel, STEP_S, SensorKind, World};
+use crate::{Conditions, NoiseLevel, RandomStream, STEP_S, SensorKind, World};
 use rand::RngExt;
 use robovac_core::{
     math,
-    rng::seeded,
     robot::{BatteryReading, RobotModel, SensorReadings},
 };
 
-/// Stream of a battery's constant errors.
-const STREAM: u64 = 4;
 /// Points of the voltage curve: share of the charge, and voltage as a share of the nominal one.
 const CURVE: [(f64, f64); 4] = [(0.0, 12.0 / 14.4), (0.14, 13.9 / 14.4), (0.91, 16.0 / 14.4), (1.0, 16.2454 / 14.4)];
 /// Additional power of stalled wheels, W.
@@ -82,7 +79,7 @@ impl BatteryCells {
             on_dock: false,
             supply: None,
             has_spares: spare_batteries,
-            gauge: if is_worn { seeded(!seed, STREAM).random_range(0.85..1.15) } else { 1.0 },
+            gauge: if is_worn { RandomStream::Sensors.seeded(!seed).random_range(0.85..1.15) } else { 1.0 },
             noise: [(0.0, 0.0), (20.0, 10.0), (100.0, 50.0)][level as usize],
             nominal: battery.voltage,
             capacity_mah: battery.capacity_mah,

@@ -9,17 +9,11 @@
 //! often is ours). Both are taken as one standard deviation.
 
 use super::{Around, BodyFrame, sight};
-use crate::{NoiseLevel, STEP_S, noise::Normals};
+use crate::{NoiseLevel, RandomStream, STEP_S, noise::Normals};
 use rand::Rng as _;
-use robovac_core::{
-    math,
-    rng::{Rng, seeded},
-    robot::Laser,
-};
+use robovac_core::{math, rng::Rng, robot::Laser};
 use std::sync::Arc;
 
-/// Stream of its random numbers, of which it draws many at a time.
-const STREAM: u64 = 40;
 /// One beam in this many is lost.
 const LOST: u64 = 50;
 
@@ -49,7 +43,7 @@ impl Scanner {
         let angle = |beam: usize| laser.first + laser.step * beam as f64;
         let directions = (0..laser.beams).map(|beam| [math::cos(angle(beam)), math::sin(angle(beam))]).collect();
         let errors = (level != NoiseLevel::Off).then(|| Errors {
-            rng: seeded(seed, STREAM),
+            rng: RandomStream::Laser.seeded(seed),
             normals: Normals::new(),
             deviation: if level == NoiseLevel::Harsh { 0.03 } else { 0.01 },
             loses_beams: level == NoiseLevel::Harsh,

@@ -8,17 +8,15 @@ use super::{
     travel::EncoderTravel,
     voids::Voids,
 };
-use crate::controller::Setup;
+use crate::{RandomStream, controller::Setup};
 use rand::RngExt;
 use robovac_core::{
     math,
-    rng::{Rng, seeded},
+    rng::Rng,
     robot::{Drive, RobotModel, SensorReadings},
 };
 use std::collections::VecDeque;
 
-/// Stream of the behaviours' random numbers.
-const STREAM: u64 = 3;
 /// Speed of reversing as a share of the forward speed, as there are no rear sensors.
 const REVERSE: f64 = 0.6;
 /// Remaining wheel travel at which a distance or angle counts as done, m.
@@ -123,7 +121,7 @@ impl Pilot {
         let robot = setup.robot.clone();
         let speed = safe_speed(&robot);
         Self {
-            rng: seeded(setup.seed, STREAM),
+            rng: RandomStream::Behaviour.seeded(setup.seed),
             speed,
             turn_speed: robot.turn_wheel_speed,
             by: By::Counts,

@@ -8,6 +8,7 @@ use super::{
     scan_reading::{ScanReading, ScanSearch},
 };
 use crate::{
+    RandomStream,
     docking::{berth, could_touch},
     mapping::{OccupancyMap, PoseCovariance, scan::Match},
 };
@@ -15,13 +16,11 @@ use rand::RngExt;
 use robovac_core::{
     geometry::{Point, Pose, difference},
     math,
-    rng::{Rng, seeded},
+    rng::Rng,
     robot::{Odometry, OdometryModel, RobotModel, SensorReadings},
 };
 use std::sync::Arc;
 
-/// Stream of its random numbers.
-const STREAM: u64 = 12;
 /// Distance and turn between two updates, m and rad.
 const STRIDE: (f64, f64) = (0.06, 0.15);
 /// Poses drawn at once in a global search, and number of draws.
@@ -139,7 +138,7 @@ impl Locator {
             lit: Arc::default(),
             docks: Landmarks::new(&[], &setup.robot),
             on_dock: false,
-            rng: seeded(setup.seed, STREAM),
+            rng: RandomStream::Localisation.seeded(setup.seed),
             looked: origin,
             bumped: false,
             lifted: false,

@@ -14,18 +14,16 @@ use super::{
     pose_ekf::PoseEkf,
     reckoning::{Reckoning, Rolling, WheelErrors},
 };
-use crate::docking::berth;
+use crate::{RandomStream, docking::berth};
 use by_scan::ByScan;
 use nalgebra::{Matrix3, Vector3};
 use robovac_core::{
     geometry::{Pose, Vector, difference},
     math,
-    rng::{normal, seeded},
+    rng::normal,
     robot::{Body, SensorReadings},
 };
 
-/// Stream of its random numbers.
-const STREAM: u64 = 60;
 /// Dirt sensor values up to this are noise of the brush (ours).
 const DIRTY: u8 = 24;
 /// Number of poses that represent its estimate.
@@ -187,7 +185,7 @@ impl Mapper {
         let (pose, weight) = (self.pose(), 1.0 / PARTICLES as f64);
         let covariance = self.covariance() + Matrix3::identity() * 1e-12;
         let Some(root) = covariance.cholesky() else { return vec![(pose, 1.0)] };
-        let mut rng = seeded(self.setup.seed, STREAM);
+        let mut rng = RandomStream::LoopClosure.seeded(self.setup.seed);
         let draw = |_| {
             let off = root.l() * Vector3::from_fn(|_, _| normal(&mut rng));
             (Pose::new(pose.x + off.x, pose.y + off.y, pose.heading + off.z), weight)
