@@ -4,7 +4,8 @@
 // Versions are those of MDN's browser compatibility data for `Serial` (Chrome and Edge 89, Opera 76, Firefox 151). What
 // counts is what the browser offers, though. On Android, Chrome has ports over Bluetooth and, from 148, adapters of USB's
 // own class (CDC), but none of those that most cables are built with: these, the page drives itself over WebUSB.
-const BROWSERS = "Chrome, Edge or Opera on a computer, Firefox 151 or later on a computer, or Chrome on Android";
+// Chrome on Android isn't named: nobody has tried it on a phone.
+const BROWSERS = "Chrome, Edge, Opera, or Firefox 151 or later, on a computer";
 const OTHERWISE = "reach the robot through a Wi-Fi bridge (WebSocket), or try the virtual robot, which works everywhere";
 
 /**
