@@ -9,7 +9,7 @@ use robovac_core::{
     floor_plan::{SourceFile, generate::FlatId},
     geometry::{Point, Pose},
 };
-use robovac_sim::experiment::SettingsError;
+use robovac_sim::{controller, experiment::SettingsError};
 
 #[test]
 fn link_brings_the_same_session_back() {
@@ -242,4 +242,14 @@ fn generated_flat_is_told_by_the_parts_of_its_name() {
         assert_eq!([flat.seed.as_str(), &flat.area, &flat.more], [seed, area, more]);
         assert!(room.note.ends_with(" rooms.") && !room.note.contains("Generated"), "{}", room.note);
     }
+}
+
+#[test]
+fn link_to_a_behaviour_that_explore_lacks_says_where_it_is() {
+    let mut session = Session::with(controller::MAPLESS);
+    let before = session.link();
+    let refusal = session.restore("#room=flat&behaviour=learned").unwrap_err().to_string();
+    assert!(refusal.contains("\"learned\" keeps a map") && refusal.contains("Compare or Map"), "{refusal}");
+    assert_eq!(session.link(), before);
+    assert!(Session::new().restore("#room=flat&behaviour=learned").is_ok());
 }

@@ -142,6 +142,8 @@ macro_rules! registry {
         pub const ALL: Behaviours = Behaviours(
             &[$((&$($plain::)+INFO, $($plain::)+BUILD),)* $((&$($explorer::)+INFO, $($explorer::)+BUILD)),*]
         );
+        /// Ids of the behaviours that keep a map.
+        pub const WITH_MAP: &[&str] = &[$($($explorer::)+INFO.id),*];
         /// Metadata of all behaviours.
         pub const BEHAVIOURS: &[&BehaviourInfo] = &[$(&$($plain::)+INFO,)* $(&$($explorer::)+INFO),*];
         const EXPLAINERS: &[(&str, &Explainer)] = &[

@@ -56,10 +56,15 @@ impl Algorithm {
         id: &str,
         these: impl Iterator<Item = Self> + Clone,
     ) -> Result<Self, SettingsError> {
-        these.clone().find(|algorithm| algorithm.id() == id).ok_or_else(|| SettingsError::Unknown {
-            kind,
-            id: id.to_owned(),
-            known: these.map(Self::id).collect::<Vec<_>>().join(", "),
+        these.clone().find(|algorithm| algorithm.id() == id).ok_or_else(|| {
+            if kind != "planner" && controller::WITH_MAP.contains(&id) {
+                return SettingsError::KeepsMap(id.to_owned());
+            }
+            SettingsError::Unknown {
+                kind,
+                id: id.to_owned(),
+                known: these.map(Self::id).collect::<Vec<_>>().join(", "),
+            }
         })
     }
 

@@ -15,6 +15,9 @@ pub enum SettingsError {
         /// The available names.
         known: String,
     },
+    /// A behaviour that keeps a map, where none is kept.
+    #[error("\"{0}\" keeps a map, which Explore does not draw; choose it in Compare or Map")]
+    KeepsMap(String),
     /// A number that is invalid or out of range.
     #[error("{kind} can't be \"{value}\"; use {expected}")]
     Invalid {
