@@ -3,7 +3,7 @@
 import { closure, isHello } from "./bridge-words.js";
 import { unreachable } from "./local-network.js";
 import { failure } from "./ports.js";
-import { within } from "./serial-port.js";
+import { within } from "./within.js";
 
 /** Time limit for a bridge to answer, ms. */
 const OPEN_MS = 8000;

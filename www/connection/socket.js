@@ -5,7 +5,7 @@ import { closure, haltedBecause, isHello, misfit, wellFormed } from "./bridge-wo
 import { dial } from "./dial.js";
 import { takeLock } from "./lock.js";
 import { failure } from "./ports.js";
-import { within } from "./serial-port.js";
+import { within } from "./within.js";
 
 /** Time limit for a bridge to take bytes, and time until a lost one is tried again, ms. */
 const STALL_MS = 1500;

@@ -1,7 +1,8 @@
 // @ts-check
 // One opening of a USB adapter over WebUSB: bytes both ways until it is closed or lost.
+import { AdapterPort, CLOSE_MS, OPEN_MS } from "../adapter-port.js";
 import { failure } from "../ports.js";
-import { CLOSE_MS, LAST_WORDS_MS, OPEN_MS, WRITE_MS, within } from "../serial-port.js";
+import { within } from "../within.js";
 import { chipOf } from "./chips.js";
 import { DeviceControl, Refused, bytesOf } from "./control.js";
 
@@ -17,33 +18,25 @@ const PACKETS = 8;
 const TRANSFERS = 4;
 
 /** @implements {OpenablePort} */
-export class UsbPort {
+export class UsbPort extends AdapterPort {
   #device;
-  #events;
   #chip;
   /** @type {DeviceControl | undefined} */
   #control;
   #out = 0;
-  #isOver = false;
-  /** When the writes began that aren't done yet. @type {number[]} */
-  #writes = [];
-
   /** @param {UsbDevice} device @param {import("../types").PortEvents} events */
   constructor(device, events) {
+    super(events);
     this.#device = device;
-    this.#events = events;
     this.#chip = /** @type {import("./types").Chip} */ (chipOf(device));
   }
-
-  /** Whether the adapter has control lines. All of these chips do. */
-  hasSignals = false;
 
   /** Opens it; throws a `Failure`. @param {number} baud */
   async open(baud) {
     try {
       await within(OPEN_MS, this.#open(baud));
     } catch (error) {
-      this.#isOver = true;
+      this.isOver = true;
       await within(CLOSE_MS, this.#device.close()).catch(() => {});
       throw cantOpen(error, this.#chip.name);
     }
@@ -66,12 +59,12 @@ export class UsbPort {
     this.hasSignals = true;
     void this.#read(bulkIn, PACKETS, TRANSFERS, (data) => this.#received(data, bulkIn.packetSize));
     const { errors } = this.#chip;
-    if (errors && state) void this.#read(state, 1, 1, (packet) => errors(packet).forEach((error) => this.#events.onerror(error)));
+    if (errors && state) void this.#read(state, 1, 1, (packet) => errors(packet).forEach((error) => this.events.onerror(error)));
   }
 
   /** Pulls RTS, and with it BRC, low (`true`), or lets go of it; says whether the adapter can. @param {boolean} isLow */
   async setBrc(isLow) {
-    if (!this.#control || this.#isOver) return false;
+    if (!this.#control || this.isOver) return false;
     try {
       await within(CLOSE_MS, this.#chip.setRts(this.#control, isLow));
       return true;
@@ -80,32 +73,27 @@ export class UsbPort {
     }
   }
 
-  /** @param {Uint8Array} bytes */
-  write(bytes) {
-    if (this.#isOver || !this.#control || !bytes.length) return;
-    const now = performance.now();
-    if (this.#writes.length && now - this.#writes[0] > WRITE_MS) return this.#lose("The adapter no longer accepts data.");
-    this.#writes.push(now);
-    this.#device.transferOut(this.#out, Uint8Array.from(bytes)).then(
-      ({ status }) => {
-        this.#writes.shift();
-        if (status !== "ok") this.#lose("The adapter no longer accepts data.");
-      },
-      (error) => this.#lose(said(error)),
-    );
+  /** @override @param {Uint8Array<ArrayBuffer>} bytes */
+  send(bytes) {
+    return this.#control && this.#transfer(bytes);
   }
 
-  /** Sends what was written and closes, or gives up after a second: a dead adapter may never answer. */
-  async close() {
-    this.#isOver = true;
-    await within(CLOSE_MS, this.#close()).catch(() => {});
+  /** @param {Uint8Array<ArrayBuffer>} bytes */
+  async #transfer(bytes) {
+    const { status } = await this.#device.transferOut(this.#out, bytes);
+    if (status !== "ok") this.lose("The adapter no longer accepts data.");
   }
 
-  async #close() {
-    // What was transferred is in the chip, which takes its time to send it; closing empties some chips.
-    await new Promise((later) => setTimeout(later, LAST_WORDS_MS));
+  /** @override */
+  async shut() {
+    // What was transferred is in the chip, which took its time to send it; closing empties some chips.
     if (this.#control) await this.#chip.stop?.(this.#control).catch(() => {});
     await this.#device.close();
+  }
+
+  /** @override @param {unknown} error */
+  said(error) {
+    return /** @type {Error} */ (error).name === "NotFoundError" ? "The adapter was unplugged." : super.said(error);
   }
 
   /** Reads from an endpoint until the end. @param {UsbEndpoint} end @param {number} packets @param {number} transfers @param {(data: Uint8Array) => void} arrived */
@@ -118,36 +106,23 @@ export class UsbPort {
     };
     const waiting = Array.from({ length: transfers }, ask);
     try {
-      for (let next = waiting.shift(); next && !this.#isOver; next = waiting.shift()) {
+      for (let next = waiting.shift(); next && !this.isOver; next = waiting.shift()) {
         const { status, data } = await next;
-        if (this.#isOver) return;
+        if (this.isOver) return;
         if (status === "stall") await this.#device.clearHalt("in", endpointNumber);
         if (data?.byteLength) arrived(bytesOf(data));
         waiting.push(ask());
       }
     } catch (error) {
-      this.#lose(said(error));
+      this.lose(this.said(error));
     }
   }
 
   /** @param {Uint8Array} data @param {number} packetSize */
   #received(data, packetSize) {
-    const bytes = this.#chip.unpack ? this.#chip.unpack(data, packetSize, this.#events.onerror) : data;
-    if (bytes.length) this.#events.onbytes(bytes);
+    const bytes = this.#chip.unpack ? this.#chip.unpack(data, packetSize, this.events.onerror) : data;
+    if (bytes.length) this.events.onbytes(bytes);
   }
-
-  /** @param {string} why */
-  #lose(why) {
-    if (this.#isOver) return;
-    void this.close();
-    this.#events.onlost(why);
-  }
-}
-
-/** @param {unknown} error */
-function said(error) {
-  const { name, message } = /** @type {Error} */ (error);
-  return name === "NotFoundError" || name === "NetworkError" ? "The adapter was unplugged." : `The adapter failed (${message}).`;
 }
 
 /** @param {unknown} error @param {string} chip */
