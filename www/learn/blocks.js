@@ -3,7 +3,7 @@
 import { make } from "../dom.js";
 import { toast } from "../messages.js";
 import { pack } from "../explore/pack.js";
-import { applyLink, applyScenario } from "./scene.js";
+import { DEFAULTS, applyLink, applyScenario } from "./scene.js";
 
 /**
  * @typedef {import("../types").LessonBlock} Block
@@ -11,6 +11,7 @@ import { applyLink, applyScenario } from "./scene.js";
  * @property {import("../main.js").App} app
  * @property {import("../../learn.js").LessonText} text
  * @property {import("../types").Lesson} lesson
+ * @property {boolean} isOurs Whether the lesson comes with the page.
  * @property {import("./store.js").Done} done
  * @property {() => void} changed Something was done: keeps it.
  * @property {AbortSignal} signal Ends with the lesson.
@@ -86,7 +87,7 @@ export function hint({ done, changed }, { html }, index) {
 }
 
 /** @param {Context} context @param {Extract<Block, { kind: "code" }>} block */
-export function code({ app, lesson }, { language, text }) {
+export function code({ app, lesson, isOurs }, { language, text }) {
   const copy = press("Copy", () => {
     navigator.clipboard.writeText(text).then(
       () => toast("Program copied"),
@@ -95,8 +96,15 @@ export function code({ app, lesson }, { language, text }) {
   });
   const row = make("p", { className: "act" }, copy);
   const open = async () => {
+    // A program of this page needs no warning about its author.
+    if (isOurs) {
+      const { freeName, freshId, isTrusted, put } = await import("../program/own-programs.js");
+      if (!isTrusted(text)) put({ id: freshId(), name: freeName(lesson.id), language: /** @type {"python" | "javascript"} */ (language), source: text });
+    }
     const packed = await pack(JSON.stringify({ name: lesson.id, language, source: text }));
-    location.hash = `${app.playground.link()}&tab=program&code=${packed}`;
+    // Where the goal is: the robot on the floor drives there, too.
+    const goal = lesson.blocks.find((block) => block.kind === "goal" && !block.scene);
+    location.hash = `${goal?.kind === "goal" ? `${DEFAULTS}&${goal.start}` : app.playground.link()}&tab=program&code=${packed}`;
   };
   if (document.getElementById("tab-program")) row.append(press("Open in Program", open, "primary"));
   return make("div", { className: "part" }, make("pre", { tabIndex: 0, "aria-label": `Program in ${language === "python" ? "Python" : "JavaScript"}` }, make("code", {}, text)), row);

@@ -12,10 +12,10 @@ import { clearAll, exportAll, progress } from "./store.js";
  */
 export async function showList(app, open, again) {
   const list = make("ol", { className: "lessons" });
-  for (const { id, title, minutes, about } of await lessons()) {
+  for (const [index, { id, title, minutes, about }] of (await lessons()).entries()) {
     const [done, parts] = progress(id);
     const state = parts === 0 ? `${minutes} min` : done >= parts ? "done" : `${done} of ${parts}`;
-    const button = make("button", { type: "button", onclick: () => open(id) }, make("b", {}, title), make("span", { className: "note" }, about), make("span", { className: "state", title: "Predictions, goals and quizzes done" }, state));
+    const button = make("button", { type: "button", onclick: () => open(id) }, make("span", { className: "number" }, `${index + 1}`), make("b", {}, title), make("span", { className: "note" }, about), make("span", { className: "state", title: "Predictions, goals and quizzes done" }, state));
     list.append(make("li", {}, button));
   }
   const picker = make("input", { type: "file", accept: ".md,text/markdown", hidden: true, "aria-label": "Lesson file" });

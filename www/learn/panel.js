@@ -54,7 +54,7 @@ export function startPanel(app) {
   /** @param {import("./source.js").Source} lesson */
   function render(lesson) {
     fill("");
-    const read = readLesson(app, lesson, { isLecture: lecture.isOn(), signal: ends.signal, ticks });
+    const read = readLesson(app, lesson, { isLecture: lecture.isOn(), signal: ends.signal, ticks, open: (id) => void show(id) });
     title.textContent = read.title;
     body.replaceChildren(...read.parts);
     source = lesson;

@@ -7,6 +7,7 @@ import { download } from "../files.js";
 import { act, code, hint, predict, press, prose, scene } from "./blocks.js";
 import { goal, measure } from "./goal.js";
 import { quiz } from "./quiz.js";
+import { lessons } from "./source.js";
 import { done, keep, nothing } from "./store.js";
 
 /** Parts that count as something to do. */
@@ -15,9 +16,9 @@ const COUNTED = ["predict", "goal", "quiz"];
 /**
  * @param {import("../main.js").App} app
  * @param {import("./source.js").Source} source
- * @param {{ isLecture: boolean, signal: AbortSignal, ticks: (() => void)[] }} how In a lecture nothing of the reader's is shown or kept.
+ * @param {{ isLecture: boolean, signal: AbortSignal, ticks: (() => void)[], open: (id: string) => void }} how In a lecture nothing of the reader's is shown or kept.
  */
-export function readLesson(app, source, { isLecture, signal, ticks }) {
+export function readLesson(app, source, { isLecture, signal, ticks, open }) {
   const text = new LessonText(source.text);
   signal.addEventListener("abort", () => text.free());
   const lesson = text.view();
@@ -26,7 +27,7 @@ export function readLesson(app, source, { isLecture, signal, ticks }) {
   state.parts = lesson.blocks.filter(({ kind }) => COUNTED.includes(kind)).length;
   const changed = () => void (isLecture || keep());
   changed();
-  const context = { app, text, lesson, done: state, changed, signal, ticks };
+  const context = { app, text, lesson, isOurs: source.isOurs, done: state, changed, signal, ticks };
 
   let hints = 0;
   const parts = lesson.blocks.map((block, index) => {
@@ -51,7 +52,7 @@ export function readLesson(app, source, { isLecture, signal, ticks }) {
         return quiz(context, block);
     }
   });
-  return { title: lesson.title, parts: [head(lesson), ...parts, foot(source, lesson, state)] };
+  return { title: lesson.title, parts: [head(lesson), ...parts, foot(source, lesson, state, open)] };
 }
 
 /** @param {import("../types").Lesson} lesson */
@@ -61,8 +62,15 @@ function head({ minutes, audience, outcomes }) {
   return make("div", { className: "prose outcomes" }, make("p", { className: "note" }, facts), ...goals);
 }
 
-/** @param {import("./source.js").Source} source @param {import("../types").Lesson} lesson @param {import("./store.js").Done} state */
-function foot(source, lesson, state) {
+/** @param {import("./source.js").Source} source @param {import("../types").Lesson} lesson @param {import("./store.js").Done} state @param {(id: string) => void} open */
+function foot(source, lesson, state, open) {
+  const next = make("p", { className: "act" });
+  if (source.isOurs) {
+    void lessons().then((all) => {
+      const found = all[all.findIndex(({ id }) => id === lesson.id) + 1];
+      if (found) next.append(press(`Next lesson: ${found.title}`, () => open(found.id), "primary"));
+    });
+  }
   const name = make("input", { type: "text", autocomplete: "name", "aria-label": "Your name", placeholder: "Your name" });
   const sources = lesson.sources.length > 0 ? [make("h3", {}, "Sources"), ...lesson.sources.map((html) => prose(html, "source"))] : [];
   return make(
@@ -72,6 +80,7 @@ function foot(source, lesson, state) {
     make("h3", {}, "Hand in"),
     make("p", { className: "note" }, "Saves a file with your settings, the numbers of the runs and their digests. Anybody can repeat it with robovac grade."),
     make("p", { className: "act" }, name, press("Hand in", () => handIn(lesson, state, name.value)), press("Get a link to send", () => void send(source)), press("Print", () => window.print())),
+    next,
   );
 }
 

@@ -3,7 +3,7 @@
 import { settingsOf } from "../settings-link.js";
 
 /** What links of lessons don't name is as on a new page. */
-const DEFAULTS = "seed=1&slip=none&noise=off&quantised=false&charge=100&odometry=arc";
+export const DEFAULTS = "seed=1&slip=none&noise=off&quantised=false&charge=100&odometry=arc";
 
 /**
  * @param {import("../main.js").App} app

@@ -12,16 +12,21 @@ pub struct BlockLine {
     pub value: String,
 }
 
-/// A number as people write it, `-42.5`: up to 15 digits. All that is exact with two floats and one division; the library's
-/// reader of any number weighs more than the rest of this crate.
+/// Digits that a float holds exactly.
+const MOST_DIGITS: usize = 15;
+
+/// A number as people write it, `-42.5`. What a calculator shows beyond 15 digits makes no difference. All that is exact with
+/// two floats and one division; the library's reader of any number weighs more than the rest of this crate.
 pub fn decimal(text: &str) -> Option<f64> {
     let (sign, digits) = text.strip_prefix('-').map_or((1.0, text), |rest| (-1.0, rest));
     let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
-    let all = || whole.bytes().chain(part.bytes());
-    if !(1..=15).contains(&all().count()) || !all().all(|digit| digit.is_ascii_digit()) {
+    let is_number = [whole, part].iter().all(|digits| digits.bytes().all(|digit| digit.is_ascii_digit()));
+    if !is_number || digits == "." || digits.is_empty() || whole.len() > MOST_DIGITS {
         return None;
     }
-    let number = all().fold(0_u64, |number, digit| 10 * number + u64::from(digit - b'0'));
+    let part = part.get(..MOST_DIGITS - whole.len()).unwrap_or(part);
+    let all = whole.bytes().chain(part.bytes());
+    let number = all.fold(0_u64, |number, digit| 10 * number + u64::from(digit - b'0'));
     let scale = part.bytes().fold(1.0, |scale, _| 10.0 * scale);
     Some(sign * (number as f64 / scale))
 }

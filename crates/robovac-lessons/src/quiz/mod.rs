@@ -189,4 +189,12 @@ mod tests {
         let right = question.right();
         assert!(question.is_right(&format!("{right} °")) && question.is_right(&right.replace('.', ",")), "{right}");
     }
+
+    #[test]
+    fn a_number_with_all_the_digits_of_a_calculator_was_marked_wrong() {
+        let question = QuizKind::Odometry.question(3);
+        let right = question.right();
+        assert!(right.contains('.') && question.is_right(&format!("{right}48775592131674")), "{right}");
+        assert!(!question.is_right("1234567890123456") && !question.is_right(".") && !question.is_right("1.2.3"));
+    }
 }
