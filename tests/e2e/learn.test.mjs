@@ -274,3 +274,36 @@ test("a definition leads to the lesson that explains it, by pointer and by key",
   await page.locator("#tip").getByRole("button", { name: /Explained in lesson 1/ }).click();
   await page.locator("#learn").getByRole("heading", { name: "Who wins?" }).waitFor();
 });
+
+/** Where the numbers and controls are that lessons explain. */
+const PLACES = [
+  "room=thesis8&planner=boustrophedon", "room=thesis8&behaviour=bounce", "room=living&behaviour=wall_follow", "room=stairs&behaviour=bounce",
+  "room=thesis8&behaviour=bounce&tab=map", "room=thesis8&tab=compare&view=numbers", "room=thesis8&tab=compare&view=runs", "room=thesis8&robot=roomba600&slip=typical&tab=compare&view=runs&runs=explore_edge&paths=&times=3&minutes=2",
+];
+
+test("every definition is a sentence, and each label that a lesson explains leads to it from where it stands on the page", async (t) => {
+  const { page, app } = await openApp(t, { address: `#${PLACES[0]}` });
+  await page.mouse.move(400, 300);
+  const found = new Map();
+  for (const place of PLACES) {
+    await page.evaluate((hash) => (location.hash = hash), place);
+    await app.settled();
+    const tab = new URLSearchParams(place).get("tab") ?? "explore";
+    await page.locator(`#panel-${tab} [data-tip]`).first().waitFor({ state: "attached" });
+    if (place.includes("explore_")) {
+      await page.locator("#runs-go").click();
+      await page.locator("#panel-compare th").filter({ hasText: "90 % found" }).waitFor();
+    }
+    const tips = await page.evaluate(async (panel) => {
+      const { lessonOf } = await import(new URL("www/learn/explains.js", document.baseURI).href);
+      const owners = [...document.querySelectorAll(`#panel-${panel} [data-tip]:not([data-tip=""])`)];
+      return Promise.all(owners.map(async (owner) => [owner.getAttribute("data-tip"), owner.textContent, (await lessonOf(owner))?.id, ((owner.querySelector(".term, .label") ?? owner).firstChild?.textContent ?? "").replace(/,.*/, "").trim()]));
+    }, tab);
+    for (const [tip, text, lesson, label] of tips) {
+      assert.match(tip, /^[^a-z].*[.?)]$/s, `"${text}" has no sentence: ${tip}`);
+      if (lesson) found.set(label.toLowerCase(), lesson);
+    }
+  }
+  const lost = INDEX.flatMap(({ id, explains }) => explains.filter((label) => found.get(label.toLowerCase()) !== id));
+  assert.deepEqual(lost, [], "nothing on the page leads from these to their lessons");
+});
