@@ -52,7 +52,7 @@ export function loadJavaScript(options) {
   const tracer = {
     at: (/** @type {number} */ now) => {
       line = now;
-      if (--left < 0) throw new SourceError(isRunning ? "this line is run again and again: the step never ends" : "this line is run again and again: the program never starts", now);
+      if (--left < 0) throw new SourceError(isRunning ? `this line is run again and again: the ${kind === "plan" ? "plan" : "step"} never ends` : "this line is run again and again: the program never starts", now);
     },
     stop: (/** @type {number} */ now, /** @type {() => unknown} */ condition) => {
       try {
@@ -178,6 +178,7 @@ export function loadJavaScript(options) {
     /** @param {{rows: string[], cell: number, start: number[]}} room */
     *plan(room) {
       left = budget;
+      isRunning = true;
       try {
         const cells = own(new Room(room));
         for (const cell of cells ?? []) {

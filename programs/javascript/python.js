@@ -26,13 +26,14 @@ export async function loadPython(options) {
   const output = [];
   let isDead = false;
   let hint = 0;
+  let what = "program never starts";
 
   /** @param {any} error */
   const inWords = (error) => {
     if (error instanceof SourceError) return error;
     if (error?.neverEnds) {
       isDead = true;
-      return new SourceError("this line is run again and again: the step never ends", heap.words[traceAt]);
+      return new SourceError(`this line is run again and again: the ${what}`, heap.words[traceAt]);
     }
     if (!error?.python) return error;
     const inPython = pythonError(error.message, name, text.lines);
@@ -61,6 +62,7 @@ export async function loadPython(options) {
   const loading = named("load");
   options.begins?.();
   const { kind, floats, out } = JSON.parse(String(call(loading, text.source, name, JSON.stringify(facts), String(seed))));
+  what = kind === "plan" ? "plan never ends" : "step never ends";
   const [floatsAt, outAt] = [floats >> 3, out >> 3];
   python.run("robot = page.program.robot\nfunction = page.program.function");
   const robot = named("robot");

@@ -1,11 +1,14 @@
-// Programs of strangers: whatever they do, they reach nothing, and the page goes on. HOSTILE=1000 runs a thousand of them.
+// Programs of strangers: whatever they do, they reach nothing, and the page goes on. HOSTILE=1000 runs a thousand of them;
+// with FROM=500, the thousand after the first 500.
 import assert from "node:assert/strict";
 import http from "node:http";
 import { test } from "node:test";
-import { openPage } from "./harness.mjs";
+import { launchBrowser, serveFolder, withoutServiceWorkers } from "./browser.mjs";
+import { DIST } from "./harness.mjs";
 import { hostile } from "./hostile.mjs";
 
 const COUNT = Number(process.env.HOSTILE ?? 24);
+const FROM = Number(process.env.FROM ?? 0);
 const SEED = Number(process.env.SEED ?? 7);
 /** Longest that the page may stand still, ms. Other tests run beside this one: what the programs add shows on a quiet machine. */
 const MOST_MS = Number(process.env.MOST_MS ?? (process.env.HOSTILE ? 100 : 1000));
@@ -27,6 +30,31 @@ async function trap(t) {
     server.closeAllConnections();
   });
   return { caught, address: `http://127.0.0.1:${server.address().port}/` };
+}
+
+/** The page in a browser that gives the frame of programs a process of its own, as those with windows do by themselves. */
+async function openApart(t, address, ...flags) {
+  const server = await serveFolder(DIST);
+  const browser = await launchBrowser({ flags: ["--site-per-process", ...flags] });
+  t.after(async () => {
+    await browser.close();
+    await server.close();
+  });
+  const context = await browser.newContext({ viewport: { width: 1000, height: 640 } });
+  await withoutServiceWorkers(context);
+  const page = await context.newPage();
+  await page.goto(server.url + address);
+  return { page, server };
+}
+
+/** Playwright takes a page whose frame has broken down for broken; this evaluates in it all the same. */
+async function evaluator(page) {
+  const session = await page.context().newCDPSession(page);
+  return async (what, value) => {
+    const { result, exceptionDetails } = await session.send("Runtime.evaluate", { expression: `(${what})(${JSON.stringify(value)})`, awaitPromise: true, returnByValue: true });
+    assert.equal(exceptionDetails, undefined);
+    return result.value;
+  };
 }
 
 /** Runs in the page: a program in the sandbox until it has ended, failed, been ended or driven 600 steps. */
@@ -62,27 +90,29 @@ async function run({ language, source }) {
 // slow: each endless loop is waited for a second, and there are many.
 test(`${COUNT} hostile programs reach nothing and stop nothing`, { timeout: 3_600_000 }, async (t) => {
   const { caught, address } = await trap(t);
-  const { page, server } = await openPage(t, { allow: [/Content Security Policy/, /violates/, /blocked/i, /uncaught/i, /console: /, /hostile/] });
+  const { page, server } = await openApart(t, "");
   await page.waitForFunction(() => document.body.dataset.boot === "ready");
-  await page.evaluate(async () => {
+  const evaluate = await evaluator(page);
+  await evaluate(async () => {
     const { default: init, Playground } = await import(new URL("page.js", document.baseURI).href);
     await init({ module_or_path: new URL("page_bg.wasm", document.baseURI) });
     const playground = new Playground(Object.assign(document.createElement("canvas"), { width: 10, height: 10 }));
     playground.take_plan_request();
     window.hostileJob = playground.program_job();
   });
-  const kept = () => page.evaluate(async () => JSON.stringify([Object.keys(localStorage).filter((key) => /hostile/.test(key)), (await indexedDB.databases()).map(({ name }) => name), await caches.keys(), document.body.childElementCount > 5]));
+  const kept = () => evaluate(async () => JSON.stringify([Object.keys(localStorage).filter((key) => /hostile/.test(key)), (await indexedDB.databases()).map(({ name }) => name), await caches.keys(), document.body.childElementCount > 5]));
   const before = await kept();
   const programs = hostile(SEED, address);
   /** @type {Record<string, number>} */
   const ends = {};
   const slow = [];
   // What is fetched for the sandbox itself.
-  await page.evaluate(run, { language: "python", source: "def step(robot):\n    robot.go(0.1)\n" });
+  await evaluate(run, { language: "python", source: "def step(robot):\n    robot.go(0.1)\n" });
   const asked = server.requests.length;
-  for (let index = 0; index < COUNT; index += 1) {
+  for (let index = 0; index < FROM; index += 1) programs.next();
+  for (let index = FROM; index < FROM + COUNT; index += 1) {
     const program = programs.next().value;
-    const { how, took, longest } = await page.evaluate(run, program);
+    const { how, took, longest } = await evaluate(run, program);
     const end = how.split(":")[0].replace(/\d+/, "");
     ends[end] = (ends[end] ?? 0) + 1;
     assert.ok(took < 60_000, `${took} ms until the end of\n${program.source}`);
@@ -95,4 +125,24 @@ test(`${COUNT} hostile programs reach nothing and stop nothing`, { timeout: 3_60
   // The page may still fetch parts of its own.
   assert.deepEqual(server.requests.slice(asked).filter((request) => !/\.(js|css|json|wasm|html)(\?|$)/.test(request)), [], "requests to the page's own server");
   assert.equal(await kept(), before);
+});
+
+// slow: a worker counts as silent after a second, and its frame as broken after two more.
+test("memory that a program uses up ends the program, and neither the page nor the next one", async (t) => {
+  // So little memory that it is soon used up.
+  const { page } = await openApart(t, "#tab=program&script=turn_when_you_bump.javascript", "--js-flags=--max-old-space-size=200");
+  await page.locator("#program-run").waitFor();
+  const evaluate = await evaluator(page);
+  const until = (what) => evaluate(`async () => { while (!(${what})()) await new Promise(requestAnimationFrame) }`);
+  await page.locator(".cm-content", { hasText: "function step" }).click();
+  await page.keyboard.press("ControlOrMeta+a");
+  await page.keyboard.insertText("const all = [];\nfunction step(robot) {\n  robot.go(0.2);\n  all.push(new Array(1e5).fill(1.5));\n}\n");
+  await page.keyboard.press("Control+Enter");
+  await until(() => /too much memory/.test(document.getElementById("program-error").textContent));
+  await evaluate(() => {
+    const list = document.getElementById("program-list");
+    list.value = "turn_when_you_bump.python";
+    list.dispatchEvent(new Event("change", { bubbles: true }));
+  });
+  await until(() => document.getElementById("program-error").hidden && Number(document.getElementById("n-distance").textContent) > 0.5);
 });

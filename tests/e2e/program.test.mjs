@@ -147,6 +147,13 @@ test("a planner in Python plans, and a wrong one is told what is wrong", async (
   await write(page, "def plan(room):\n    return [room.start, (0, 0)]\n");
   await page.keyboard.press("Control+Enter");
   await page.getByText("The program's plan can't be driven").waitFor();
+  await write(page, "def plan(room):\n    x, y = room.start\n    while True:\n        yield x, y\n        x -= 1\n        if x < -1: return\n");
+  await page.keyboard.press("Control+Enter");
+  await page.getByText(/can't be driven: step \d+ enters \(\d+, \d+\), which isn't free; ask room.is_free/).waitFor();
+  // It drives all the same.
+  await write(page, "def plan(room):\n    yield room.start\n");
+  await page.keyboard.press("Control+Enter");
+  await page.getByText(/The walk misses \d+ cells, the first at/).waitFor();
 });
 
 test("Explore names the program, and it takes part in the race and in many runs", async (t) => {

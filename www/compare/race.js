@@ -149,5 +149,5 @@ export function raceProgram(app, comparison) {
   const seconds = 1.5 * (comparison.view().race?.planned_s ?? 0) + 60;
   void import("../program/work.js")
     .then(({ work }) => work({ program, job, seconds, onPart: (part) => void (isWanted = comparison.extend_race(version, part)) }, { isWanted: () => isWanted }))
-    .catch((error) => isWanted && complain(textOf(error)));
+    .catch((error) => isWanted && complain(`${textOf(error)}.`));
 }

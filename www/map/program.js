@@ -16,6 +16,8 @@ export function startProgram(it, job) {
   let asked = 0;
   /** Lets it drive until a later time, or ends it. @type {((seconds: number) => void) | undefined} */
   let goOn;
+  /** Why it has failed; empty if it hasn't. */
+  let fault = "";
   /** A program is being fetched. */
   let isComing = false;
   button("map-program-open").addEventListener("click", () => byId("tab-program").click());
@@ -51,7 +53,8 @@ export function startProgram(it, job) {
       if (mine !== version) return;
       session.fail_program(mine);
       const text = textOf(error);
-      complain(`${text.charAt(0).toUpperCase()}${text.slice(1)}.`);
+      fault = `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+      complain(fault);
     }
   };
 
@@ -68,10 +71,13 @@ export function startProgram(it, job) {
         setText(byId("map-program-name"), program.name ? `“${program.name}” drives.` : "");
         setText(byId("map-program-missing"), program.missing);
         setHidden(byId("map-program-missing"), !program.missing);
+        setText(byId("map-program-fault"), fault);
+        setHidden(byId("map-program-fault"), !fault);
       }
       const wanted = program?.drives ? program.version : program ? version : -1;
       if (wanted !== version) {
         version = wanted;
+        fault = "";
         goOn?.(0);
         goOn = undefined;
         if (wanted >= 0) void drive(program?.reach_steps ?? 0);

@@ -16,7 +16,8 @@ export function endOf(why, text, step) {
   const message = {
     silent: "A step of the program took too long and was ended. Drive a little in each step, and let loops end.",
     loud: "The program sent too much at a time and was ended.",
-    broken: `The program's worker broke down (${text}). It may have used too much memory. Press Run to start again.`,
+    broken: `The program's worker broke down (${text}). It may have used too much memory.`,
+    memory: "The program broke the process that runs it, most likely by too much memory, and was ended. Let no list or text grow without end.",
   }[why];
   return { message, line: 0, step };
 }

@@ -1,7 +1,8 @@
 // @ts-check
 // The frame that programs of users live in. Its origin is opaque, so nothing of the page's is its own: no storage, no
 // ports, no document. Its policy forbids every request. Inside, a program runs in a worker that speaks to the page by one
-// port; the frame only starts and ends workers.
+// port; the frame only starts and ends workers. Browsers on computers give it a process of its own: memory that a program uses
+// up breaks the frame, not the page, and another frame takes its place.
 
 /** What the frame may do: run the scripts that it is handed, nothing else. Workers made in it inherit this. */
 const policy = (/** @type {string} */ nonce) =>
@@ -13,6 +14,7 @@ function inside() {
   const workers = new Map();
   addEventListener("message", ({ source, data, ports }) => {
     if (source !== parent) return;
+    if (data.asks) return parent.postMessage({ answers: data.asks }, "*");
     workers.get(data.id)?.terminate();
     workers.delete(data.id);
     if (!data.script) return;
@@ -42,5 +44,23 @@ export function openFrame() {
     };
     addEventListener("message", ready);
     document.body.append(frame);
+  });
+}
+
+let lastAsked = 0;
+
+/** Whether the frame is still there. @param {HTMLIFrameElement} frame @param {number} patience How long it has to answer, ms. @returns {Promise<boolean>} */
+export function answers(frame, patience) {
+  const asks = (lastAsked += 1);
+  return new Promise((resolve) => {
+    const end = (/** @type {boolean} */ does) => {
+      clearTimeout(timer);
+      removeEventListener("message", hear);
+      resolve(does);
+    };
+    const hear = (/** @type {MessageEvent} */ { source, data }) => source === frame.contentWindow && data?.answers === asks && end(true);
+    const timer = setTimeout(() => end(false), patience);
+    addEventListener("message", hear);
+    frame.contentWindow?.postMessage({ asks }, "*");
   });
 }

@@ -5,7 +5,7 @@ import { Inmate } from "./sandbox.js";
 
 /**
  * @typedef {import("./types").FromWorker} FromWorker
- * @typedef {"silent" | "loud" | "broken"} Why
+ * @typedef {import("./sandbox.js").Why} Why
  */
 
 export class Hired {

@@ -3,6 +3,7 @@
 // hold as for every other: speeds are limited, and without an answer for 200 ms the robot stops.
 import { make } from "../dom.js";
 import { style } from "../parts.js";
+import { endOf } from "./faults.js";
 import { kitFor } from "./kit.js";
 import { isTrusted } from "./own-programs.js";
 import { Inmate } from "./sandbox.js";
@@ -56,7 +57,7 @@ export async function pilot(app, connection, isReal, complain) {
           connection.answer(message.isDone === true ? NaN : Number(message.left), Number(message.right));
         } else if (message.type === "failed") fail(`The program failed${Number(message.line) ? ` in line ${Number(message.line)}` : ""}: ${String(message.message).slice(0, 500)}. The robot was stopped.`);
       },
-      () => fail("A step of the program took too long. The robot was stopped."),
+      (why, text) => fail(`${endOf(why, text, 0).message} The robot was stopped.`),
     );
     inmate = mine;
     connection.onreadings = (readings) => mine.isAlive && mine.ask({ type: "sense", id, readings });

@@ -1,7 +1,7 @@
 // @ts-check
 // Workers in the sandbox, and the watch over them: one that is silent for a second while it owes an answer is ended, and so
 // is one that talks too much. What they say is as little to be trusted as the programs that they run.
-import { openFrame } from "./frame.js";
+import { answers, openFrame } from "./frame.js";
 
 /** Longest silence of a worker that owes an answer, ms. */
 export const PATIENCE = 1000;
@@ -10,7 +10,10 @@ const START_PATIENCE = 20_000;
 /** Most messages of one worker in a tenth of a second: it sends one for each slice of about 20 ms. */
 const MOST_MESSAGES = 100;
 const TICK = 50;
+/** Longest time in which the frame answers, ms: it has nothing else to do. */
+const FRAME_PATIENCE = 2000;
 
+/** Why a worker was ended. @typedef {"silent" | "loud" | "broken" | "memory"} Why */
 /**
  * @typedef {import("./types").ToWorker} ToWorker
  * @typedef {import("./types").FromWorker} FromWorker
@@ -22,6 +25,16 @@ let home;
 /** @type {Promise<HTMLIFrameElement> | undefined} */
 let coming;
 const frame = () => (coming ??= openFrame().then((it) => (home = it)));
+/** Puts another frame in the place of one that a program's memory has broken. @returns {Promise<boolean>} Whether it had to. */
+async function mendFrame() {
+  const before = frame();
+  coming = before.then(async (it) => {
+    if (await answers(it, FRAME_PATIENCE)) return it;
+    it.remove();
+    return (home = await openFrame());
+  });
+  return (await before) !== (await coming);
+}
 let lastId = 0;
 
 /** A worker in the sandbox; it is there before its script has run. */
@@ -42,14 +55,18 @@ export class Inmate {
   /**
    * @param {Kit} kit
    * @param {(message: FromWorker) => void} tell
-   * @param {(why: "silent" | "loud" | "broken", text: string) => void} ended
+   * @param {(why: Why, text: string) => void} ended
    */
   constructor(kit, tell, ended) {
     const port = this.#channel.port1;
-    const end = (/** @type {"silent" | "loud" | "broken"} */ why, text = "") => {
+    const end = (/** @type {Why} */ why, text = "") => {
       if (!this.isAlive) return;
       this.end();
       ended(why, text);
+    };
+    const silent = async () => {
+      this.#silence();
+      end((await mendFrame()) ? "memory" : "silent");
     };
     let lastTick = performance.now();
     /** How long the page itself was busy or asleep before, ms: what was said meanwhile comes all at once. */
@@ -73,7 +90,7 @@ export class Inmate {
         slept = gap;
         if (this.#owes) this.#owes += gap;
       } else if ((ticks += 1) % 2 === 0) this.#count = slept = 0;
-      if (this.#owes && now - this.#owes > (this.#isStarting ? START_PATIENCE : this.#patience)) end("silent");
+      if (this.#owes && now - this.#owes > (this.#isStarting ? START_PATIENCE : this.#patience)) void silent();
     }, TICK);
     this.#heard = ({ source, data }) => {
       if (data?.id === this.#id && data.broken && source === home?.contentWindow) end("broken", String(data.broken).slice(0, 300));
@@ -101,6 +118,11 @@ export class Inmate {
   end() {
     if (!this.isAlive) return;
     this.isAlive = false;
+    this.#silence();
+  }
+
+  /** Its worker ends, and is no longer heard. */
+  #silence() {
     clearInterval(this.#timer);
     removeEventListener("message", this.#heard);
     this.#channel.port1.close();

@@ -1,6 +1,7 @@
 // @ts-check
 // Programs at work for others than the floor of Explore: logs for races and many runs, plans for comparisons.
 import { THINKING } from "./doubt.js";
+import { endOf } from "./faults.js";
 import { kitFor } from "./kit.js";
 import { STEP } from "./stage.js";
 import { Inmate } from "./sandbox.js";
@@ -17,55 +18,78 @@ import { Inmate } from "./sandbox.js";
  * @property {number} [from] What is before that step is known: it is run again, and not told.
  * @property {() => Promise<number>} [next] How long it drives when that time is over, s: longer, or not at all if that is no
  *   more. Without it, it drives no further.
+ * @typedef {{ log: Uint8Array, digest: string } | { cells: Uint32Array, seconds: number }} Done
  */
 
 /** Longest step, ms: nobody waits for it as in the tab Program, and all cores are busy. */
 const STEPPING = 4000;
-/** Workers that have nothing to do. @type {{ inmate: Inmate, language: string, hear: (message: FromWorker) => void, ended: (text: string) => void }[]} */
-const idle = [];
+/**
+ * @typedef {import("./sandbox.js").Why} Why
+ * @typedef {{ inmate: Inmate, source: string, hear: (message: FromWorker) => void, ended: (why: Why, text: string) => void }} Hand
+ */
+/** Workers that have nothing to do. What one program has done to its worker is none of another's business. @type {Hand[]} */
+let idle = [];
 let lastId = 0;
 
-/** @param {"python" | "javascript"} language */
-async function hand(language) {
-  const known = idle.findIndex((one) => one.language === language && one.inmate.isAlive);
-  if (known >= 0) return /** @type {typeof idle[number]} */ (idle.splice(known, 1)[0]);
+/** @param {Text} program @returns {Promise<Hand>} */
+async function hand({ language, source }) {
+  for (const { inmate } of idle.filter((one) => one.source !== source)) inmate.end();
+  idle = idle.filter(({ inmate }) => inmate.isAlive);
+  const known = idle.pop();
+  if (known) return known;
   const kit = await kitFor(language);
-  const one = { language, hear: (/** @type {FromWorker} */ _message) => {}, ended: (/** @type {string} */ _text) => {}, inmate: /** @type {Inmate} */ (/** @type {unknown} */ (undefined)) };
-  const said = { silent: "a step of the program never ended; run it in the tab Program to see which line it is", loud: "the program sent too much", broken: "the program's worker broke down; it may have used too much memory" };
-  one.inmate = new Inmate(kit, (message) => one.hear(message), (why) => one.ended(said[why]));
+  /** @type {Hand} */
+  const one = { source, hear: () => {}, ended: () => {}, inmate: new Inmate(kit, (message) => one.hear(message), (why, text) => one.ended(why, text)) };
   return one;
 }
 
 /**
- * Runs a program once, in a worker of the sandbox.
+ * Runs a program once, in a worker of the sandbox. If a step never ends, the same run is followed line by line, to say where.
  * @param {Order} order @param {{ isWanted?: () => boolean }} [options]
- * @returns {Promise<{ log: Uint8Array, digest: string } | { cells: Uint32Array, seconds: number }>} Throws a sentence for users.
+ * @returns {Promise<Done>} Throws a sentence for users.
  */
-export async function work({ program: { language, source }, job, seed, seconds, onPart, from = 0, next }, { isWanted = () => true } = {}) {
-  const one = await hand(language);
+export async function work(order, { isWanted = () => true } = {}) {
+  try {
+    return await attempt(order, isWanted, STEPPING);
+  } catch (error) {
+    if (error !== "silent") throw error;
+    await attempt({ ...order, onPart: undefined, next: undefined }, isWanted, THINKING).catch((error) => {
+      throw error === "silent" ? bare(endOf("silent", "", 0).message) : error;
+    });
+    throw `a step of the program took longer than ${STEPPING / 1000} s and was ended. Do less in each step`;
+  }
+}
+
+/** A sentence that stands behind others. @param {string} text */
+const bare = (text) => text.replace(/^[A-Z](?=[a-z]* )/, (letter) => letter.toLowerCase()).replace(/\.$/, "");
+
+/** @param {Order} order @param {() => boolean} isWanted @param {number} patience Longest step, ms: it is followed line by line, if that is more than ordinary. @returns {Promise<Done>} Throws "silent" if a step takes longer. */
+async function attempt({ program, job, seed, seconds, onPart, from = 0, next }, isWanted, patience) {
+  const { language, source } = program;
+  const one = await hand(program);
   const id = (lastId += 1);
   let until = Math.ceil(seconds / STEP);
   /** @type {(() => Promise<boolean>)} Lets it drive on. */
   const goOn = async () => {
     const before = until;
     until = Math.ceil(((await next?.()) ?? 0) / STEP);
-    if (until > before) one.inmate.ask({ type: "go", id, until }, STEPPING);
+    if (until > before) one.inmate.ask({ type: "go", id, until }, patience);
     return until > before;
   };
   let began = 0;
   try {
     return await new Promise((resolve, reject) => {
-      one.ended = reject;
+      one.ended = (why, text) => reject(why === "silent" ? why : bare(endOf(why, text, 0).message));
       one.hear = (message) => {
         if (!isWanted()) return one.inmate.end(), reject("it was cancelled");
         if (!("id" in Object(message)) || /** @type {{ id: number }} */ (message).id !== id) return;
         if (message.type === "loaded") {
           began = performance.now();
           if (message.kind === "plan") one.inmate.ask({ type: "plan", id }, THINKING);
-          else one.inmate.ask({ type: "go", id, until }, STEPPING);
+          else one.inmate.ask({ type: "go", id, until }, patience);
         } else if (message.type === "failed") {
           const where = Number(message.line) ? ` in line ${Number(message.line)}` : "";
-          reject(`the program failed${where}: ${String(message.message).slice(0, 500)}`);
+          reject(`the program failed${where}: ${bare(String(message.message).slice(0, 500))}. Mend it in the tab Program`);
         } else if (message.type === "planned" && message.cells instanceof Uint32Array) resolve({ cells: message.cells, seconds: (performance.now() - began) / 1000 });
         else if (message.type === "ran" && message.log instanceof Uint8Array) {
           onPart?.(message.log);
@@ -76,7 +100,7 @@ export async function work({ program: { language, source }, job, seed, seconds, 
           else done();
         }
       };
-      one.inmate.ask({ type: "load", id, language, source, job, traced: false, breakpoints: [], from, seed, isQuiet: !onPart }, STEPPING);
+      one.inmate.ask({ type: "load", id, language, source, job, traced: patience > STEPPING, breakpoints: [], from, seed, isQuiet: !onPart }, patience);
     });
   } finally {
     if (one.inmate.isAlive) idle.push(one);
