@@ -67,6 +67,42 @@ test("fits a phone, with controls for fingers", async (t) => {
   await turnsDark({ page, app, screenshot }, "phone");
 });
 
+for (const [name, viewport] of Object.entries({ "a phone": { width: 390, height: 844 }, "a small phone": { width: 360, height: 640 }, "a phone on its side": { width: 844, height: 390 }, "200 %": { width: 720, height: 450 } })) {
+  test(`tabs and legend are whole on ${name}, and nothing lies over the floor`, async (t) => {
+    const { page, app } = await openApp(t, { ...PHONE, viewport });
+    /** Those that aren't wholly within the window, or under something. */
+    const cut = (selector) =>
+      page.locator(selector).evaluateAll((nodes) =>
+        nodes.filter((node) => node.checkVisibility()).flatMap((node) => {
+          const { left, top, right, bottom } = node.getBoundingClientRect();
+          const isSeen = (x, y) => node.contains(document.elementFromPoint(x, y));
+          return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight && isSeen(left + 3, (top + bottom) / 2) && isSeen(right - 3, (top + bottom) / 2) ? [] : [node.textContent.trim()];
+        }),
+      );
+    assert.equal(await page.locator("[id^=tab-]:visible").count(), 6);
+    assert.deepEqual(await cut("[id^=tab-]"), []);
+    assert.ok((await page.locator("#legend > div:visible").count()) >= 5);
+    assert.deepEqual(await cut("#legend > div"), []);
+    // The room keeps 66 px from the stage's upper and lower edge for tools, legend and zoom buttons.
+    const covering = () =>
+      page.evaluate(() => {
+        const stage = document.querySelector(".tab-panel:not([hidden]) .stage");
+        const { top, bottom, left, width } = stage.getBoundingClientRect();
+        const found = new Set();
+        for (let y = top + 66; y <= bottom - 66; y += 6) for (let x = left + 6; x < left + width; x += 12) {
+          const node = document.elementFromPoint(x, y);
+          if (!(node instanceof HTMLCanvasElement)) found.add(node.id || node.className);
+        }
+        return [...found];
+      });
+    assert.deepEqual(await covering(), []);
+    await page.locator("#tab-map").click();
+    await page.locator("#map-hint").waitFor();
+    await app.poll(covering, (found) => found.length === 0, "nothing over the map");
+    assert.deepEqual(await overflow(page), { sideways: 0, down: 0 });
+  });
+}
+
 test("a finger draws walls on a phone, two fingers don't", async (t) => {
   const { page, app } = await openApp(t, { ...PHONE, address: "#room=empty" });
   const area = await app.reachableArea();
@@ -87,6 +123,15 @@ test("a finger draws walls on a phone, two fingers don't", async (t) => {
   await touch("touchEnd");
   await app.settled();
   assert.equal(await app.reachableArea(), half);
+});
+
+test("rails and legend are whole in a small window", async (t) => {
+  const { page, app } = await openApp(t, { viewport: { width: 1000, height: 640 }, address: "#room=flat" });
+  await app.numbersThat(({ time }) => time > 1);
+  const cut = await page.evaluate(() => [...document.querySelectorAll(".explore .rail")].filter((rail) => rail.scrollWidth > rail.clientWidth).map(({ className }) => className));
+  assert.deepEqual(cut, []);
+  const [legend, stage] = await page.evaluate(() => ["legend", "stage"].map((id) => document.getElementById(id).getBoundingClientRect()));
+  assert.ok(legend.top >= stage.bottom - 66, `${stage.bottom - legend.top} px: it covers the floor`);
 });
 
 test("fits a laptop without scrolling", async (t) => {

@@ -20,7 +20,7 @@ export function startEnding(app) {
   const close = make("button", { type: "button", className: "quiet square", "aria-label": "Dismiss" });
   close.append(/** @type {Node} */ (byId("message-close").firstElementChild).cloneNode(true));
   const card = make("div", { className: "message ending", id: "ending", hidden: true }, make("div", {}, words, next), close);
-  byId("welcome").before(card);
+  byId("search-box").before(card);
   /** What was reached at the end that is shown, and at the one that was put away: a bound that is proven later doesn't bring it back. */
   let [shown, dismissed] = ["", ""];
   close.addEventListener("click", () => {

@@ -52,7 +52,7 @@ async function start(app) {
   close.append(/** @type {Node} */ (byId("message-close").firstElementChild).cloneNode(true));
   const inside = make("div", { className: "inside" });
   const node = make("section", { className: "message game", id: "game", "aria-labelledby": "game-title", hidden: true }, make("header", {}, title, close), inside);
-  byId("welcome").before(node);
+  byId("search-box").before(node);
   const end = () => {
     now?.end();
     now = undefined;

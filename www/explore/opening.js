@@ -1,16 +1,14 @@
 // @ts-check
-// The opening scene explains itself: a robot that began before the page was opened.
+// The opening scene explains itself: a robot that is ten minutes into its run.
 import { byId, setText } from "../dom.js";
 import { percent } from "../format.js";
 
-const OPENED = ": started ten minutes ago";
+const OPENED = ": first 10 minutes done";
 
-/** Explains for a while why the robot has already cleaned; and, until the first input, what the page is. */
+/** Explains for a while why the robot has already cleaned. */
 export function tellOpening() {
   setText(byId("opening"), OPENED);
   setTimeout(endOpening, 15_000);
-  byId("welcome").hidden = false;
-  for (const sign of ["pointerdown", "keydown"]) addEventListener(sign, () => (byId("welcome").hidden = true), { once: true, capture: true });
 }
 
 export function endOpening() {

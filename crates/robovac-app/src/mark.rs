@@ -58,7 +58,9 @@ mod tests {
         let css =
             [include_str!("../../../www/compare/compare.css"), include_str!("../../../www/compare/montecarlo.css")];
         let shapes = PLANNER_SHAPES.into_iter().chain(BEHAVIOUR_SHAPES).filter(|&shape| shape > 0);
-        let wanted = shapes.map(|shape| format!(".swatch[data-shape=\"{shape}\"]"));
+        // A behaviour may have the colour of the planner that it races against.
+        let wanted =
+            shapes.flat_map(|shape| [".swatch", ".race-curves "].map(|of| format!("{of}[data-shape=\"{shape}\"]")));
         for rule in wanted.chain((0..COLOURS).map(|colour| format!("[data-colour=\"{colour}\"]"))) {
             assert!(css.iter().any(|css| css.contains(&rule)), "no style for {rule}");
         }

@@ -147,8 +147,10 @@ impl Viewport {
         if self.is_bare {
             return [BARE_MARGIN; 4];
         }
-        let shrink = (self.size.x / 480.0).min(self.size.y / 320.0).clamp(0.1, 1.0);
-        let [left, top, right, bottom] = MARGINS.map(|margin| margin * shrink);
+        let shrink = |size: f64, enough: f64| (size / enough).clamp(0.1, 1.0);
+        let (sideways, down) = (shrink(self.size.x, 480.0), shrink(self.size.y, 260.0));
+        let [left, top, right, bottom] = MARGINS;
+        let [left, top, right, bottom] = [left * sideways, top * down, right * sideways, bottom * down];
         // At least half of the canvas is left to the room.
         [left, top.max(self.told.min(0.5 * self.size.y - bottom)), right, bottom]
     }
@@ -201,6 +203,12 @@ mod tests {
         let zoomed = view;
         view.keep_clear(100.0);
         assert_eq!((view.scale, view.origin), (zoomed.scale, zoomed.origin));
+    }
+
+    #[test]
+    fn a_narrow_window_leaves_as_much_room_for_tools_as_a_wide_one() {
+        let narrow = Viewport::new(4.0, 8.0, 360.0, 270.0, 1.0);
+        assert!(narrow.to_screen(Point::new(0.0, 8.0)).y >= 65.9 && narrow.to_screen(Point::new(0.0, 0.0)).y <= 204.1);
     }
 
     #[test]
