@@ -30,7 +30,7 @@ export function percent(share, digits = 1) {
 export const shareAbove = (share) => `${(Math.ceil(share * 1000 - 1e-6) / 10).toFixed(1)} %`;
 
 /** @param {number} metres */
-export const metres = (metres) => (metres < 100 ? metres.toFixed(1) : count(metres));
+export const metres = (metres) => (metres < 1000 ? metres.toFixed(1) : count(metres));
 
 /**
  * A length of at most some metres, in the unit that suits it.

@@ -116,7 +116,7 @@ test("a plan that was kept early says so and has a film; a room that is too larg
   assert.ok((await box.isChecked()) && (await refusal.isHidden()));
 
   await app.choose("room", "office");
-  assert.match(await refusal.textContent(), /^The search is filmed only in rooms of up to 2000 planning cells; this one has \d+\.$/);
+  assert.match(await refusal.textContent(), /^The search is filmed only in rooms of up to 2,000 planning cells; this one has [\d,]+\.$/);
   assert.ok((await refusal.isVisible()) && !(await box.isChecked()) && (await box.isDisabled()));
 });
 

@@ -56,6 +56,13 @@ export function showTable(table, rows, minutes, stress) {
   table.querySelector("tbody")?.replaceChildren(...lines);
 }
 
+/** A median, and the range below it if there is one. @param {{ low: number, median: number, high: number }} values @param {(value: number) => string} text */
+function spread({ low, median, high }, text) {
+  const cell = make("td", {}, text(median));
+  if (low < high) cell.append(make("small", {}, `${text(low)}–${text(high)}`));
+  return cell;
+}
+
 /** @param {Summary} summary @param {number} minutes @param {{ times: number[], coverage: number } | undefined} best */
 function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls, dirt_left, excess }, minutes, best) {
   const times = time_to.flatMap(({ percent: goal, reached, low_s, median_s, high_s }, i) => {
@@ -65,12 +72,11 @@ function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls, dirt_left,
     if (low_s !== null) time.append(make("small", {}, `${clock(low_s)}–${high_s === null ? late : clock(high_s)}`));
     return [time, make("td", {}, `${percent(reached / runs, 0)} %`, make("small", {}, `${reached} of ${runs}`))];
   });
-  const end = make("td", { className: best && coverage.median === best.coverage ? "best" : "" }, percent(coverage.median), make("small", {}, `${percent(coverage.low)}–${percent(coverage.high)}`));
-  const [way, hits] = [make("td", {}, metres(distance_m.median)), make("td", {}, count(bumps.median))];
-  hits.append(make("small", {}, `${count(bumps.low)}–${count(bumps.high)}`));
-  way.append(make("small", {}, `${metres(distance_m.low)}–${metres(distance_m.high)}`));
-  const more = make("td", {}, excess ? percent(excess[0].median, 0) : "–");
-  if (excess) more.append(make("small", {}, `${percent(excess[1].median, 0)} time`));
-  const dirt = dirt_left ? make("td", {}, percent(dirt_left.median), make("small", {}, `${percent(dirt_left.low)}–${percent(dirt_left.high)}`)) : "";
+  const end = spread(coverage, percent);
+  if (best && coverage.median === best.coverage) end.className = "best";
+  const [way, hits] = [spread(distance_m, metres), spread(bumps, count)];
+  const more = make("td", {}, excess ? count(100 * excess[0].median) : "–");
+  if (excess) more.append(make("small", {}, `${count(100 * excess[1].median)} of time`));
+  const dirt = dirt_left ? spread(dirt_left, percent) : "";
   return [...times, end, way, more, hits, make("td", { className: falls > 0 ? "fell" : "" }, count(falls)), ...(dirt ? [dirt] : [])];
 }

@@ -19,7 +19,7 @@ export function updateView({ view, playground }) {
   setText(byId("n-time"), clock(view.time_s));
   setText(byId("n-time-unit"), view.time_s < 3600 ? "min" : "h");
   setText(byId("n-distance"), metres(view.distance_m));
-  setAttribute(byId("numbers"), "data-long", String(view.time_s >= 36_000 || view.distance_m >= 10_000));
+  setAttribute(byId("numbers"), "data-long", String(view.time_s >= 3600 || view.distance_m >= 1000));
   setAttribute(document.body, "data-state", view.state);
   setAttribute(document.body, "data-kind", view.kind);
   updateFolds(view);

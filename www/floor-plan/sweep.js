@@ -2,7 +2,7 @@
 // The sweep of 001: scan width, obstacle map, the stages one after the other, their results, and export.
 import { button, byId, input, select, setAttribute, setHidden, setText } from "../dom.js";
 import { download } from "../files.js";
-import { clock } from "../format.js";
+import { clock, count, percent, took } from "../format.js";
 import { onNumber, plain, showValue } from "./fields.js";
 
 /** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
@@ -76,10 +76,12 @@ export function startSweep(it) {
   };
 }
 
+/** A length as Explore and Compare show that of a plan. @param {number} metres */
+const tenths = (metres) => `${metres.toLocaleString("en", { minimumFractionDigits: 1, maximumFractionDigits: 1 })} m`;
+
 /** @param {import("./types").SweepView} sweep @param {number} seconds */
 function numbers(sweep, seconds) {
   const [all, leftWall, rightWall, leftObstacle, rightObstacle] = sweep.subgoals;
-  const count = (/** @type {number} */ value) => value.toLocaleString("en");
   /** @type {Record<string, string>} */
   const values = {
     subgoals: count(all),
@@ -91,13 +93,13 @@ function numbers(sweep, seconds) {
     collisions: count(sweep.collisions),
     resolved: count(sweep.resolved),
     crossings: count(sweep.crossings),
-    length: `${sweep.length.toFixed(1)} m`,
-    linked: `${(100 * sweep.linked_share).toFixed(1)} %`,
-    finish: sweep.finish[0] ? `${count(sweep.finish[0])}, ${sweep.finish[1].toFixed(1)} m` : "0",
+    length: tenths(sweep.length),
+    linked: `${percent(sweep.linked_share)} %`,
+    finish: sweep.finish[0] ? `${count(sweep.finish[0])}, ${tenths(sweep.finish[1])}` : "0",
     order: sweep.nearest ? compared(sweep, sweep.nearest) : "",
-    coverage: `${(100 * sweep.coverage).toFixed(1)} %`,
-    driven: `${(100 * sweep.driven[0]).toFixed(1)} %, ${clock(sweep.driven[1])}`,
-    seconds: seconds < 1 ? `${Math.round(1000 * seconds)} ms` : `${seconds.toFixed(1)} s`,
+    coverage: `${percent(sweep.coverage)} %`,
+    driven: `${percent(sweep.driven[0])} %, ${clock(sweep.driven[1])}`,
+    seconds: took(seconds),
   };
   for (const [name, value] of Object.entries(values)) setText(byId(`floor-plan-n-${name}`), value);
   setHidden(byId("floor-plan-order-row"), !sweep.nearest);
@@ -108,6 +110,6 @@ function numbers(sweep, seconds) {
 /** What another order costs. @param {import("./types").SweepView} sweep @param {[number, number]} nearest */
 function compared(sweep, [crossings, length]) {
   const [more, longer] = [sweep.crossings - crossings, sweep.length - length];
-  const crossed = `${Math.abs(more).toLocaleString("en")} ${more > 0 ? "more" : "fewer"} ${Math.abs(more) === 1 ? "crossing" : "crossings"}`;
-  return `${crossed}, ${Math.abs(longer).toFixed(1)} m ${longer < 0 ? "shorter" : "longer"}`;
+  const crossed = `${count(Math.abs(more))} ${more > 0 ? "more" : "fewer"} ${Math.abs(more) === 1 ? "crossing" : "crossings"}`;
+  return `${crossed}, ${tenths(Math.abs(longer))} ${longer < 0 ? "shorter" : "longer"}`;
 }

@@ -215,8 +215,8 @@ fn search_is_only_shown_where_there_is_one() {
     let search = session.view().search;
     assert!(search.offered && !search.on && !search.fits_small && search.refusal.contains("in metres"), "{search:?}");
     for (planner, refusal) in [
-        ("snake", "shown only in rooms of up to 20000 planning cells"),
-        ("near_optimal", "filmed only in rooms of up to 2000 planning cells"),
+        ("snake", "shown only in rooms of up to 20,000 planning cells"),
+        ("near_optimal", "filmed only in rooms of up to 2,000 planning cells"),
     ] {
         session.restore(&format!("room=hall20&planner={planner}")).unwrap();
         let search = session.view().search;

@@ -110,7 +110,7 @@ pub const FORMATS: &[Format] = &[
     },
     Format {
         id: "roomba",
-        title: "Path, Roomba bytes",
+        title: "Path, Roomba commands (OI)",
         note: "Timed Open Interface commands for a Roomba 600. Open loop, so the robot drifts.",
         needs_path: true,
     },

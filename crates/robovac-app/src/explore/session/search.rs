@@ -121,6 +121,7 @@ impl Session {
         if !self.offers_search() || cells <= most {
             return (String::new(), false);
         }
+        let [most, cells] = [most, cells].map(grouped);
         (format!("The search is {shown} only in rooms of up to {most} planning cells; this one has {cells}."), true)
     }
 
@@ -155,5 +156,28 @@ impl Session {
             },
             (None, None) => String::new(),
         }
+    }
+}
+
+/// A number with commas between its thousands, as the page shows them.
+fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::grouped;
+
+    #[test]
+    fn thousands_are_grouped() {
+        assert_eq!([0, 999, 2000, 12_345, 1_234_567].map(grouped), ["0", "999", "2,000", "12,345", "1,234,567"]);
     }
 }
