@@ -33,6 +33,8 @@ export class Framed {
     this.#slots = layout.laser;
     const beams = options.facts.laser?.beams ?? 0;
     const Robot = robotOf(layout, options.facts);
+    // They share it, and could put something into it for each other.
+    if (seeds.length > 1) for (const kind of [Robot, Robot.prototype]) Object.preventExtensions(kind);
     this.#runs = seeds.map((seed) => {
       // What one run does to the language's own objects, no other one sees.
       const evaluate = seeds.length > 1 ? apart() : undefined;

@@ -11,6 +11,7 @@ import importlib.util
 import json
 import os
 import sys
+import types
 from struct import Struct
 
 from .program import Program, error_of, whole
@@ -21,7 +22,7 @@ from .words import ProgramError
 _NUMBER = 8
 _COMMAND = Struct("<iiII")
 _WORD = Struct("<I")
-# Modules without a state that a run could find changed by another one.
+# Modules without a state of their own; each run gets copies, as it could put something into them.
 _SHARED = frozenset(
     "__future__ abc array bisect cmath collections copy dataclasses enum fractions functools heapq itertools json math numbers operator "
     "re statistics string struct time types typing".split()
@@ -128,20 +129,27 @@ class Isolation:
         self.broken = None
 
     def builtins(self, seed):
-        own = {}
+        own, chance = {}, []
+
+        def copied(module):
+            if module.__name__ not in own:
+                copy = own[module.__name__] = types.ModuleType(module.__name__)
+                vars(copy).update({key: copied(value) if isinstance(value, types.ModuleType) else value for key, value in vars(module).items()})
+            return own[module.__name__]
 
         def load(name, *rest):
             first = name.partition(".")[0]
             if first == "random":
-                if not own:
+                if not chance:
                     spec = importlib.util.find_spec("random")
-                    own[first] = importlib.util.module_from_spec(spec)
-                    spec.loader.exec_module(own[first])
-                    own[first].seed(seed)
-                return own[first]
+                    chance.append(importlib.util.module_from_spec(spec))
+                    spec.loader.exec_module(chance[0])
+                    chance[0].seed(seed)
+                return chance[0]
             if first not in _SHARED:
                 self.broken = first
-            return builtins.__import__(name, *rest)
+                return builtins.__import__(name, *rest)
+            return copied(builtins.__import__(name, *rest))
 
         return {**vars(builtins), "__import__": load}
 
@@ -156,11 +164,10 @@ class Framed:
         self.slots = offer["layout"]["laser"]
         seeds = offer["seeds"]
         self.isolation = Isolation() if len(seeds) > 1 else None
-        robot_class = robot_of(offer["layout"])
         self.runs = []
         self.sayings = []
         for number, seed in enumerate(seeds):
-            run = Run(source, path, hello["robot"], seed, robot_class, self.isolation)
+            run = Run(source, path, hello["robot"], seed, robot_of(offer["layout"]), self.isolation)
             self.runs.append(run)
             self.listen(number)
             if run.program.kind == "plan":

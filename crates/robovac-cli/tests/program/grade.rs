@@ -173,6 +173,68 @@ fn hostile_programs_fail_with_their_cause_and_the_others_are_graded_all_the_same
     assert!(listener.accept().is_err(), "somebody has reached the network");
 }
 
+/// Places where a run of a program could leave something for the next one, and the lines that count there: in Python and in
+/// JavaScript.
+const PLACES: [(&str, &str); 9] = [
+    ("python", "global count\n    count += 1\n    n = count"),
+    ("python", "import math\n    n = math.count = getattr(math, 'count', 0) + 1"),
+    (
+        "python",
+        "import os.path, collections.abc\n    n = collections.abc.count = getattr(collections.abc, 'count', 0) + 1",
+    ),
+    ("python", "import random\n    n = random.count = getattr(random, 'count', 0) + 1"),
+    ("python", "kind = type(robot)\n    n = kind.count = getattr(kind, 'count', 0) + 1"),
+    ("javascript", "const n = (globalThis.count = (globalThis.count ?? 0) + 1);"),
+    ("javascript", "const n = (Math.count = (Math.count ?? 0) + 1);"),
+    ("javascript", "const n = ([].constructor.prototype.count = ([].count ?? 0) + 1);"),
+    (
+        "javascript",
+        "const kind = Object.getPrototypeOf(robot); let n = (Object.hasOwn(kind, 'count') ? kind.count : 0) + 1; kind.count = n;",
+    ),
+];
+
+// slow: nine programs with three seeds, four times
+#[test]
+fn runs_know_nothing_of_each_other_however_many_are_made_at_a_time() {
+    let lesson = file("apart.md", &HOSTILE.replace("id: hostile", "id: apart").replace("runs: 2", "runs: 3"));
+    let link = "room=thesis8&robot=roomba600&behaviour=program";
+    let files: Vec<String> = PLACES
+        .iter()
+        .enumerate()
+        .map(|(number, (language, count))| {
+            let source = if *language == "python" {
+                format!("count = 0\ndef run(robot):\n    {count}\n    yield robot.forward(0.1 * n)\n")
+            } else {
+                format!("function* run(robot) {{\n  {count}\n  yield robot.forward(0.1 * n);\n}}\n")
+            };
+            let mut answer = by_program("apart", "drive", link, &format!("{number}"), &source);
+            answer["goals"]["drive"]["program"]["language"] = json!(language);
+            file(&format!("apart-{number}.json"), &answer.to_string())
+        })
+        .collect();
+    let digests = |more: &[&str]| -> Vec<Vec<Value>> {
+        let mut all = vec![lesson.as_str()];
+        all.extend(files.iter().map(String::as_str));
+        all.extend(["--json", "--unconfined"].iter().chain(more));
+        let (code, text, errors) = grade(&all);
+        assert_eq!(code, 0, "{errors}");
+        let marks: Vec<Value> = serde_json::from_str(&text).unwrap();
+        let runs = |mark: &Value| {
+            let runs = mark["goals"][0]["verdict"]["runs"].as_array().unwrap_or_else(|| panic!("{mark:#}")).clone();
+            runs.into_iter().map(|run| run["digest"].clone()).collect()
+        };
+        marks.iter().map(runs).collect()
+    };
+    let together = digests(&["--jobs", "1"]);
+    assert_eq!(together, digests(&["--jobs", "2"]), "it depends on the number of jobs");
+    for (index, seed) in ["1", "3"].iter().enumerate() {
+        let seeds = file(&format!("apart-{seed}.txt"), seed);
+        for (place, alone) in PLACES.iter().zip(digests(&["--seeds-file", &seeds]).iter().zip(&together)) {
+            assert_eq!(alone.0[0], alone.1[2 * index], "seed {seed} knows of the runs before it: {place:?}");
+        }
+    }
+}
+
 /// The first program of a lesson: what learners start from.
 fn starter(text: &str) -> String {
     text.split("```code python\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap().to_owned()
