@@ -5,12 +5,12 @@
 //! the page in its workers, `robovac grade` natively. Docs: docs/teaching.md.
 //!
 //! ```
-//! use robovac_lessons::{Block, Lesson};
+//! use robovac_lessons::{Lesson, LessonBlock};
 //!
 //! let text = "# Corners\n\nWatch **one** run.\n\n```goal\nin: room=empty&robot=roomba600&behaviour=bounce\nneed: median coverage >= 60 %\nminutes: 5\n```\n";
 //! let lesson = Lesson::parse(text).unwrap();
 //! assert_eq!(lesson.title, "Corners");
-//! assert!(matches!(&lesson.blocks[..], [LessonBlock::Prose { html }, Block::Goal(goal)]
+//! assert!(matches!(&lesson.blocks[..], [LessonBlock::Prose { html }, LessonBlock::Goal(goal)]
 //!     if html.contains("<strong>one</strong>") && goal.minutes == 5.0));
 //! ```
 

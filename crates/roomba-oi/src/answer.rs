@@ -49,8 +49,8 @@ impl AnswerReader {
     /// Takes bytes until it is complete; those that are left over.
     ///
     /// ```
-    /// use roomba_oi::{Answer, Readings};
-    /// let mut answer = Answer::to(&[7, 13]).unwrap();
+    /// use roomba_oi::{AnswerReader, Readings};
+    /// let mut answer = AnswerReader::to(&[7, 13]).unwrap();
     /// assert_eq!(answer.feed(&[3]), [0_u8; 0]);
     /// assert_eq!(answer.missing(), 1);
     /// assert_eq!(answer.feed(&[0, 99]), [99]);
