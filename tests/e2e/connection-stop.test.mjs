@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { noSerial, openDesk, openHidable } from "./serial/desk.mjs";
 import { underLoad } from "./serial/load.mjs";
-import { Robot, lastStop, stops } from "./serial/robot.mjs";
+import { Robot, lastStop, moves, stops } from "./serial/robot.mjs";
 import { TURN, WAYS, report, stoppedAfter } from "./serial/ways.mjs";
 
 const skip = noSerial() || false;
@@ -58,6 +58,32 @@ test("who leaves while the robot drives is asked, and it stands by then", { skip
   await desk.arm();
   await desk.ask({ do: "disarm" });
   await desk.until((view) => view.mode === "Passive");
+});
+
+test("what a busy driver still had to do when the page left never reaches the robot", { skip }, async (t) => {
+  const robot = await Robot.start(t);
+  const { desk } = await openDesk(t, { robot });
+  await desk.connect();
+  await desk.arm();
+  await desk.drive(TURN);
+  await desk.letGo();
+  await desk.tab.evaluate(() => {
+    new BroadcastChannel("busy").onmessage = () => {
+      for (const left of [-0.5, 0.5]) void window.connection.request({ do: "drive", forward: 0, left });
+      window.dispatchEvent(new Event("pagehide"));
+    };
+  });
+  const worker = desk.tab.workers().find((one) => one.url().endsWith("/worker.js"));
+  await worker.evaluate(() => {
+    new BroadcastChannel("busy").postMessage("");
+    const end = performance.now() + 120;
+    while (performance.now() < end);
+  });
+  await desk.until((view) => view.mode === "Passive");
+  const heard = robot.heard();
+  // The page's stop, sent past its driver, ends with Passive (128).
+  const left = heard.findIndex(({ opcode }, index) => opcode === 128 && index > heard.findIndex(moves));
+  assert.deepEqual(heard.slice(left).filter(moves), []);
 });
 
 test("stops when the tab is hidden, and stays so when it is shown again", { skip, timeout: 60_000 + 5000 * ROUNDS }, async (t) => {

@@ -19,6 +19,8 @@ let driver;
 /** Whether the robot may be in motion, by the driver's last word. */
 let isActing = false;
 let isHalted = false;
+/** The page has stopped the robot, and the driver doesn't know yet: what it writes was decided before. */
+let isLeft = false;
 let ticks = 0;
 const watch = new Watch();
 
@@ -47,6 +49,7 @@ setInterval(() => {
 
 /** @param {import("./types").LineTarget} target */
 async function open(target) {
+  isLeft = false;
   await line?.close();
   /** @type {import("./types").TransportEvents} */
   const events = {
@@ -72,7 +75,9 @@ async function heard(message) {
   watch.heard();
   isHalted = false;
   if (message.type === "beat") isActing = message.isActing;
+  else if (message.type === "left") isLeft = false;
   else if (message.type === "write") {
+    if (isLeft) return;
     isActing ||= message.isActing;
     line?.write(message.bytes);
   } else if (message.type === "take") line?.take?.();
@@ -89,8 +94,10 @@ async function heard(message) {
 }
 
 self.addEventListener("message", ({ data }) => {
-  if (data.type === "stop") line?.write(STOP);
-  else {
+  if (data.type === "stop") {
+    isLeft = true;
+    line?.write(STOP);
+  } else {
     driver = data.driver;
     driver.onmessage = ({ data: message }) => void heard(message);
   }

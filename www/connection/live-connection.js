@@ -57,6 +57,12 @@ export class LiveConnection {
     }
   }
 
+  /** The page is about to go, and has had the line's worker stop the robot. @param {string} why */
+  leave(why) {
+    this.#line?.left?.();
+    this.safely(() => this.#connection.leave(now(), why));
+  }
+
   /** Does what takes time, in which the wheels aren't supervised. @template T @param {() => T} what @returns {T} */
   unsupervised(what) {
     this.safely(() => this.#connection.pause(now()));

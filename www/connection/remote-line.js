@@ -69,6 +69,10 @@ export class RemoteLine {
     this.#post({ type: "stop" });
   }
 
+  left() {
+    this.#post({ type: "left" });
+  }
+
   async close() {
     this.view.state = "closed";
     // Who no longer answers can't be waited for.

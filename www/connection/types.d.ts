@@ -76,6 +76,8 @@ export type ToLine =
   | { type: "beat"; isActing: boolean }
   | { type: "take" }
   | { type: "stop" }
+  /** It has read that the page stopped the robot: what it writes from now on was decided after that. */
+  | { type: "left" }
   | { type: "baud"; id: number; baud: number }
   | { type: "brc"; id: number; isLow: boolean }
   | { type: "close"; id: number };
@@ -180,6 +182,8 @@ export interface Transport {
   /** Where several clients share a robot: takes the turn to drive it, and stops it whoever drives. */
   take?(): void;
   stop?(): void;
+  /** After a stop that the page sent past the driver: the driver knows of it. */
+  left?(): void;
   /** Sends pending bytes, and releases everything; takes a second at most. */
   close(): Promise<void>;
 }

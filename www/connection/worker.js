@@ -93,7 +93,7 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./types"
   }
   const driver = await ready;
   if (message.type === "beat") connection.beat(beatenAt(now(), message.at));
-  else if (message.type === "leave") driver.safely(() => connection.leave(now(), message.why));
+  else if (message.type === "leave") driver.leave(message.why);
   else if (message.type === "answer") connection.answer(message.left, message.right);
   else if (message.type === "virtual") driver.touch(message.touch);
   else {
