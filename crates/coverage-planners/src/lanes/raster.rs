@@ -28,9 +28,8 @@ struct Word {
     /// The bits of the counts, lowest first.
     counts: [u64; BITS],
     floor: u64,
-    /// On the floor, with count 0 and with count 1.
+    /// On the floor, with count 0.
     unswept: u64,
-    once: u64,
 }
 
 /// Samples of the floor at a spacing of about a tenth of the tool's width, and how often each is swept.
@@ -56,9 +55,11 @@ pub(super) struct SweptRaster {
     blocks_across: i32,
     /// The words with floor.
     floor: Vec<u32>,
-    /// Strokes of an exchange with +1 if new and -1 if old, and where they begin and end in a row; kept for their memory.
+    /// Strokes of an exchange with +1 if new and -1 if old, where they begin and end in a row, and what they sweep of it; kept for
+    /// their memory.
     strokes: Vec<(SweptDisc, i32)>,
     ends: Vec<(i32, i32)>,
+    runs: Vec<(SampleRun, i32)>,
 }
 
 /// Parts of a column in which the sides of strokes are computed.
@@ -87,33 +88,28 @@ impl Word {
         }
     }
 
-    /// Sets which samples have count 0 and 1.
+    /// Sets which samples have count 0.
     #[inline]
     fn update(&mut self) {
         let more = self.counts[1..].iter().fold(0, |more, bits| more | bits);
         self.unswept = self.floor & !(more | self.counts[0]);
-        self.once = self.floor & !more & self.counts[0];
     }
 
-    /// The samples on the floor with a count.
+    /// The samples on the floor with these counts.
     #[inline]
-    fn with(&self, count: u32) -> u64 {
-        match count {
-            0 => self.unswept,
-            1 => self.once,
-            _ => {
-                let bits = self.counts.iter().enumerate();
-                bits.fold(self.floor, |with, (i, bits)| with & if count >> i & 1 == 1 { *bits } else { !bits })
-            }
-        }
+    fn counted(&self, counts: &[u64; BITS]) -> u64 {
+        self.counts.iter().zip(counts).fold(self.floor, |equal, (these, those)| equal & !(these ^ those))
     }
 }
 
 /// The bits of a word, the `word`th of its row, that belong to a run.
 #[inline]
 fn mask(word: i32, (from, to): SampleRun) -> u64 {
-    let (from, to) = ((from - (word << 6)).max(0), (to - (word << 6)).min(64));
-    (u64::MAX << from) & (u64::MAX >> (64 - to))
+    let below = |end: i32| {
+        let bits = (end - (word << 6)).clamp(0, 64);
+        if bits < 64 { (1_u64 << bits) - 1 } else { u64::MAX }
+    };
+    below(to) & !below(from)
 }
 
 impl SweptRaster {
@@ -150,6 +146,7 @@ impl SweptRaster {
             floor: Vec::new(),
             strokes: Vec::new(),
             ends: Vec::new(),
+            runs: Vec::new(),
         };
         for row in 0..height {
             for word in 0..words_across {
@@ -222,25 +219,47 @@ impl SweptRaster {
     pub fn missed_by(&mut self, old: &[(Point, Point)], new: &[(Point, Point)], most: f64) -> f64 {
         let area = self.spacing * self.spacing;
         let (mut won, mut lost, most) = (0_u32, 0_u32, (most / area).min(1e9) as u32);
-        let mut ends = std::mem::take(&mut self.ends);
         let rows = self.begin_exchange(old, new);
+        let mut runs = std::mem::take(&mut self.runs);
         for row in rows.0..rows.1 {
-            self.ends_in_row(row, &mut ends);
-            let line = &self.words[(row * self.words_across) as usize..][..self.words_across as usize];
-            each_run(&ends, |run, by| {
-                // Nobody but the old strokes sweeps what they count alone.
-                let sought = (-by).max(0) as u32;
-                let mut found = 0;
-                for word in run.0 >> 6..=(run.1 - 1) >> 6 {
-                    found += (line[word as usize].with(sought) & mask(word, run)).count_ones();
+            let (mut first, mut last) = (i32::MAX, 0);
+            runs.clear();
+            for (stroke, by) in &self.strokes {
+                if row >= stroke.rows.0 && row < stroke.rows.1 {
+                    let run = stroke.run(row, self.width);
+                    if run.0 < run.1 {
+                        (first, last) = (first.min(run.0), last.max(run.1));
+                        runs.push((run, *by));
+                    }
                 }
-                *if by < 0 { &mut lost } else { &mut won } += found;
-            });
+            }
+            if last == 0 {
+                continue;
+            }
+            let line = &self.words[(row * self.words_across) as usize..][..self.words_across as usize];
+            for word in first >> 6..=(last - 1) >> 6 {
+                let (mut added, mut removed) = (0_u64, [0_u64; BITS]);
+                for &(run, by) in &runs {
+                    let mask = mask(word, run);
+                    if by > 0 {
+                        added |= mask;
+                    } else {
+                        let mut carry = mask;
+                        for bits in &mut removed {
+                            (*bits, carry) = (*bits ^ carry, *bits & carry);
+                        }
+                    }
+                }
+                let word = &line[word as usize];
+                won += (word.unswept & added).count_ones();
+                // Nobody but the old strokes sweeps what they count alone.
+                lost += (word.counted(&removed) & !word.unswept & !added).count_ones();
+            }
             if lost > most {
                 break;
             }
         }
-        self.ends = ends;
+        self.runs = runs;
         if lost > most { f64::INFINITY } else { (f64::from(lost) - f64::from(won)) * area }
     }
 
@@ -382,11 +401,10 @@ struct SweptDisc {
     radius: f64,
     /// First row, and the one after the last.
     rows: (i32, i32),
-    /// Direction from the lower to the upper end, of length 1; zero for a point.
-    along: Vector,
-    length: f64,
-    /// 1 over its components.
-    inverse: Vector,
+    /// Height over an end at which the left side touches its disc.
+    tilt: f64,
+    /// Columns from the middle to a side, not finite for one row.
+    half: f64,
     /// From the first of these rows to before the second, a row meets neither disc, only the two long sides.
     middle: (i32, i32),
     /// There: left and right side at the first of the rows, and columns from one row to the next, in parts of a column.
@@ -403,14 +421,13 @@ impl SweptDisc {
         let rows = (math::ceil(low.y - radius).max(0), (math::floor(high.y + radius) + 1).min(height));
         let length = (high - low).norm();
         let along = if length > 1e-9 { (high - low) / length } else { Vector::zeros() };
-        let inverse = Vector::new(1.0 / along.x, 1.0 / along.y);
-        let slope = along.x * inverse.y;
-        let mut stroke =
-            Self { low, high, radius, rows, along, length, inverse, middle: (0, 0), sides: (0, 0), step: 0, slope };
+        let slope = along.x / along.y;
+        let half = radius / along.y;
+        let tilt = radius * along.x;
+        let mut stroke = Self { low, high, radius, rows, tilt, half, middle: (0, 0), sides: (0, 0), step: 0, slope };
         let middle = (math::floor(low.y + radius) + 1, math::ceil(high.y - radius));
         if middle.0 < middle.1 {
             let at = low.x + slope * (f64::from(middle.0) - low.y);
-            let half = radius * inverse.y;
             let parts = |columns: f64| (columns * PARTS) as i64;
             stroke.middle = middle;
             stroke.sides = (parts(at - half), parts(at + half));
@@ -419,7 +436,7 @@ impl SweptDisc {
         stroke
     }
 
-    /// The samples of a row: convex, so the hull of what both discs and the rectangle between them sweep of it.
+    /// The samples of a row.
     #[inline]
     fn run(&self, row: i32, width: i32) -> SampleRun {
         if row >= self.middle.0 && row < self.middle.1 {
@@ -432,43 +449,28 @@ impl SweptDisc {
         self.run_at_end(row, width)
     }
 
+    /// Where a disc bounds the row, or one of the long sides.
+    #[inline]
     fn run_at_end(&self, row: i32, width: i32) -> SampleRun {
         let y = f64::from(row);
-        let (mut left, mut right) = (f64::MAX, f64::MIN);
-        for end in [self.low, self.high] {
-            let dy = y - end.y;
-            let square = self.radius * self.radius - dy * dy;
-            if square >= 0.0 {
-                let half = square.sqrt();
-                left = left.min(end.x - half);
-                right = right.max(end.x + half);
-            }
-        }
-        if self.length > 1e-9 {
-            // With x from the lower end: |along.x dy - along.y x| <= radius, 0 <= along.x x + along.y dy <= length.
-            let dy = y - self.low.y;
-            let (mut from, mut to) = (f64::MIN, f64::MAX);
-            if self.along.y > 1e-9 {
-                let middle = self.along.x * dy * self.inverse.y;
-                let half = self.radius * self.inverse.y;
-                (from, to) = (middle - half, middle + half);
-            } else if dy.abs() > self.radius {
-                (from, to) = (1.0, 0.0);
-            }
-            if self.along.x.abs() > 1e-9 {
-                let one = -self.along.y * dy * self.inverse.x;
-                let other = one + self.length * self.inverse.x;
-                from = from.max(one.min(other));
-                to = to.min(one.max(other));
-            }
-            if from <= to {
-                left = left.min(self.low.x + from);
-                right = right.max(self.low.x + to);
-            }
-        }
-        if left > right {
-            return (0, 0);
-        }
+        let (low, high) = (y - self.low.y, y - self.high.y);
+        let half = |dy: f64| (self.radius * self.radius - dy * dy).max(0.0).sqrt();
+        let middle = || self.low.x + self.slope * low;
+        // The sides end where they touch the discs.
+        let left = if low <= self.tilt {
+            self.low.x - half(low)
+        } else if high < self.tilt {
+            middle() - self.half
+        } else {
+            self.high.x - half(high)
+        };
+        let right = if low <= -self.tilt {
+            self.low.x + half(low)
+        } else if high < -self.tilt {
+            middle() + self.half
+        } else {
+            self.high.x + half(high)
+        };
         (math::ceil(left).max(0), (math::floor(right) + 1).min(width))
     }
 }
