@@ -19,7 +19,7 @@ use robovac_core::{
 use std::ops::ControlFlow;
 
 /// Temperatures at the begin and at the end, s.
-const TEMPERATURES: (f64, f64) = (1.0, 0.02);
+const TEMPERATURES: (f64, f64) = (2.0, 0.06);
 /// Moves for every metre that are worth another descent from the start, most descents, and the share of the search after
 /// which their number is fixed.
 const DESCENT: f64 = 30_000.0;

@@ -2,8 +2,8 @@
 //!
 //! The idea of multi-scale egocentric maps is that of Jonnarth, Zhao & Felsberg (Learning coverage paths in unknown
 //! environments with deep reinforcement learning, 2024); the values and the pyramid are ours. Cells of 5 cm have one of three
-//! values; each coarser level holds the sums of four cells of the finer one, kept up to date with every change, so that reading
-//! a patch takes one look-up for each pixel at any scale.
+//! values; each coarser level holds the sums of four cells of the finer one and the pixels that show them, kept up to date with
+//! every change, so that reading a patch takes one look-up for each pixel at any scale.
 
 use robovac_core::{
     geometry::{Point, Pose},
@@ -37,13 +37,31 @@ pub enum PatchMark {
     Swept = 1,
 }
 
+impl PatchMark {
+    /// Of a pixel of the finest scale.
+    fn of(pixel: u8) -> Self {
+        match pixel {
+            0 => Self::Obstacle,
+            255 => Self::Swept,
+            _ => Self::Unknown,
+        }
+    }
+}
+
+/// What a patch shows of cells whose values have this sum.
+fn shade(sum: i8, level: usize) -> u8 {
+    ((i32::from(sum) << (7 - 2 * level)) + 128).clamp(0, 255) as u8
+}
+
 /// The map. It wraps round: its side is a power of two cells, wide enough that no patch shows a place twice.
 #[derive(Debug, Clone)]
 pub struct EgoMap {
     /// Side in cells, as a power of two.
     bits: u32,
-    /// Sums of the cells' values, from fine to coarse.
-    levels: [Vec<i8>; SCALES],
+    /// What patches show of each cell, from fine to coarse.
+    pixels: [Vec<u8>; SCALES],
+    /// Sums of the cells' values at the coarser scales.
+    sums: [Vec<i8>; SCALES - 1],
 }
 
 impl EgoMap {
@@ -51,8 +69,10 @@ impl EgoMap {
     pub fn new(extent_m: f64) -> Self {
         let cells = ((extent_m.max(0.0) + VIEW_M) / CELL_M).min(f64::from(1_u32 << BITS.1));
         let bits = (cells as u32).next_power_of_two().trailing_zeros().clamp(BITS.0, BITS.1);
-        let levels = std::array::from_fn(|level| vec![0; 1 << (2 * (bits as usize - level))]);
-        Self { bits, levels }
+        let cells = |level: usize| 1 << (2 * (bits as usize - level));
+        let pixels = std::array::from_fn(|level| vec![shade(0, level); cells(level)]);
+        let sums = std::array::from_fn(|coarser| vec![0; cells(coarser + 1)]);
+        Self { bits, pixels, sums }
     }
 
     /// Marks the cell at a point.
@@ -74,15 +94,19 @@ impl EgoMap {
 
     fn set(&mut self, x: i32, y: i32, mark: PatchMark) {
         let index = index(self.bits, x, y);
-        let Some(cell) = self.levels[0].get_mut(index) else { return };
-        let change = mark as i8 - *cell;
+        let [cells, coarser @ ..] = &mut self.pixels;
+        let Some(pixel) = cells.get_mut(index) else { return };
+        let change = mark as i8 - PatchMark::of(*pixel) as i8;
         if change == 0 {
             return;
         }
-        *cell = mark as i8;
-        for (level, sums) in self.levels.iter_mut().enumerate().skip(1) {
-            if let Some(sum) = sums.get_mut(index_at(self.bits, level, x, y)) {
+        *pixel = shade(mark as i8, 0);
+        for (finer, (sums, pixels)) in self.sums.iter_mut().zip(coarser).enumerate() {
+            let level = finer + 1;
+            let index = index_at(self.bits, level, x, y);
+            if let (Some(sum), Some(pixel)) = (sums.get_mut(index), pixels.get_mut(index)) {
                 *sum += change;
+                *pixel = shade(*sum, level);
             }
         }
     }
@@ -90,11 +114,7 @@ impl EgoMap {
     /// What is known of the cell at a point.
     pub fn at(&self, point: Point) -> PatchMark {
         let index = index(self.bits, math::floor(point.x / CELL_M), math::floor(point.y / CELL_M));
-        match self.levels[0].get(index) {
-            Some(1) => PatchMark::Swept,
-            Some(-1) => PatchMark::Obstacle,
-            _ => PatchMark::Unknown,
-        }
+        self.pixels[0].get(index).map_or(PatchMark::Unknown, |&pixel| PatchMark::of(pixel))
     }
 
     /// Writes the patches around `pose` into `out`, [`PATCH_LEN`] values: the finest scale first, each patch row by row. The
@@ -104,18 +124,18 @@ impl EgoMap {
     pub fn patches(&self, pose: Pose, out: &mut [u8]) {
         let (sin, cos) = math::sin_cos(pose.heading);
         let (across, down) = (fixed(sin), fixed(cos));
-        for (level, (sums, patch)) in self.levels.iter().zip(out.chunks_exact_mut(SIDE * SIDE)).enumerate() {
+        for (level, (pixels, patch)) in self.pixels.iter().zip(out.chunks_exact_mut(SIDE * SIDE)).enumerate() {
             let size = CELL_M * f64::from(1_u32 << level);
             let bits = self.bits - level as u32;
-            let (mask, shift) = ((1_usize << bits) - 1, 7 - 2 * level);
+            let columns = (1_usize << bits) - 1;
+            let rows = columns << bits;
             let mut row_x = fixed(pose.x / size + FIRST * (cos - sin));
             let mut row_y = fixed(pose.y / size + FIRST * (sin + cos));
             for row in patch.chunks_exact_mut(SIDE) {
                 let (mut x, mut y) = (row_x, row_y);
                 for pixel in row {
-                    let index = (((y >> FRACTION) as usize & mask) << bits) | ((x >> FRACTION) as usize & mask);
-                    let sum = sums.get(index).copied().unwrap_or(0);
-                    *pixel = ((i32::from(sum) << shift) + 128).min(255) as u8;
+                    let index = ((y >> (FRACTION - bits)) as usize & rows) | ((x >> FRACTION) as usize & columns);
+                    *pixel = pixels.get(index).copied().unwrap_or(0);
                     (x, y) = (x.wrapping_add(across), y.wrapping_sub(down));
                 }
                 (row_x, row_y) = (row_x.wrapping_sub(down), row_y.wrapping_sub(across));
@@ -125,7 +145,7 @@ impl EgoMap {
 
     /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
-        self.levels.iter().map(Vec::len).sum()
+        self.pixels.iter().map(Vec::len).chain(self.sums.iter().map(Vec::len)).sum()
     }
 }
 
