@@ -360,7 +360,7 @@ method: ShadeMethod,
 shade: number,
 /** How much darker than their surroundings walls are, 0 to 1. For the method *local*. */
 contrast: number,
-/** Marks of an image that are smaller than this are left out, m; not by the method *map*. */
+/** Marks of an image that are smaller than this are left out, m; and words, unless it is 0. Not by the method *map*. */
 specks: number,
 /** Whether light shades are walls instead. */
 negate: boolean,
@@ -1513,7 +1513,9 @@ resolution: number,
 /** Number of objects. */
 objects: number,
 /** Gaps that were closed. */
-gaps: number, };
+gaps: number,
+/** Floor round the building that is left out, m². */
+around_m2: number, };
 
 /** A line of traffic. */
 export type Traffic = {

@@ -56,7 +56,7 @@ function facts({ kind, size, strokes, layers, room, left_out }) {
 /** @param {FloorPlanView} view */
 function result({ room, settings, fault }) {
   if (!room) return settings.metre === null ? "Choose the drawing's unit first." : fault || "No room yet.";
-  const { width_m, height_m, floor_m2, cells, objects, gaps } = room;
-  const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, gaps && `${gaps} ${gaps === 1 ? "gap" : "gaps"} closed`].filter(Boolean);
+  const { width_m, height_m, floor_m2, cells, objects, gaps, around_m2 } = room;
+  const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, gaps && `${gaps} ${gaps === 1 ? "gap" : "gaps"} closed`, around_m2 > 0 && `${around_m2.toFixed(1)} m² round the building left out`].filter(Boolean);
   return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, walls included`, `${floor_m2.toFixed(1)} m² of floor`, `${cells[0]} × ${cells[1]} cells`, ...more].join(" · ");
 }

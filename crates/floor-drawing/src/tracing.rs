@@ -10,7 +10,8 @@ use robovac_core::{
 /// The part of a drawing to be traced, in drawing units.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DrawingRegion {
-    /// The floor that walls enclose, with outer doors closed; all of it, if they enclose hardly any.
+    /// The floor of the building that walls enclose, with outer doors closed, without a garden or a page round it. All of
+    /// it, if they enclose hardly any.
     Indoors,
     /// All of it.
     Whole,
@@ -57,6 +58,8 @@ pub struct Traced {
     pub metre: f64,
     /// Gaps that were closed: both ends, m, in the room.
     pub gaps: Vec<[Point; 2]>,
+    /// Floor that is left out indoors, m²: a garden within its wall, a page within its frame.
+    pub around_m2: f64,
 }
 
 impl Traced {

@@ -116,9 +116,14 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let file = arguments.source.file()?.filter(is_drawing);
     let room = match &file {
         Some(file) => arguments.drawing.trace(file)?,
-        None => {
-            Traced { plan: arguments.source.plan()?, corner: Vector::zeros(), turn: 0.0, metre: 1.0, gaps: Vec::new() }
-        }
+        None => Traced {
+            plan: arguments.source.plan()?,
+            corner: Vector::zeros(),
+            turn: 0.0,
+            metre: 1.0,
+            gaps: Vec::new(),
+            around_m2: 0.0,
+        },
     };
     let original = file.as_ref().filter(|file| is_dxf(file)).map(|file| file.bytes.as_slice());
     let plan = &room.plan;

@@ -7,6 +7,7 @@ mod page;
 mod raster;
 mod region;
 mod solids;
+mod surroundings;
 
 use super::{Drawing, DrawingError, DrawingFlaw, DrawingRegion, Picture, Role, Traced, Tracing, error::bad};
 pub(crate) use page::without_page;
@@ -79,8 +80,16 @@ pub fn trace_picture(picture: &Picture, how: &Tracing) -> Result<Traced, Drawing
     Ok(traced.turned(picture.turn))
 }
 
-/// The floor that walls enclose: its cells, the walls and the openings that are closed for it.
-type EnclosedFloor = (RasterFrame, Grid<bool>, Grid<bool>, Vec<[Point; 2]>);
+/// The floor that walls enclose.
+struct EnclosedFloor {
+    frame: RasterFrame,
+    inside: Grid<bool>,
+    walls: Grid<bool>,
+    /// Openings that are closed for it.
+    openings: Vec<[Point; 2]>,
+    /// Cells within the outermost walls that lie round the building.
+    around: usize,
+}
 
 struct RoomTracer<'a> {
     drawing: &'a Drawing,
@@ -150,13 +159,17 @@ impl<'a> RoomTracer<'a> {
 
     fn indoors(&self) -> Result<Traced, DrawingFlaw> {
         match self.enclosed()? {
-            Some((frame, inside, walls, openings)) => self.cropped(&frame, inside, &walls, &openings),
+            Some(EnclosedFloor { frame, inside, walls, openings, around }) => {
+                let mut traced = self.cropped(&frame, inside, &walls, &openings)?;
+                traced.around_m2 = around as f64 * self.how.resolution * self.how.resolution;
+                Ok(traced)
+            }
             None => self.whole(),
         }
     }
 
-    /// The floor that walls enclose, with openings up to the width of an outer door closed: cells, walls and openings.
-    /// `None` if they enclose hardly any.
+    /// The floor that walls enclose, with openings up to the width of an outer door closed, without what lies round a
+    /// building within the outermost walls. `None` if they enclose hardly any.
     fn enclosed(&self) -> Result<Option<EnclosedFloor>, DrawingFlaw> {
         let gap = OUTER_DOOR.max(self.how.gap) / self.how.resolution;
         let frame = RasterFrame::around(&self.bounds, self.side, ceil(gap.min(1e6)).saturating_add(MARGIN));
@@ -175,9 +188,14 @@ impl<'a> RoomTracer<'a> {
         if with_doors_closed.count() > inside.count() {
             (inside, openings) = (with_doors_closed, outside.openings);
         }
+        let all = inside.count();
+        if let Some(building) = surroundings::building(&walls, &inside, gap, self.how.resolution) {
+            (inside, openings) = building;
+        }
+        let around = all - inside.count();
         let size = (self.bounds.high - self.bounds.low) / self.side;
         let is_building = inside.count() as f64 >= INDOORS * size.x * size.y;
-        Ok(is_building.then_some((frame, inside, walls, openings)))
+        Ok(is_building.then_some(EnclosedFloor { frame, inside, walls, openings, around }))
     }
 
     fn whole(&self) -> Result<Traced, DrawingFlaw> {
@@ -210,7 +228,7 @@ impl<'a> RoomTracer<'a> {
 
     /// The middle of the widest place that walls enclose, in the room of the cells `whole`, if there is floor outside, too.
     fn start_indoors(&self, whole: &RasterFrame, free: usize) -> Result<Option<Pose>, DrawingFlaw> {
-        let Some((frame, inside, ..)) = self.enclosed()? else { return Ok(None) };
+        let Some(EnclosedFloor { frame, inside, .. }) = self.enclosed()? else { return Ok(None) };
         let Some(room) = largest_part(&inside).filter(|_| inside.count() < free) else { return Ok(None) };
         let room = reachable(&inside, room);
         let width = chessboard(&room.map(|is_room| !is_room));
@@ -423,6 +441,6 @@ impl<'a> RoomTracer<'a> {
         let inside = |end: &Point| (0.0..=plan.width_m()).contains(&end.x) && (0.0..=plan.height_m()).contains(&end.y);
         let in_room = self.bridges.iter().map(|ends| ends.map(|end| frame.cells(end) * self.how.resolution));
         let gaps = in_room.filter(|ends| ends.iter().all(inside)).collect();
-        Ok(Traced { plan, corner: frame.low.coords, turn: 0.0, metre, gaps })
+        Ok(Traced { plan, corner: frame.low.coords, turn: 0.0, metre, gaps, around_m2: 0.0 })
     }
 }

@@ -267,7 +267,7 @@ impl DrawingSession {
                     origin: Pose::new(0.0, 0.0, 0.0),
                 };
                 if plan.occupancy.values().iter().any(|cell| cell.is_free()) {
-                    return Ok(Traced { plan, corner: Vector::zeros(), turn, metre, gaps: Vec::new() });
+                    return Ok(Traced { plan, corner: Vector::zeros(), turn, metre, gaps: Vec::new(), around_m2: 0.0 });
                 }
                 Err(nothing())
             }
@@ -278,7 +278,7 @@ impl DrawingSession {
             }
             DrawingSource::Map { plan, .. } => {
                 let plan = scaled(plan, metre);
-                Ok(Traced { plan, corner: Vector::zeros(), turn, metre, gaps: Vec::new() })
+                Ok(Traced { plan, corner: Vector::zeros(), turn, metre, gaps: Vec::new(), around_m2: 0.0 })
             }
         }
     }

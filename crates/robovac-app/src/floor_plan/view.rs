@@ -132,6 +132,8 @@ pub struct TracedRoomView {
     pub objects: usize,
     /// Gaps that were closed.
     pub gaps: usize,
+    /// Floor round the building that is left out, m².
+    pub around_m2: f64,
 }
 
 /// Results of a sweep.
@@ -248,6 +250,7 @@ impl DrawingSession {
             resolution: plan.resolution,
             objects: plan.objects.len(),
             gaps: room.gaps.len(),
+            around_m2: room.around_m2,
         })
     }
 }
@@ -277,6 +280,9 @@ fn description(view: &DrawingView) -> String {
                 if count > 0 {
                     say(amount(count as i64, what));
                 }
+            }
+            if room.around_m2 > 0.0 {
+                say(format!("{:.1} square metres round the building are left out", room.around_m2));
             }
         }
     }
