@@ -4,15 +4,23 @@ import { test } from "node:test";
 import { openApp } from "./app.mjs";
 import { anyFile } from "./maps.mjs";
 
-/** A picture of a house with two rooms and an open front door, turned on its sheet; as the browser encodes it. */
-const photograph = (page, name, type, degrees) =>
+/**
+ * A picture of a house with two rooms and an open front door, turned on its sheet; as the browser encodes it. On a `sheet` it
+ * has names, and stands within a garden wall in a frame with a title block.
+ */
+const photograph = (page, name, type, degrees, sheet = false) =>
   page.evaluate(
-    async ([type, degrees]) => {
-      const canvas = new OffscreenCanvas(520, 420);
+    async ([type, degrees, sheet]) => {
+      const [width, height] = sheet ? [720, 600] : [520, 420];
+      const canvas = new OffscreenCanvas(width, height);
       const context = canvas.getContext("2d");
       context.fillStyle = "#e8e4da";
-      context.fillRect(0, 0, 520, 420);
-      context.translate(260, 210);
+      context.fillRect(0, 0, width, height);
+      if (sheet) {
+        context.strokeRect(6, 6, 708, 588);
+        context.strokeRect(564, 534, 150, 60);
+      }
+      context.translate(width / 2, height / 2);
       context.rotate((-degrees * Math.PI) / 180);
       context.fillStyle = "#222";
       // 8 x 6 m at 2.5 cm a pixel, with walls of 20 cm.
@@ -22,11 +30,19 @@ const photograph = (page, name, type, degrees) =>
       context.fillRect(4, -120, 156, 240);
       context.fillRect(-4, 20, 8, 36);
       context.fillRect(-168, -100, 8, 40);
+      if (sheet) {
+        context.strokeStyle = context.fillStyle = "#222";
+        context.lineWidth = 5;
+        context.strokeRect(-250, -200, 500, 400);
+        context.font = "12px sans-serif";
+        context.fillText("Kitchen 23.4", -130, 0);
+        context.fillText("Bedroom 23.4", 50, 0);
+      }
       const blob = await canvas.convertToBlob({ type, quality: 0.9 });
       if (blob.type !== type) throw new Error(`this browser encodes no ${type}`);
       return [...new Uint8Array(await blob.arrayBuffer())];
     },
-    [type, degrees],
+    [type, degrees, sheet],
   ).then((bytes) => ({ name, bytes: Buffer.from(bytes) }));
 
 const result = async (app) => {
@@ -61,6 +77,20 @@ test("a photograph becomes a floor plan: indoors, straightened, at its size", as
   await screenshot("floor-plan-straightened");
   await app.answered(() => page.locator("#floor-plan-use").click());
   assert.equal(await app.room(), "flat");
+});
+
+test("a garden, a page within its frame, and words are neither floor nor walls", async (t) => {
+  const { page, app, screenshot } = await openApp(t);
+  assert.ok(await app.bring(await photograph(page, "sheet.png", "image/png", 0, true)));
+  await page.locator("#floor-plan-pixel").fill("2.5");
+  await page.keyboard.press("Tab");
+  const area = await app.poll(() => floor(app), (area) => area < 60);
+  // Letters would be 0.3 m² of walls.
+  assert.ok(Math.abs(area - FLOOR) < 0.2, `${area} of ${FLOOR} m²`);
+  assert.match(await result(app), /[\d.]+ m² round the building left out/);
+  await screenshot("floor-plan-sheet");
+  await page.locator("#floor-plan-specks").fill("0");
+  await app.poll(() => floor(app), (now) => now < area - 0.1);
 });
 
 test("WebP is read, an unusual size is asked about, and other files are told how to be converted", async (t) => {

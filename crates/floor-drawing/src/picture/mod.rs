@@ -1,8 +1,10 @@
 //! Floor plans in images: photographs, scans, exported pictures. Their shades become walls, and rooms are traced from
 //! them as from drawings.
 
+mod lettering;
 mod level;
 mod local;
+mod marks;
 mod specks;
 mod suggest;
 
@@ -41,7 +43,7 @@ pub struct WallShades {
     pub contrast: f64,
     /// Whether light shades are walls instead.
     pub negate: bool,
-    /// Marks that are smaller than this are left out, pixels; not for [`ShadeMethod::Map`].
+    /// Marks that are smaller than this are left out, pixels; and words, unless it is 0. Not for [`ShadeMethod::Map`].
     pub specks: f64,
 }
 
@@ -58,6 +60,10 @@ impl WallShades {
             ShadeMethod::Level => level::darker(shades, self.level, self.negate),
             ShadeMethod::Local => local::darker(shades, self.contrast, self.negate),
         };
+        if self.specks > 0.0 {
+            // First, while the pieces of their letters are there.
+            lettering::remove(&mut walls);
+        }
         specks::remove(&mut walls, self.specks);
         walls.map(|&is_wall| light(is_wall))
     }
