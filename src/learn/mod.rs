@@ -26,12 +26,14 @@ impl LessonText {
         to_js(&self.lesson)
     }
 
-    /// The runs that check the answer `link` to a goal, for seeds `first`, `first + by`, ... of the lesson's; pass them to
+    /// The runs that check the answer `link` to a goal, for part `index` of `parts` of the lesson's seeds; pass them to
     /// `Runner.run` in a worker.
     #[wasm_bindgen(unchecked_return_type = "{ id: number }")]
-    pub fn request(&self, goal: &str, link: &str, first: usize, by: usize) -> Result<JsValue, JsValue> {
+    pub fn request(&self, goal: &str, link: &str, index: usize, parts: usize) -> Result<JsValue, JsValue> {
         let goal = self.goal(goal)?;
-        let seeds = goal.seeds().into_iter().skip(first).step_by(by.max(1)).collect();
+        let seeds = goal.seeds();
+        let begins = |part: usize| seeds.len() * part / parts.max(1);
+        let seeds = seeds.get(begins(index)..begins(index + 1)).unwrap_or_default().to_vec();
         to_js(&goal.request(link, self.lesson.scenario_of(goal), seeds))
     }
 
@@ -46,12 +48,10 @@ impl LessonText {
         Ok(self.goal(goal)?.settings(link).1)
     }
 
-    /// Whether runs, the results of `Runner.run` in any order, reach a goal.
+    /// Whether runs, the results of `Runner.run` in the order of seeds, reach a goal.
     #[wasm_bindgen(unchecked_return_type = "rust.Verdict")]
     pub fn judge(&self, goal: &str, outcomes: &[f64]) -> Result<JsValue, JsValue> {
-        let mut runs = RunOutcome::from_numbers(outcomes);
-        runs.sort_unstable_by_key(|run| run.seed);
-        to_js(&self.goal(goal)?.judge(&runs))
+        to_js(&self.goal(goal)?.judge(&RunOutcome::from_numbers(outcomes)))
     }
 
     /// The runs of a row of the measurement that is the block with this index.

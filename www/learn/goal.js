@@ -42,16 +42,20 @@ export function goal(context, goal) {
     running = new AbortController();
     const ends = AbortSignal.any([signal, running.signal]);
     const pieces = Math.min(goal.runs, 2 * (navigator.hardwareConcurrency || 2));
-    const requests = Array.from({ length: pieces }, (_, first) => text.request(goal.id, link, first, pieces));
+    const requests = Array.from({ length: pieces }, (_, index) => text.request(goal.id, link, index, pieces));
     /** @type {Float64Array[]} */
-    const parts = [];
+    const parts = Array(pieces);
+    let made = 0;
     check.textContent = "Cancel";
     bar.hidden = false;
     bar.value = 0;
     outcome.textContent = "";
     try {
       const driven = program && { program, ...(await place(text.place(goal.id, link))) };
-      await makeRuns(requests, (_, outcomes) => (bar.value = parts.push(outcomes) / pieces), ends, driven);
+      await makeRuns(requests, (index, outcomes) => {
+        parts[index] = outcomes;
+        bar.value = ++made / pieces;
+      }, ends, driven);
       const verdict = text.judge(goal.id, joined(parts));
       done.goals[goal.id] = { link, ...(program && { program }), passed: verdict.passed, runs: verdict.runs };
       changed();

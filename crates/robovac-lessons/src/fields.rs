@@ -1,6 +1,6 @@
 //! The `key: value` lines of a fenced block, and the numbers in them.
 
-use crate::LessonFault;
+use crate::{LessonFault, fixed::short};
 
 /// One line of a block.
 #[derive(Debug, Clone)]
@@ -116,7 +116,11 @@ impl BlockLines {
         let number = decimal(&field.value).filter(|number| range.contains(number));
         number.ok_or_else(|| {
             let what = format!("\"{key}\" can't be \"{}\"", field.value);
-            LessonFault::new(field.line, what, format!("use a number from {} to {}", range.start(), range.end()))
+            LessonFault::new(
+                field.line,
+                what,
+                format!("use a number from {} to {}", short(*range.start()), short(*range.end())),
+            )
         })
     }
 
@@ -128,9 +132,7 @@ impl BlockLines {
         } else {
             format!("the block \"{}\" has no key \"{}\"", self.kind, field.key)
         };
-        let mut known = self.known.clone();
-        known.sort_unstable();
-        Err(LessonFault::new(field.line, what, format!("it takes: {}", known.join(", "))))
+        Err(LessonFault::new(field.line, what, format!("it takes: {}", self.known.join(", "))))
     }
 }
 

@@ -17,6 +17,7 @@
 mod answer;
 mod fault;
 mod fields;
+mod fixed;
 mod goal;
 mod grade;
 mod lesson;

@@ -81,7 +81,7 @@ impl Link {
         let settings = settings.join("&");
         RunsRequest {
             id: 0,
-            place: format!("{room} {scenario:?} {settings} {duration_s} {plan_seed}"),
+            place: format!("{room} {} {settings} {} {plan_seed}", scenario.unwrap_or_default(), duration_s.to_bits()),
             room: scenario.is_none().then(|| room.to_owned()),
             scenario: scenario.map(str::to_owned),
             settings,

@@ -1,6 +1,7 @@
 //! Questions about numbers: medians, odometry, log odds, bytes.
 
 use super::{Question, Right};
+use crate::fixed::fixed;
 use rand::RngExt;
 use robovac_core::rng::Rng;
 
@@ -45,9 +46,10 @@ pub fn odometry(rng: &mut Rng) -> Question {
          diameter of 72 mm and are 235 mm apart. By how many degrees has the robot turned, counter-clockwise?"
     );
     let because = format!(
-        "({right} − {left}) / 508.8 × π × 72 mm = {:.1} mm; divided by 235 mm that is {:.3} rad = {angle:.1}°.",
-        1000.0 * (metres(right) - metres(left)),
-        angle.to_radians()
+        "({right} − {left}) / 508.8 × π × 72 mm = {} mm; divided by 235 mm that is {} rad = {}°.",
+        fixed(1000.0 * (metres(right) - metres(left)), 1),
+        fixed(angle.to_radians(), 3),
+        fixed(angle, 1)
     );
     question(text, "e.g. -42.5", Right::Number(angle, 0.02 * angle.abs() + 0.5), because)
 }
@@ -62,8 +64,10 @@ pub fn log_odds(rng: &mut Rng) -> Question {
         "A cell begins at 50 %. It is seen occupied {hits} ×, each time with p = 0.7, and free {misses} ×, each time with \
          p = 0.4. With what probability is it occupied, in percent?"
     );
+    let [hit, miss, sum] = [hit, miss, sum].map(|odds| fixed(odds, 3));
     let because = format!(
-        "The log odds are {hits} × {hit:.3} + {misses} × ({miss:.3}) = {sum:.3}; 1 / (1 + e^−{sum:.3}) is {percent:.1} %."
+        "The log odds are {hits} × {hit} + {misses} × ({miss}) = {sum}; 1 / (1 + e^−{sum}) is {} %.",
+        fixed(percent, 1)
     );
     question(text, "e.g. 84", Right::Number(percent, 1.0), because)
 }

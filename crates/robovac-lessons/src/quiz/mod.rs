@@ -6,6 +6,7 @@ mod room;
 use crate::{
     LessonFault,
     fields::{BlockLines, decimal},
+    fixed::short,
 };
 use robovac_core::rng::seeded;
 use serde::Serialize;
@@ -143,7 +144,7 @@ impl Question {
     pub fn right(&self) -> String {
         match &self.right {
             Right::Option(index) => index.to_string(),
-            Right::Number(value, _) => format!("{}", (value * 10.0).round() / 10.0),
+            Right::Number(value, _) => short(*value),
             Right::Bytes(bytes) => bytes.iter().map(u8::to_string).collect::<Vec<_>>().join(" "),
         }
     }
