@@ -12,7 +12,7 @@ const ROUNDS = Number(process.env.LINK_ROUNDS ?? 3);
 underLoad(Number(process.env.LOAD ?? 0));
 
 for (const [way, go] of Object.entries(WAYS)) {
-  test(`stops when ${way}`, { skip, timeout: 60_000 + 5000 * ROUNDS }, async (t) => {
+  test(`stops when ${way}`, { skip, timeout: 60_000 + 10_000 * ROUNDS }, async (t) => {
     const robot = await Robot.start(t);
     const { desk: first, open } = await openDesk(t, { robot });
     let desk = first;
@@ -90,7 +90,7 @@ test("what a busy driver had decided before the page stopped the robot never rea
   await desk.tab.evaluate(() => window.holder.terminate());
 });
 
-test("stops when the tab is hidden, and stays so when it is shown again", { skip, timeout: 60_000 + 5000 * ROUNDS }, async (t) => {
+test("stops when the tab is hidden, and stays so when it is shown again", { skip, timeout: 60_000 + 10_000 * ROUNDS }, async (t) => {
   const robot = await Robot.start(t);
   const { openTab } = await openHidable(t, { robot });
   const tab = await openTab("desk.html");
