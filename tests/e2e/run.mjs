@@ -14,7 +14,7 @@ import { Passed } from "./passed.mjs";
 const here = path.dirname(fileURLToPath(import.meta.url));
 const words = process.argv.slice(2);
 /** Those that take long begin first, so that no process is left with one at the end. */
-const LONG = ["webkit", "firefox", "choices", "settings", "compare", "map", "connection-virtual", "floor-plan", "bench", "near-optimal", "connection-stop", "connection-window", "connection-bridge", "connection-fake", "connection-usb"];
+const LONG = ["webkit", "lessons", "rides", "firefox", "choices", "settings", "compare", "map", "connection-virtual", "floor-plan", "bench", "near-optimal", "connection-stop", "connection-window", "connection-bridge", "connection-fake", "connection-usb"];
 const rank = (name) => (LONG.indexOf(name.replace(".test.mjs", "")) + LONG.length + 1) % (LONG.length + 1);
 const all = fs
   .readdirSync(here)
