@@ -38,6 +38,7 @@ import { compile, missing } from "./wasm.js";
  * @property {string} followed The link that was followed last, without `#`.
  * @property {() => string} link The link of the current state, after `#`.
  * @property {string} lesson What leads to the open lesson; empty for none.
+ * @property {boolean} isUnrun Whether the program's text was changed since it was last run.
  * @property {() => Promise<string>} share What the tab adds to a link that is to be passed on.
  * @property {(key: string) => boolean} tabKey A single key in another tab; says whether it was used.
  */
@@ -99,6 +100,7 @@ async function start() {
       void (lesson ? learn(lesson) : tabs.bring(files));
     },
     lesson: "",
+    isUnrun: false,
     cancelPlanning: () => {
       planning.cancel();
       app.act((p) => p.cancel_plan());

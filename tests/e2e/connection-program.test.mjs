@@ -70,6 +70,8 @@ test("the virtual Roomba is driven by the program, and stops for good when answe
   await page.getByText("was too slow").or(page.getByText("took too long")).first().waitFor();
   await robot.rests();
   assert.ok((await robot.distance()) < 0.6, "it drove on");
+  // The loop, once the same readings were gone through again.
+  await page.getByText(/The program failed in line 3: .*never ends/).waitFor();
 });
 
 test("the virtual Roomba drives what a program has planned", async (t) => {

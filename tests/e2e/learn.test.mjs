@@ -131,6 +131,41 @@ test("all lessons open, and lecture mode turns their pages", async (t) => {
   assert.equal(await app.message(), "");
 });
 
+test("in lecture mode even small type is large enough for the last row", async (t) => {
+  const { page } = await openApp(t, { address: "#room=thesis8&behaviour=bounce&lesson=who-wins", viewport: { width: 1440, height: 900 } });
+  const panel = page.locator("#learn");
+  await panel.getByRole("heading", { name: "Who wins?", exact: true }).waitFor();
+  /** The smallest type of all that has text, px. */
+  const smallest = () =>
+    panel.locator(".learn-body").evaluate((body) => {
+      const walker = document.createTreeWalker(body, NodeFilter.SHOW_TEXT);
+      const sizes = [];
+      while (walker.nextNode()) if (walker.currentNode.textContent.trim() && walker.currentNode.parentElement.checkVisibility() && !walker.currentNode.parentElement.closest("svg")) sizes.push(parseFloat(getComputedStyle(walker.currentNode.parentElement).fontSize));
+      return Math.min(...sizes);
+    });
+  const before = await smallest();
+  await panel.getByRole("button", { name: /Lecture mode/ }).click();
+  const pages = Number(/^1 of (\d+)$/.exec(await panel.getAttribute("data-page"))[1]);
+  assert.ok(pages > 3, `${pages} pages`);
+  for (let number = 1; number <= pages; number++) {
+    await page.waitForFunction((wanted) => document.getElementById("learn").dataset.page.startsWith(`${wanted} of`), number);
+    const size = await smallest();
+    assert.ok(size >= 20 && size > 1.4 * before, `page ${number}: ${size} px, and ${before} px outside a lecture`);
+    assert.ok(await panel.locator(".learn-body").evaluate((body) => body.scrollWidth <= body.clientWidth + 1), `page ${number} is too wide`);
+    await page.keyboard.press("ArrowRight");
+  }
+});
+
+test("each lesson prints to one or two pages", async (t) => {
+  const { page } = await openApp(t, { address: "#room=thesis8&behaviour=bounce&lesson=who-wins" });
+  for (const { id, title } of INDEX) {
+    await page.evaluate((lesson) => (location.hash = `room=thesis8&behaviour=bounce&lesson=${lesson}`), id);
+    await page.locator("#learn").getByRole("heading", { name: title, exact: true }).waitFor();
+    const pages = (await page.pdf({ format: "A4" })).toString("latin1").match(/\/Type\s*\/Page\b/g)?.length;
+    assert.ok(pages === 1 || pages === 2, `${id}: ${pages} pages`);
+  }
+});
+
 test("an exercise from a file is safe, checked, handed in, and graded natively with the same digests", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=thesis8&behaviour=bounce" });
   await drop(page, "small.md", LESSON);
@@ -256,6 +291,15 @@ test("a program reaches a goal in a room of the task's, is handed in, and graded
   await download.saveAs(answer);
   const [{ passed, goals }] = JSON.parse(execFileSync(robovac(), ["grade", lesson, answer, "--json", "--unconfined"], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }));
   assert.deepEqual({ passed, misfits: goals[0].misfits, runs: goals[0].verdict.runs.length }, { passed: true, misfits: [], runs: 3 });
+  // What is written but not run would be marked as the program before it.
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("ControlOrMeta+End");
+  await page.keyboard.insertText("\n// changed\n");
+  await panel.getByRole("button", { name: "Check my program" }).click();
+  await panel.getByText("The program was changed since it last ran").waitFor();
+  await page.locator("#program-run").click();
+  await panel.getByRole("button", { name: "Check my program" }).click();
+  await panel.getByText("Goal reached.").waitFor();
   assert.equal(await app.message(), "");
 });
 

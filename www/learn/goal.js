@@ -39,6 +39,10 @@ export function goal(context, goal) {
       outcome.textContent = "No program drives the robot yet. Open one in Program, press Run, and check again.";
       return;
     }
+    if (program && app.isUnrun) {
+      outcome.textContent = "The program was changed since it last ran. Press Run in the tab Program, and check again.";
+      return;
+    }
     running = new AbortController();
     const ends = AbortSignal.any([signal, running.signal]);
     const pieces = Math.min(goal.runs, 2 * (navigator.hardwareConcurrency || 2));

@@ -3,6 +3,7 @@
 // hold as for every other: speeds are limited, and without an answer for 200 ms the robot stops.
 import { make } from "../dom.js";
 import { style } from "../parts.js";
+import { Given } from "./endless.js";
 import { endOf } from "./faults.js";
 import { kitFor } from "./kit.js";
 import { isTrusted } from "./own-programs.js";
@@ -38,6 +39,9 @@ export async function pilot(app, connection, isReal, complain) {
   inmate?.end();
   const kit = await kitFor(program.language);
   const id = (lastId += 1);
+  const given = new Given();
+  /** @type {Extract<import("./types").ToWorker, { type: "load" }>} */
+  const load = { type: "load", id, language: program.language, source: program.source, job: app.playground.program_job(), traced: false, breakpoints: [], from: 0, facts };
   return new Promise((resolve) => {
     const fail = (/** @type {string} */ text) => {
       complain(text);
@@ -55,15 +59,26 @@ export async function pilot(app, connection, isReal, complain) {
         } else if (message.type === "drive") {
           if (message.isDone === true) mine.end();
           connection.answer(message.isDone === true ? NaN : Number(message.left), Number(message.right));
-        } else if (message.type === "failed") fail(`The program failed${Number(message.line) ? ` in line ${Number(message.line)}` : ""}: ${String(message.message).slice(0, 500)}. The robot was stopped.`);
+        } else if (message.type === "failed") fail(failure(message));
       },
-      (why, text) => fail(`${endOf(why, text, 0).message} The robot was stopped.`),
+      (why, text) => {
+        fail(`${endOf(why, text, 0).message} The robot was stopped.`);
+        // The robot rests. Where it never ended is told as soon as it is known, unless another run began.
+        if (why === "silent") void given.again(load).then((message) => message && inmate === mine && complain(failure(message)));
+      },
     );
     inmate = mine;
-    connection.onreadings = (readings) => mine.isAlive && mine.ask({ type: "sense", id, readings });
-    mine.ask({ type: "load", id, language: program.language, source: program.source, job: app.playground.program_job(), traced: false, breakpoints: [], from: 0, facts });
+    connection.onreadings = (readings) => {
+      if (!mine.isAlive) return;
+      given.keep(readings);
+      mine.ask({ type: "sense", id, readings });
+    };
+    mine.ask(load);
   });
 }
+
+/** @param {Extract<import("./types").FromWorker, { type: "failed" }>} said */
+const failure = ({ line, message }) => `The program failed${Number(line) ? ` in line ${Number(line)}` : ""}: ${String(message).slice(0, 500)}. The robot was stopped.`;
 
 /** Shows the text, and asks. @param {{ name: string, source: string }} program @returns {Promise<boolean>} */
 async function confirmed({ name, source }) {

@@ -25,8 +25,6 @@ export async function startProgram(app) {
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
   /** Whether the program on the page came from elsewhere and wasn't run by hand yet. */
   let isHeld = false;
-  /** Whether its text differs from what runs. */
-  let isChanged = false;
   /** Where a breakpoint paused: the steps after it, and its line. */
   let broke = { step: 0, line: 0 };
   const editor = new Editor(byId("program-editor"), { changed: () => edited(), run: () => void start(true), stop: () => run.stop(), marked: () => marked() });
@@ -40,7 +38,7 @@ export async function startProgram(app) {
       editor.open(program.source, program.language);
       remember(program.id);
       isHeld = program.isForeign === true;
-      isChanged = false;
+      app.isUnrun = false;
       if (isHeld || run.state !== "idle") run.stop();
       run.state = "idle";
       watch.clear();
@@ -57,13 +55,13 @@ export async function startProgram(app) {
   const start = async (plays) => {
     const program = shelf.current;
     if (!program) return;
-    isHeld = isChanged = false;
+    isHeld = app.isUnrun = false;
     run.breakpoints = editor.breakpoints;
     watch.clear();
     await run.start({ ...program, source: editor.text }, plays);
   };
   const edited = () => {
-    isChanged = true;
+    app.isUnrun = true;
     shelf.edit(editor.text);
   };
   /** Breakpoints hold from now on: the same run is simulated again. */
@@ -101,7 +99,7 @@ export async function startProgram(app) {
     const { view } = app;
     const at = run.fault ? ` at ${clock(run.fault.step * STEP)}` : "";
     if (isHeld) return "Not run yet";
-    if (isChanged) return "Changed: press Run, or Ctrl+Enter";
+    if (app.isUnrun) return "Changed: press Run, or Ctrl+Enter";
     if (run.state === "loading") return shelf.current?.language === "python" ? "Loading Python…" : "Loading…";
     if (run.state === "failed") return `Ended by an error${at}`;
     if (run.state === "stopped") return "Stopped";

@@ -42,8 +42,8 @@ export type ToWorker =
   | { type: "go"; id: number; until: number; inspect?: boolean }
   /** Let a planner plan. */
   | { type: "plan"; id: number }
-  /** Answer to a robot's readings. */
-  | { type: "sense"; id: number; readings: Float64Array };
+  /** Answer to a robot's readings; `before` has those that it is to take first, without an answer. */
+  | { type: "sense"; id: number; readings: Float64Array; before?: Float64Array[] };
 
 export type FromWorker = (
   | { type: "ready" }

@@ -89,7 +89,7 @@ export class Job {
     else if (message.type === "go") {
       this.#until = Math.max(message.until, this.#order.from + 1);
       this.#schedule();
-    } else if (message.type === "sense") this.#answer(message.readings);
+    } else if (message.type === "sense") this.#answer(message.readings, message.before);
     else if (message.type === "plan" && this.#program?.kind === "plan") this.#plan();
     else return false;
     return true;
@@ -154,10 +154,14 @@ export class Job {
     this.#send({ type: "state", id: this.#order.id, step: steps, line: program.line, variables: program.variables().slice(0, 200) });
   }
 
-  /** A robot that isn't simulated asks. @param {Float64Array} readings */
-  #answer(readings) {
+  /** A robot that isn't simulated asks. @param {Float64Array} readings @param {Float64Array[]} [before] */
+  #answer(readings, before = []) {
     const program = /** @type {Program} */ (this.#program);
     try {
+      for (const earlier of before) {
+        program.step(earlier);
+        program.output.length = 0;
+      }
       const isDone = !program.step(readings);
       program.output.length = 0;
       this.#send({ type: "drive", id: this.#order.id, left: program.left, right: program.right, isDone });
