@@ -819,8 +819,8 @@ selected: number,
 placing: string,
 /** Whether the robot is held on the picture. */
 is_carried: boolean,
-/** Whether it is held in the upper half of the picture. */
-is_held_high: boolean,
+/** How far down the picture the robot is, as a share of its height: messages must not hide it. 1 without one. */
+robot_down: number,
 /** State of the session. */
 state: SessionState,
 /** Actions that are allowed now. */

@@ -14,7 +14,7 @@ pub fn draw(context: &CanvasRenderingContext2d, viewport: &Viewport, palette: &P
     }
     let lengths = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
     let metres = lengths.into_iter().find(|m| m * viewport.scale >= 48.0).unwrap_or(100.0);
-    let (length, right, bottom) = (metres * viewport.scale, viewport.size.x - 194.0, viewport.size.y - 24.0);
+    let (length, right, bottom) = (metres * viewport.scale, viewport.size.x - 204.0, viewport.size.y - 24.0);
     // With a background, in case the room lies behind it.
     context.set_fill_style_str(palette.outside);
     context.set_global_alpha(0.8);

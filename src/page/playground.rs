@@ -88,9 +88,8 @@ impl Playground {
     /// Snapshot of the session in numbers and words.
     #[wasm_bindgen(unchecked_return_type = "rust.PageView")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
-        // The robot's message must not hide it.
-        let is_held_high =
-            self.carried.is_some_and(|it| self.viewport.to_screen(it.pose.position()).y < 0.5 * self.viewport.size.y);
+        let driven = || self.session.recording().map(|recording| recording.run().pose());
+        let robot = self.carried.map(|it| it.pose).or_else(driven).map(|pose| pose.position());
         to_js(&PageView {
             session: self.session.view(),
             tool: self.tool,
@@ -98,7 +97,7 @@ impl Playground {
             selected: self.object_tool.selected(&self.session).map_or(-1, |index| index as i32),
             placing: self.object_tool.kind.id(),
             is_carried: self.carried.is_some(),
-            is_held_high,
+            robot_down: robot.map_or(1.0, |at| self.viewport.to_screen(at).y / self.viewport.size.y),
         })
     }
 

@@ -93,4 +93,14 @@ test("who draws the worst room for a planner is told how bad it is", async (t) =
   await app.linked("worst", (value) => Number(value) >= most);
   await game.getByRole("button", { name: "End the game" }).click();
   await app.poll(() => app.link(), (link) => link.worst === undefined);
+
+  // Another room ends it, by a link or from the menu.
+  for (const leave of [() => page.evaluate(() => (location.hash = "room=lshape&planner=spiral")), () => app.choose("room", "bedroom")]) {
+    await idea(page, "Break it").click();
+    await game.getByText(/^Break Growing spirals/).waitFor();
+    await app.linked("worst");
+    await leave();
+    await game.waitFor({ state: "hidden" });
+    await app.poll(() => app.link(), (link) => link.worst === undefined);
+  }
 });

@@ -88,6 +88,7 @@ async function start(app) {
     const pairs = new URLSearchParams(seen);
     const asked = all.find(({ key }) => pairs.has(key));
     if (asked) begin(asked, () => asked.follow(pairs.get(asked.key) ?? ""));
+    else end();
   };
   return {
     games: all,

@@ -60,8 +60,15 @@ function updatePlanning({ state, plan, can }) {
   setHidden(byId("planning-keep"), !can.keep);
 }
 
+/** Messages are above the robot or below it; it must come near before they change places. @param {number} down */
+function keepClear(down) {
+  const notices = byId("search-box").parentElement;
+  const isLow = notices?.dataset.low === "true";
+  if (notices) setAttribute(notices, "data-low", String(isLow ? down < 0.6 : down < 0.4));
+}
+
 /** @param {View} view */
-function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carried, is_held_high }) {
+function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carried, robot_down }) {
   for (const node of byId("tools").querySelectorAll("button[data-tool]")) {
     const name = node.getAttribute("data-tool");
     setAttribute(node, "aria-pressed", String(name === tool && !is_lifted));
@@ -73,8 +80,8 @@ function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carr
   setText(byId("lift-name"), is_lifted ? "Put down" : "Lift robot");
   setAttribute(button("lift"), "aria-label", is_lifted ? "Put the robot down" : "Lift the robot");
   setHidden(byId("carry-note"), !is_carried);
-  // Never over the robot.
-  setAttribute(byId("carry-note"), "data-low", String(is_held_high));
+  setAttribute(byId("carry-note"), "data-low", String(robot_down < 0.5));
+  keepClear(robot_down);
   setText(byId("carry-note"), is_carried ? (HAS_KEYS ? "Click where to put the robot down. Arrow keys move it, Enter puts it down, Escape puts it back." : "Tap where to put the robot down, or drag it there.") : "");
   setEnabled(button("undo"), can.undo);
   setEnabled(button("redo"), can.redo);

@@ -63,7 +63,8 @@ export function startWorst(app, card) {
     },
     update(view) {
       if (!isReady) return;
-      if (view.kind !== "planner" || view.path_corners > 0) return card.close();
+      // A room of the menu isn't drawn.
+      if (view.kind !== "planner" || view.path_corners > 0 || view.room.id !== "") return card.close();
       if (best && best.planner !== view.algorithm) best = undefined;
       const excess = excessOf(view);
       const isSmall = view.room.reachable_m2 < LEAST;

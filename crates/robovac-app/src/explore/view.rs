@@ -142,8 +142,8 @@ pub struct PageView {
     pub placing: &'static str,
     /// Whether the robot is held on the picture.
     pub is_carried: bool,
-    /// Whether it is held in the upper half of the picture.
-    pub is_held_high: bool,
+    /// How far down the picture the robot is, as a share of its height: messages must not hide it. 1 without one.
+    pub robot_down: f64,
 }
 
 /// Tools of the pointer on the floor.

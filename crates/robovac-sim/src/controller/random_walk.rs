@@ -48,14 +48,14 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         ParamSpec {
             id: "least",
             label: "Minimum turn",
-            help: "Relative to the paper's minimum turning time, which is half of the bumper's angle.",
-            kind: ParamKind::Number { min: 0.0, max: 3.0, step: 0.1, default: 1.0, unit: "x" },
+            help: "As a multiple of half the angle that the bumper spans, the paper's least turn.",
+            kind: ParamKind::Number { min: 0.0, max: 3.0, step: 0.1, default: 1.0, unit: "× paper's" },
         },
         ParamSpec {
             id: "random",
             label: "Random turn",
-            help: "Largest random extra turn, relative to the paper's.",
-            kind: ParamKind::Number { min: 0.0, max: 5.0, step: 0.1, default: 1.0, unit: "x" },
+            help: "Most that is added at random, as a multiple of the same angle.",
+            kind: ParamKind::Number { min: 0.0, max: 5.0, step: 0.1, default: 1.0, unit: "× paper's" },
         },
         ParamSpec {
             id: "back",
