@@ -237,6 +237,31 @@ fn a_robot_that_falls_silent_is_told_to_stop_again_and_again() {
 }
 
 #[test]
+fn a_page_that_hangs_loses_control_though_the_robot_was_stopped_for_its_own_silence_before() {
+    let mut wire = Wire::armed();
+    wire.hold_ahead(1.0);
+    wire.page_lives = false;
+    wire.stand_still(0.45);
+    wire.pass(1.0);
+    assert!(!wire.is_rolling());
+    wire.page_lives = true;
+    // The stick is still held.
+    assert!(wire.link.request(wire.now, Request::Drive { forward: 1.0, left: 0.0 }).is_err());
+    assert!(wire.view().notice.unwrap().text.contains("The page stopped responding"));
+}
+
+#[test]
+fn a_robot_that_is_heard_again_goes_on_if_the_page_was_there() {
+    let mut wire = Wire::armed();
+    wire.hold_ahead(1.0);
+    wire.stand_still(0.45);
+    wire.pass(1.0);
+    assert!(!wire.is_rolling());
+    wire.hold_ahead(1.0);
+    assert!(wire.is_rolling());
+}
+
+#[test]
 fn a_robot_that_lost_the_stop_is_told_again() {
     let mut wire = riding();
     // Bytes of another program: the robot is commanded to drive without the driver.

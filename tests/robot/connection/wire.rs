@@ -154,6 +154,15 @@ impl Wire {
         self.now - began
     }
 
+    /// Nothing runs on this computer for a time; what arrives is lost, and a tick comes first.
+    pub fn stand_still(&mut self, seconds: f64) {
+        self.now += seconds;
+        self.robot.advance(seconds);
+        self.robot.transmit(self.baud, &mut Vec::new());
+        self.link.tick(self.now);
+        self.flush();
+    }
+
     fn look(&mut self) {
         self.now += LOOK_S;
         self.looks += 1;

@@ -208,6 +208,7 @@ impl Connection {
     pub fn leave(&mut self, now: f64, why: &str) {
         self.now = now;
         let had_control = self.driver.target() > Mode::Passive;
+        self.page.forgo();
         self.end_ride(why);
         if self.driver.phase() != ConnectionPhase::Closed {
             // Twice, as nothing can be repeated later: closing the page closes the line.
@@ -242,7 +243,7 @@ impl Connection {
         self.page.tick(now);
         // A controller slows down first; brushes and raw bytes have nothing between on and off.
         let is_silent = self.page.hangs() || (!self.rides() && self.page.share() <= 0.0);
-        if self.is_acting() && is_silent {
+        if (self.is_acting() || self.page.is_awaited()) && is_silent {
             self.leave(now, "The page stopped responding, so the robot was stopped.");
         }
         if self.rides() && self.page.share() <= 0.0 {
@@ -285,6 +286,7 @@ impl Connection {
         let what = self.loose();
         self.end_ride("No data from the robot, so a stop command was sent.");
         self.driver.halt(self.now);
+        self.page.await_sign();
         self.say(
             "error",
             format!("No data from the robot. A stop command was sent, but it may not have arrived. {what}"),

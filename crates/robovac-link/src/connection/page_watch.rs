@@ -28,6 +28,8 @@ pub(super) struct PageWatch {
     silent_s: f64,
     /// Longest recent silence, s.
     slowest_s: f64,
+    /// The robot was stopped for another reason, and no sign of life has come since: whether the page hangs, too, isn't known.
+    is_awaited: bool,
 }
 
 impl PageWatch {
@@ -44,8 +46,24 @@ impl PageWatch {
         if gap <= HUNG_S.1 {
             self.slowest_s = self.slowest_s.max(gap);
         }
+        self.is_awaited = false;
         self.heard_at = self.heard_at.max(at);
         self.silent_s = (self.now - self.heard_at).clamp(0.0, self.silent_s);
+    }
+
+    /// The robot was stopped for another reason; the next sign of life says that the page is there.
+    pub fn await_sign(&mut self) {
+        self.is_awaited = true;
+    }
+
+    /// The page has lost control.
+    pub fn forgo(&mut self) {
+        self.is_awaited = false;
+    }
+
+    /// Whether a sign of life is due since the robot was stopped for another reason.
+    pub fn is_awaited(&self) -> bool {
+        self.is_awaited
     }
 
     /// Lets time pass until `now`.
