@@ -287,7 +287,7 @@ mod tests {
     #[test]
     fn more_than_can_be_swept_is_swept_as_far_as_can_be() {
         let floor = floor(&random_flat(1, 1, 2));
-        let setup = LanesSetup { coverage: 1.0, clearance: 0.05, effort: EFFORT, seed: 0 };
+        let setup = LanesSetup { coverage: 1.0, clearance: 0.05, effort: 10.0 * EFFORT, seed: 0 };
         let found = plan(&floor, &setup);
         let first = plan(&floor, &LanesSetup { effort: 0.0, ..setup });
         assert!(found.coverage < 1.0 && found.coverage > first.coverage, "{} {}", found.coverage, first.coverage);
