@@ -60,11 +60,16 @@ function updatePlanning({ state, plan, can }) {
   setHidden(byId("planning-keep"), !can.keep);
 }
 
-/** Messages are above the robot or below it; it must come near before they change places. @param {number} down */
+/**
+ * Messages are above the robot or below it; it must come near before they change places. The captions of a search have room of their
+ * own above the floor.
+ * @param {number} down
+ */
 function keepClear(down) {
-  const notices = byId("search-box").parentElement;
+  const captions = byId("search-box");
+  const notices = captions.parentElement;
   const isLow = notices?.dataset.low === "true";
-  if (notices) setAttribute(notices, "data-low", String(isLow ? down < 0.6 : down < 0.4));
+  if (notices) setAttribute(notices, "data-low", String(captions.hidden && down < (isLow ? 0.6 : 0.4)));
 }
 
 /** @param {View} view */
