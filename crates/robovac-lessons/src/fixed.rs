@@ -16,7 +16,7 @@ pub fn fixed(value: f64, places: u32) -> String {
 /// `value` with at most one place behind the point.
 pub fn short(value: f64) -> String {
     let text = fixed(value, 1);
-    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+    text.strip_suffix(".0").unwrap_or(&text).to_owned()
 }
 
 #[cfg(test)]
