@@ -8,6 +8,8 @@ Metres, seconds and radians unless a name says otherwise; x to the right, y up, 
 for reinforcement learning is ``gymnasium.make_vec("robovac/Clean-v0", num_envs=64)``, see :mod:`robovac.gym`.
 """
 
+from typing import Any
+
 from . import contract
 from ._api import Behaviour, compare, explore, plan, simulate
 from ._errors import ContractError, FileError, MapError, PlacementError, PlannerError, RobovacError, UsageError
@@ -19,6 +21,16 @@ from ._room import Room
 from ._version import __version__
 
 register_with_gymnasium()
+
+
+def __getattr__(name: str) -> Any:
+    """``gym``, which needs Gymnasium, and ``study`` are imported when they are used."""
+    if name not in ("gym", "study"):
+        raise AttributeError(f"module 'robovac' has no attribute '{name}'")
+    from importlib import import_module
+
+    return import_module(f"{__name__}.{name}")
+
 
 __all__ = [
     "Behaviour",

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Protocol, Union
 
 from . import _native
+from ._checks import told, whole
 from ._errors import ContractError, UsageError
 from ._native import Sensed
 from ._results import Comparison, Exploration, Job, Plan, Simulation, Trial
@@ -49,7 +50,7 @@ def plan(
     planning cell to start in. With ``coverage_percent`` the cells are those with which the planner sweeps so much of the
     floor in the least time.
     """
-    room = as_room(room)
+    room, seed = as_room(room), whole("seed", seed)
     place = _place(room, robot, cell_m, start, heading_deg)
     if callable(planner):
         if coverage_percent is not None:
@@ -58,7 +59,7 @@ def plan(
         task = {"cells": _pairs(found["cells"])}
     else:
         given = _params(params)
-        found = _native.plan(place, planner, given, coverage_percent, seed)
+        found = told(_native.plan, place, _text("planner", planner), given, coverage_percent, seed)
         task = {"planner": planner, "params": given, "coverage_percent": coverage_percent}
     report = json.loads(found["report"])
     walk, drive, bounds = report["walk"] or {}, report["drive"], report["bounds"]
@@ -100,7 +101,7 @@ def simulate(
     planner: str | PlannerFunction | None = None,
     behaviour: str | Behaviour | Callable[[], Behaviour] | None = None,
     *,
-    robot: str = "roomba600",
+    robot: str | None = None,
     cell_m: float | None = None,
     start: tuple[int, int] | None = None,
     heading_deg: float | None = None,
@@ -113,31 +114,36 @@ def simulate(
     odometry: str = "arc",
     sample_s: float = 1.0,
     max_time_s: float | None = None,
-    seed: int = 0,
+    seed: int | None = None,
     **params: Any,
 ) -> Simulation:
     """Simulates a robot that follows a plan or a behaviour.
 
     Give a :class:`Plan` in place of the room, or a room with a ``planner`` (as in :func:`plan`) or a ``behaviour``: an id
-    (see :func:`robovac.behaviours`), an object with ``step(sensed, dt_s)``, or a class or function that makes one.
+    (see :func:`robovac.behaviours`), an object with ``step(sensed, dt_s)``, or a class or function that makes one. A plan is
+    driven as it is, by its own robot; otherwise ``robot`` is "roomba600" unless you name another. ``seed`` decides the chance
+    of wheels, sensors and behaviour; without it, it is that of the plan, or 0.
     ``slip`` is none, typical or harsh; ``noise`` is off, typical or harsh, or a level for each of some kinds of sensors as in
     ``{"cliff": "harsh"}``. ``sample_s`` is the time between samples, s; ``max_time_s`` ends the run (1800 s for behaviours
     that never end). Other keywords are parameters of the planner or behaviour.
     """
     if isinstance(room, Plan):
-        if planner is not None or behaviour is not None or params:
-            raise UsageError("a plan is driven as it is: give it alone, or a room with a planner or a behaviour")
+        given = (planner, behaviour, robot, cell_m, start, heading_deg, coverage_percent)
+        if params or any(value is not None for value in given):
+            raise UsageError("a plan is driven as it is, by its own robot: give it alone, or a room with a planner or a behaviour")
         made, room, place = room, room.room, room.task["place"]
         params = made.params
         driver = {"planner": None, "cells": None, "params": [], "coverage_percent": None, **made.task}
         driver.pop("place")
-        name, seed = made.planner, seed or made.seed or 0
+        name, plan_seed = made.planner, made.seed
+        seed = plan_seed if seed is None else whole("seed", seed)
         driver |= {"behaviour": None, "object": None}
     elif (planner is None) == (behaviour is None):
         raise UsageError("give either a planner or a behaviour")
     else:
         room = as_room(room)
-        place = _place(room, robot, cell_m, start, heading_deg)
+        place = _place(room, "roomba600" if robot is None else robot, cell_m, start, heading_deg)
+        seed = plan_seed = whole("seed", 0 if seed is None else seed)
         driver = {"planner": None, "behaviour": None, "cells": None, "object": None, "params": []}
         driver["coverage_percent"] = coverage_percent
         if isinstance(planner, str) or isinstance(behaviour, str):
@@ -150,9 +156,9 @@ def simulate(
             made_behaviour = behaviour_of(behaviour, params)
             name = _name(behaviour)
             driver["object"] = (made_behaviour, name)
-    driver |= {"smooth": smooth, "seed": seed, "sample_s": float(sample_s), "max_time_s": max_time_s}
+    driver |= {"smooth": smooth, "seed": seed, "plan_seed": plan_seed, "sample_s": sample_s, "max_time_s": max_time_s}
     conditions = _conditions(slip, noise, quantised, charge_percent, odometry)
-    found = _native.simulate(place, driver, conditions)
+    found = told(_native.simulate, place, driver, conditions)
     totals = json.loads(found["totals"])
     totals.pop("cell_m")
     return Simulation(
@@ -175,7 +181,7 @@ def simulate(
 
 def compare(
     rooms: RoomLike | Sequence[RoomLike],
-    planners: Sequence[str | PlannerFunction | tuple[str, Mapping[str, Any]]] | None = None,
+    planners: str | PlannerFunction | Sequence[str | PlannerFunction | tuple[str, Mapping[str, Any]]] | None = None,
     *,
     robot: str = "cell",
     cell_m: float | None = None,
@@ -192,14 +198,18 @@ def compare(
     places = [as_room(room) for room in ([rooms] if alone else rooms)]
     if planners is None:
         planners = [entry["id"] for entry in json.loads(_native.planners()) if entry["fast"]]
-    numbers = list(range(1, seeds + 1)) if isinstance(seeds, int) else list(seeds)
+    if isinstance(planners, str) or callable(planners):
+        planners = [planners]
+    numbers = list(range(1, seeds + 1)) if isinstance(seeds, int) else [whole("seeds", seed) for seed in seeds]
+    if not numbers or not planners or not places:
+        raise UsageError("compare at least one planner in at least one room with at least one seed")
     texts = [_entrant(planner) for planner in planners if not callable(planner)]
     natives = [room._native for room in places]
     found = _native.compare(natives, texts, robot, cell_m, smooth, numbers, threads) if texts else "[]"
     trials = [Trial(**(row | {"metrics": row["metrics"] or {}})) for row in json.loads(found)]
     for function in filter(callable, planners):
         for room in places:
-            made = plan(room, function, robot=robot, cell_m=cell_m, seed=numbers[0] if numbers else 0)
+            made = plan(room, function, robot=robot, cell_m=cell_m, seed=numbers[0])
             trials.append(Trial(room.name, made.robot, made.cell_m, made.planner, {}, made.seed, made.metrics))
     return Comparison(trials)
 
@@ -233,10 +243,10 @@ def explore(
         "behaviour": behaviour,
         "params": _params(params),
         "tracking": tracking,
-        "seed": seed,
-        "max_time_s": float(max_time_s),
+        "seed": whole("seed", seed),
+        "max_time_s": max_time_s,
     }
-    found = _native.explore(place, explorer, _conditions(slip, noise, quantised, charge_percent, odometry))
+    found = told(_native.explore, place, explorer, _conditions(slip, noise, quantised, charge_percent, odometry))
     drawn = found["map"]
     return Exploration(
         room=room,
@@ -266,7 +276,7 @@ def _planned_by(
     function: PlannerFunction, place: dict[str, Any], room: Any, params: dict[str, Any], seed: int
 ) -> dict[str, Any]:
     """The checked walk of a planner written in Python."""
-    job = Job(room=room, params=params, seed=seed, **_native.planning_job(place))
+    job = Job(room=room, params=params, seed=seed, **told(_native.planning_job, place))
     job.free.flags.writeable = False
     begin = time.perf_counter()
     walk = function(job)
@@ -277,6 +287,12 @@ def _planned_by(
         rule = "a planner must return cells (x, y) of whole numbers"
         raise ContractError(f'planner "{_name(function)}": {rule}; {error}') from None
     return _native.plan_given(place, _name(function), cells, seconds)
+
+
+def _text(name: str, value: Any) -> str:
+    if not isinstance(value, str):
+        raise UsageError(f"{name} can't be {value!r}; give an id or a function")
+    return value
 
 
 def _pairs(cells: Any) -> list[tuple[int, int]]:
@@ -315,12 +331,12 @@ def _params(params: Mapping[str, Any]) -> list[tuple[str, str]]:
 def _conditions(
     slip: str, noise: NoiseLike, quantised: bool, charge_percent: float, odometry: str
 ) -> dict[str, Any]:
-    levels = [(None, noise)] if isinstance(noise, str) else list(noise.items())
+    levels = list(noise.items()) if isinstance(noise, Mapping) else [(None, noise)]
     return {
         "slip": slip,
         "noise": levels,
         "quantised": quantised,
-        "charge_percent": float(charge_percent),
+        "charge_percent": charge_percent,
         "odometry": odometry,
     }
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Iterator
 
+from ._errors import UsageError
 from ._svg import cells as draw_cells
 from ._svg import disc, fitted, line
 
@@ -253,19 +254,40 @@ class Comparison:
     def records(self) -> list[dict[str, Any]]:
         """A flat dictionary for each trial, as ``pandas.DataFrame`` takes them."""
         names = ("room", "robot", "cell_m", "planner", "seed", "error")
-        return [{name: getattr(trial, name) for name in names} | trial.metrics for trial in self.trials]
+        return [
+            {name: getattr(trial, name) for name in names} | {"params": _written(trial.params)} | trial.metrics
+            for trial in self.trials
+        ]
 
     def table(self, metric: str = "duration") -> dict[str, dict[str, float | None]]:
-        """The median of a metric over seeds: by planner, then by room. None where no trial has one."""
+        """The median of a metric over seeds: by planner, then by room. None where no trial has one.
+
+        Where a planner took part with several parameters, they are behind its id: ``snake~patience:5``.
+        """
         from statistics import median
 
+        from ._lists import metrics
+
+        if metric not in metrics():
+            raise UsageError(f'there is no metric "{metric}"; robovac.metrics() lists them')
         values: dict[str, dict[str, list[float]]] = {}
         for trial in self.trials:
             value = trial.metrics.get(metric)
-            cell = values.setdefault(trial.planner, {}).setdefault(trial.room, [])
+            cell = values.setdefault(self._label(trial), {}).setdefault(trial.room, [])
             if value is not None:
                 cell.append(value)
         return {
             planner: {room: median(found) if found else None for room, found in rooms.items()}
             for planner, rooms in values.items()
         }
+
+    def _label(self, trial: Trial) -> str:
+        """The planner, with the parameters that tell its trials apart."""
+        others = [other.params for other in self.trials if other.planner == trial.planner]
+        varied = {name: value for name, value in trial.params.items() if any(other.get(name) != value for other in others)}
+        return "~".join(filter(None, (trial.planner, _written(varied))))
+
+
+def _written(params: dict[str, Any]) -> str:
+    """Parameters as on the command line."""
+    return "~".join(f"{name}:{value:g}" if isinstance(value, float) else f"{name}:{value}" for name, value in params.items())

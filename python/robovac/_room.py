@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any, Union
 
+from ._checks import whole
 from ._errors import UsageError
 from ._native import Room as _Native
 from ._svg import fitted
@@ -63,6 +64,8 @@ class Room:
         import numpy as np
 
         array = np.asarray(cells)
+        if array.ndim == 0:
+            raise UsageError(f"a room can't be {cells!r}; give a Room, the name of a shipped one, a path, a text or an array")
         if array.ndim != 2:
             raise UsageError(f"a room is an array with rows and columns, not one with {array.ndim} dimensions")
         states = np.where(array == 0, 0, np.where(array == -1, -1, 100)).astype(np.int8)
@@ -97,7 +100,7 @@ class Room:
         ``area_m2`` is the least and the greatest area between the outer walls, from 25 to 120 m²; ``furniture`` goes from 0
         (empty) to 1 (crammed).
         """
-        return cls(_Native.flat(seed, area_m2, furniture, rugs))
+        return cls(_Native.flat(whole("seed", seed), area_m2, furniture, rugs))
 
     @property
     def name(self) -> str:
@@ -175,7 +178,5 @@ def as_room(room: RoomLike) -> Room:
     if isinstance(room, str):
         if "\n" in room.strip():
             return Room.from_text(room)
-        if not any(mark in room for mark in "./\\") or not os.path.exists(room):
-            return Room.shipped(room)
-        return Room.open(room)
+        return Room.open(room) if any(mark in room for mark in "./\\") else Room.shipped(room)
     return Room.from_array(room)

@@ -64,10 +64,9 @@ def check_behaviour(behaviour: type[Behaviour] | Any, *, cleans: bool = True, **
         for readings in [{}, *[extreme] * 200, {}]:
             try:
                 speeds = driver.step(Sensed(**readings), 0.015)
-                is_fine = speeds is None or (len(speeds) == 2 and all(math.isfinite(speed) for speed in speeds))
             except Exception as error:
                 raise ContractError(f"{name}: step fails at readings {readings or 'of free floor'}: {error!r}") from error
-            if not is_fine:
+            if speeds is not None and not _are_speeds(speeds):
                 rule = "step must return the speeds of the left and right wheel in m/s, or None to end"
                 raise ContractError(f"{name}: {rule}; at readings {readings} it returned {speeds!r}")
             if speeds is None:
@@ -79,3 +78,10 @@ def check_behaviour(behaviour: type[Behaviour] | Any, *, cleans: bool = True, **
     if cleans and runs[0].coverage < 0.02:
         swept = f"it sweeps {100 * runs[0].coverage:.1f} % of a room of 12 ft in two minutes"
         raise ContractError(f"{name}: {swept}; give cleans=False if that is meant")
+
+
+def _are_speeds(speeds: Any) -> bool:
+    try:
+        return len(speeds) == 2 and all(math.isfinite(speed) for speed in speeds)
+    except TypeError:
+        return False

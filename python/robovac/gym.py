@@ -14,7 +14,7 @@ Observations, by name; several as in ``observation=("oi", "map")`` give a dictio
 ``"truth"``
     What only the simulator knows, 24 numbers: see :data:`TRUTH_NAMES`.
 
-Actions are two numbers from -1 to 1: with ``"twist"`` forward and turn speed (left positive), with ``"wheels"`` left and right
+Actions are two numbers from -1 to 1 (what is beyond counts as -1 or 1): with ``"twist"`` forward and turn speed (left positive), with ``"wheels"`` left and right
 wheel, as shares of the largest wheel speed (0.5 m/s for a Roomba).
 
 Rewards are the sum of :class:`RewardWeights` times what a step gained; ``infos`` has the gains one by one, so that
@@ -25,15 +25,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import astuple, dataclass
+from numbers import Real
 from typing import Any, Union
 
 import gymnasium
 import numpy as np
 from gymnasium import spaces
+from gymnasium.utils import EzPickle
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from . import _native
+from ._checks import SEEDS, told, whole
 from ._errors import UsageError
 from ._lists import rooms as _shipped
 from ._room import RoomLike, as_room
@@ -72,12 +75,15 @@ class RewardWeights:
     finish: float = 10.0
 
 
-#: Rewards from ``infos``: an array with one for each environment.
+#: Rewards from ``infos``: an array with one for each environment, also where there is only one. What it returns for steps
+#: that only reset an environment doesn't count.
 RewardFunction = Callable[[dict[str, Any]], Any]
 
 
-class CleanVectorEnv(VectorEnv):
+class CleanVectorEnv(VectorEnv, EzPickle):
     """Many robots that clean, each in a room of its own.
+
+    A copy, or what comes out of a pickle, is a new environment with the same arguments, to be reset.
 
     Args:
         num_envs: Number of robots.
@@ -98,7 +104,8 @@ class CleanVectorEnv(VectorEnv):
         noise: Level of sensor noise (off, typical, harsh), or levels likewise.
         charge_percent: Charge of the battery at the start, or the lowest and the highest.
         start: "anywhere", or "room" for the room's own start.
-        autoreset_mode: When an environment whose episode ended begins the next one, as in Gymnasium.
+        autoreset_mode: When an environment whose episode ended begins the next one, as in Gymnasium: "NextStep", "SameStep" or
+            "Disabled". With "SameStep", gains and coverage in ``infos`` are still those of the step that ended the episode.
         copy: Whether observations, rewards and infos are copies. By default they are the same arrays in every step: the
             next step overwrites them.
         threads: Threads; without it one for each core.
@@ -132,9 +139,14 @@ class CleanVectorEnv(VectorEnv):
         threads: int | None = None,
         render_mode: str | None = None,
     ) -> None:
-        self.num_envs = num_envs
+        # Before anything else becomes a local variable.
+        arguments = {name: value for name, value in locals().items() if name not in ("self", "__class__")}
+        EzPickle.__init__(self, **arguments)
+        self.num_envs = num_envs = whole("num_envs", num_envs, 1)
         self.render_mode = _one_of("render_mode", render_mode, (None, "rgb_array"))
-        self._mode = AutoresetMode(autoreset_mode)
+        modes = tuple(mode.value for mode in AutoresetMode)
+        is_mode = isinstance(autoreset_mode, AutoresetMode)
+        self._mode = AutoresetMode(autoreset_mode if is_mode else _one_of("autoreset_mode", autoreset_mode, modes))
         self.metadata = {**self.metadata, "autoreset_mode": self._mode}
         self._copy = copy
         self._names = (observation,) if isinstance(observation, str) else tuple(observation)
@@ -147,32 +159,33 @@ class CleanVectorEnv(VectorEnv):
         if self._reward is None and not isinstance(rewards, (RewardWeights, type(None))):
             raise UsageError("rewards: give RewardWeights, or a function of infos")
         for name, seconds in (("step_s", step_s), ("time_limit_s", time_limit_s)):
-            if not (np.isfinite(seconds) and seconds > 0):
-                raise UsageError(f"{name} can't be {seconds}; use a number of seconds greater than 0")
+            if not (isinstance(seconds, Real) and np.isfinite(seconds) and seconds > 0):
+                raise UsageError(f"{name} can't be {seconds!r}; use a finite number of seconds greater than 0")
         sim_steps = max(1, round(step_s / _SIM_STEP_S))
-        charge = charge_percent if isinstance(charge_percent, tuple) else (charge_percent, charge_percent)
-        self._batch = _native.Batch(
+        charge = tuple(charge_percent) if isinstance(charge_percent, (tuple, list)) else (charge_percent, charge_percent)
+        self._batch: _native.Batch = told(
+            _native.Batch,
             {
                 "num_envs": num_envs,
                 "rooms": _rooms(rooms),
                 "flats": flats,
                 "first_flat": first_flat,
-                "area_m2": area_m2,
-                "furniture": float(furniture),
+                "area_m2": tuple(area_m2) if isinstance(area_m2, list) else area_m2,
+                "furniture": furniture,
                 "robot": robot,
                 "sim_steps": sim_steps,
                 "most_steps": max(1, round(time_limit_s / (sim_steps * _SIM_STEP_S))),
-                "goal": float(goal),
+                "goal": goal,
                 "observes": list(self._names),
                 "action": _one_of("action", action, ("twist", "wheels")),
                 "weights": list(astuple(weights)),
-                "slip": [slip] if isinstance(slip, str) else list(slip),
-                "noise": [noise] if isinstance(noise, str) else list(noise),
+                "slip": [slip] if isinstance(slip, str) else slip,
+                "noise": [noise] if isinstance(noise, str) else noise,
                 "charge_percent": charge,
                 "anywhere": _one_of("start", start, ("anywhere", "room")) == "anywhere",
                 "autoreset": self._mode.value,
                 "threads": threads,
-            }
+            },
         )
         #: Time of a step, s.
         self.step_s: float = self._batch.step_s
@@ -226,29 +239,41 @@ class CleanVectorEnv(VectorEnv):
             seed = int(self.np_random.integers(2**62))
         if seed is None:
             seeds: list[int | None] = [None] * count
-        elif isinstance(seed, (int, np.integer)):
-            super().reset(seed=int(seed))
-            seeds = [int(seed) + index for index in range(count)]
+        elif isinstance(seed, Sequence) or np.ndim(seed) == 1:
+            if len(seed) != count:
+                raise UsageError(f"seed: give one number, or one for each of {count} environments, not {len(seed)}")
+            seeds = [None if number is None else whole("seed", number) for number in seed]
         else:
-            seeds = [None if number is None else int(number) for number in seed]
+            seed = whole("seed", seed, below=SEEDS - count)
+            super().reset(seed=seed)
+            seeds = [seed + index for index in range(count)]
         self._is_seeded = True
         self._batch.reset(np.ascontiguousarray(mask), seeds, self._buffers)
         return self._given(self._observations), self._told()
 
     def step(self, actions: Any) -> tuple[Any, np.ndarray, np.ndarray, np.ndarray, dict[str, Any]]:
         """One step of ``step_s`` for every robot."""
-        actions = np.ascontiguousarray(actions, np.float32).reshape(-1, 2)
+        shape = (self.num_envs, 2)
+        actions = _array(actions, shape, f"give one action for each of {self.num_envs} environments, an array of shape {shape}")
         buffers = self._buffers
         self._batch.step(actions, buffers)
         infos = self._told()
         if self._reward is not None:
-            buffers["rewards"][:] = self._reward(infos)
+            buffers["rewards"][:] = self._rewarded(self._reward(infos), infos["time_s"])
         ended = buffers["terminated"] | buffers["truncated"]
         if self._mode == AutoresetMode.SAME_STEP and ended.any():
             infos |= self._final(ended)
         outcome = (buffers[name] for name in ("rewards", "terminated", "truncated"))
         rewards, terminated, truncated = map(self._given, outcome)
         return self._given(self._observations), rewards, terminated, truncated, infos
+
+    def _rewarded(self, given: Any, time_s: np.ndarray) -> np.ndarray:
+        """Rewards of a function; those of steps that only reset, which take no time, are 0."""
+        rewards = np.asarray(given, np.float64)
+        if rewards.shape not in ((), (self.num_envs,)) or np.isnan(rewards).any():
+            rule = f"rewards: the function must return a number for each of {self.num_envs} environments"
+            raise UsageError(f"{rule}; it returned {given!r}")
+        return np.where(time_s > 0.0, rewards, 0.0)
 
     def _final(self, ended: np.ndarray) -> dict[str, Any]:
         """Last observations and infos of the episodes that ended, as Gymnasium has them."""
@@ -272,7 +297,7 @@ class CleanVectorEnv(VectorEnv):
         return {name: array.copy() for name, array in self._infos.items()} if self._copy else dict(self._infos)
 
     def render(self) -> tuple[np.ndarray, ...] | None:
-        """A picture of every room: walls, floor, swept floor and robot, 2.5 cm a pixel."""
+        """A picture of every room, which fills 480 x 480 pixels: walls, floor, swept floor and robot."""
         if self.render_mode is None:
             return None
         return tuple(self._batch.picture(index) for index in range(self.num_envs))
@@ -281,7 +306,7 @@ class CleanVectorEnv(VectorEnv):
         """There is nothing to close."""
 
 
-class CleanEnv(gymnasium.Env):
+class CleanEnv(gymnasium.Env, EzPickle):
     """One robot that cleans; arguments as for :class:`CleanVectorEnv`, of which it is one environment."""
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 10}
@@ -290,6 +315,8 @@ class CleanEnv(gymnasium.Env):
         for name in ("num_envs", "autoreset_mode", "copy", "threads"):
             if name in settings:
                 raise UsageError(f"{name} is for many environments: gymnasium.make_vec(\"robovac/Clean-v0\", ...)")
+        EzPickle.__init__(self, render_mode=render_mode, **settings)
+        self._is_over = False
         mode = AutoresetMode.DISABLED
         self._envs = CleanVectorEnv(1, autoreset_mode=mode, copy=True, threads=1, render_mode=render_mode, **settings)
         self.render_mode = render_mode
@@ -301,18 +328,34 @@ class CleanEnv(gymnasium.Env):
         """Begins a new episode."""
         super().reset(seed=seed)
         observations, infos = self._envs.reset(seed=seed)
+        self._is_over = False
         return _only(observations), _only_info(infos)
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """One step of ``step_s``."""
-        observations, rewards, terminated, truncated, infos = self._envs.step(np.asarray(action, np.float32)[None])
+        if self._is_over:
+            raise UsageError("the episode is over; call reset()")
+        action = _array(action, (2,), "an action is an array of shape (2,)")
+        observations, rewards, terminated, truncated, infos = self._envs.step(action[None])
         is_over, is_late = bool(terminated[0]), bool(truncated[0])
+        self._is_over = is_over or is_late
         return _only(observations), float(rewards[0]), is_over, is_late, _only_info(infos)
 
     def render(self) -> np.ndarray | None:
         """A picture of the room."""
         frames = self._envs.render()
         return None if frames is None else frames[0]
+
+
+def _array(given: Any, shape: tuple[int, ...], rule: str) -> np.ndarray:
+    """``given`` as the native part takes it."""
+    try:
+        array = np.asarray(given, np.float32, order="C")
+    except (TypeError, ValueError):
+        raise UsageError(f"{rule}, not {given!r}") from None
+    if array.shape != shape:
+        raise UsageError(f"{rule}, not {array.shape}")
+    return array
 
 
 def _only(observations: Any) -> Any:

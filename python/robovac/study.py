@@ -5,6 +5,8 @@ returned is stored on the disk of the caller before anything else happens, so a 
 was, with either engine, and its results are the same bytes.
 """
 
+from __future__ import annotations
+
 import json
 import os
 import re
@@ -12,6 +14,9 @@ import shutil
 import subprocess
 import tempfile
 from pathlib import Path
+from typing import Any
+
+from ._errors import RobovacError, UsageError
 
 __all__ = ["StudyError", "run"]
 
@@ -19,11 +24,20 @@ __all__ = ["StudyError", "run"]
 _MOST_PARTS = 2000
 
 
-class StudyError(RuntimeError):
+class StudyError(RobovacError, RuntimeError):
     """The program refuses the study or can't make it; the text is its message."""
 
 
-def run(study, out, *, engine="local", program=None, address=None, jobs=None, parts=None):
+def run(
+    study: str | os.PathLike[str] | dict[str, Any],
+    out: str | os.PathLike[str],
+    *,
+    engine: str = "local",
+    program: str | None = None,
+    address: str | None = None,
+    jobs: int | None = None,
+    parts: int | None = None,
+) -> Path:
     """Makes all runs of a study and writes the results as Parquet; returns the path of the results.
 
     study: path of the study file, or the study as a dict
@@ -48,14 +62,15 @@ def run(study, out, *, engine="local", program=None, address=None, jobs=None, pa
         elif engine == "ray":
             _run_on_ray(program, path, out, address, parts)
         else:
-            raise ValueError(f'there is no engine "{engine}"; there are: local, ray')
+            raise UsageError(f'there is no engine "{engine}"; there are: local, ray')
     return Path(out)
 
 
 def _call(command):
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
-        raise StudyError(done.stderr.strip().removeprefix("robovac: "))
+        told = done.stderr.strip().removeprefix("robovac: ")
+        raise StudyError(told or f"{command[0]} ended with {done.returncode}; the same call goes on where it was")
     return done.stdout
 
 

@@ -3,9 +3,10 @@
 use crate::{
     conditions::{charge, noise_level, slip_level},
     failure::Failure,
-    picture::picture,
+    picture::{SIDE, picture},
     room::Room,
     rooms::Rooms,
+    watch::SignalWatch,
 };
 use numpy::{
     PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray2,
@@ -22,7 +23,11 @@ use robovac_sim::{
     Conditions, Noise, NoiseLevel, RandomStream, SlipLevel,
     learning::{Episode, Gains, Observations, PATCH_LEN, READINGS, RewardWeights, Task, truth},
 };
-use std::{sync::Arc, thread, time::Instant};
+use std::{
+    sync::{Arc, Mutex, PoisonError},
+    thread,
+    time::Instant,
+};
 
 /// Environments below which another thread isn't worth its start.
 const FEW: usize = 16;
@@ -154,8 +159,11 @@ impl Batch {
         let mask = mask.as_slice()?;
         let parts = buffers.parts()?;
         self.check_sizes(&parts, &[mask.len(), seeds.len()])?;
+        // Flats are generated and laid out here, which takes seconds for hundreds.
+        let watch = Mutex::new(SignalWatch::new());
         let work = |index: usize, env: &mut Env, common: &Common, part: Parts<'_>| {
-            if !mask[index] {
+            let is_interrupted = watch.lock().unwrap_or_else(PoisonError::into_inner).look().is_break();
+            if is_interrupted || !mask[index] {
                 return Ok(());
             }
             if let Some(seed) = seeds[index] {
@@ -168,7 +176,9 @@ impl Batch {
             Ok(())
         };
         let Self { common, envs, threads } = self;
-        Ok(py.detach(|| over_all(common, envs, *threads, parts, work))?)
+        let done = py.detach(|| over_all(common, envs, *threads, parts, work));
+        watch.into_inner().unwrap_or_else(PoisonError::into_inner).finish()?;
+        Ok(done?)
     }
 
     /// One step of all environments. Actions are shares of the largest speeds, -1 to 1.
@@ -201,8 +211,8 @@ impl Batch {
     fn picture<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyArray3<u8>>> {
         let episode = self.envs.get(index).and_then(|env| env.episode.as_ref());
         let episode = episode.ok_or_else(|| Failure::usage("call reset() before render()".to_owned()))?;
-        let (height, width, pixels) = picture(episode, self.common.task.robot.radius);
-        PyArray1::from_vec(py, pixels).reshape([height, width, 3])
+        let pixels = py.detach(|| picture(episode, self.common.task.robot.radius));
+        PyArray1::from_vec(py, pixels).reshape([SIDE, SIDE, 3])
     }
 
     /// Time of a step, s.

@@ -143,7 +143,7 @@ impl PythonController {
                 PyErr::from(Failure::contract(format!("behaviour \"{}\": {rule}; it returned {what}", self.name)))
             };
             let repr = || answer.repr().map_or_else(|_| "something else".to_owned(), |text| text.to_string());
-            let (left, right) = answer.extract::<(f64, f64)>().map_err(|_| broken(repr()))?;
+            let [left, right] = answer.extract::<[f64; 2]>().map_err(|_| broken(repr()))?;
             if !(left.is_finite() && right.is_finite()) {
                 return Err(broken(repr()));
             }

@@ -12,9 +12,12 @@ use robovac_core::{
     geometry::Point,
     grid::{Cell, Direction, Grid},
 };
-use robovac_sim::experiment::{
-    PlanAnswer, Planned,
-    planning::{Placement, PlanSolution, PlanningTask},
+use robovac_sim::{
+    controller,
+    experiment::{
+        PlanAnswer, Planned,
+        planning::{Placement, PlanSolution, PlanningTask},
+    },
 };
 use serde_json::json;
 use std::time::Instant;
@@ -35,7 +38,10 @@ pub struct PlanArguments<'a> {
 
 /// The planner with that id.
 pub fn planner(id: &str) -> Result<&'static PlannerInfo, Failure> {
-    find(id).ok_or_else(|| Failure::unknown("planner", id, "planners"))
+    find(id).ok_or_else(|| match controller::find(id) {
+        Some(_) => Failure::usage(format!("\"{id}\" is a behaviour: simulate(room, behaviour=\"{id}\")")),
+        None => Failure::unknown("planner", id, "planners"),
+    })
 }
 
 impl PlanArguments<'_> {

@@ -71,6 +71,10 @@ impl Room {
             let message = format!("a room has 1 to {MAX_SIDE} rows and columns, not {height} x {width}");
             return Err(Failure::map(message).into());
         }
+        if !cells.iter().any(|&cell| cell == 0) {
+            let message = "the array has no free cell; 0 is free, -1 unknown, all else occupied".to_owned();
+            return Err(Failure::map(message).into());
+        }
         // As text, so that it is checked as a file is.
         let mut text = format!("; resolution {resolution_m}\n");
         for row in (0..height).rev() {
@@ -153,6 +157,12 @@ impl Room {
     fn to_svg(&self, line: Vec<(f64, f64)>) -> String {
         let line: Vec<Point> = line.into_iter().map(|(x, y)| Point::new(x, y)).collect();
         export::to_svg(&self.plan, &line)
+    }
+
+    /// For pickling and copying.
+    fn __reduce__(slf: &Bound<'_, Self>) -> PyResult<(Py<PyAny>, (String, String))> {
+        let room = slf.get();
+        Ok((slf.get_type().getattr("from_text")?.unbind(), (room.to_scenario(), room.plan.name.clone())))
     }
 
     fn __repr__(&self) -> String {

@@ -40,6 +40,8 @@ pub struct DriverArguments {
     coverage_percent: Option<f64>,
     smooth: bool,
     seed: u64,
+    /// Of the planner.
+    plan_seed: u64,
     sample_s: f64,
     max_time_s: Option<f64>,
 }
@@ -116,9 +118,9 @@ impl DriverArguments {
         let (mut never_ends, mut line, mut fault) = (false, Vec::new(), None);
         let (placement, prepared, mut run) = match (&self.planner, &self.behaviour, &self.cells, &self.object) {
             (Some(planner), ..) => {
-                let Self { params, coverage_percent, seed, .. } = self;
+                let Self { params, coverage_percent, plan_seed, .. } = self;
                 let arguments =
-                    PlanArguments { place, planner, params, coverage_percent: *coverage_percent, seed: *seed };
+                    PlanArguments { place, planner, params, coverage_percent: *coverage_percent, seed: *plan_seed };
                 let (task, solution) = arguments.solve(watch)?;
                 let mut planned = solution.planned;
                 if self.smooth {

@@ -1,5 +1,8 @@
 """The environments."""
 
+import copy
+import pickle
+import signal
 import warnings
 
 import gymnasium
@@ -31,7 +34,7 @@ def test_gymnasiums_checker_has_nothing_to_say(observation, action):
         check_env(env.unwrapped, skip_render_check=True)
     env.reset(seed=1)
     frame = env.render()
-    assert frame.dtype == np.uint8 and frame.ndim == 3 and len(np.unique(frame)) > 3
+    assert frame.dtype == np.uint8 and frame.shape == (480, 480, 3) and len(np.unique(frame)) > 3
     env.close()
 
 
@@ -130,6 +133,47 @@ def test_without_autoreset_a_mask_resets():
     assert not envs.step(ahead(2))[3].any()
 
 
+def test_what_a_function_rewards_doesnt_count_in_a_step_that_resets():
+    envs = gymnasium.make_vec(ID, num_envs=2, rooms="bedroom", time_limit_s=0.315, rewards=lambda infos: -1.0)
+    envs.reset(seed=1)
+    assert [envs.step(ahead(2))[1].tolist() for _ in range(5)] == [[-1, -1]] * 3 + [[0, 0]] + [[-1, -1]]
+    for wrong in (None, np.zeros(3), [0, np.nan]):
+        envs = gymnasium.make_vec(ID, num_envs=2, rooms="bedroom", rewards=lambda infos, wrong=wrong: wrong)
+        envs.reset(seed=1)
+        with pytest.raises(robovac.UsageError, match="must return a number for each of 2 environments; it returned"):
+            envs.step(ahead(2))
+
+
+def test_copies_are_new_environments_with_the_same_arguments():
+    settings = dict(observation=("oi", "map"), rooms=robovac.Room.shipped("bedroom"), rewards=RewardWeights(bump=-3))
+    for env in (gymnasium.make(ID, **settings), gymnasium.make_vec(ID, num_envs=3, **settings)):
+        first = env.reset(seed=4)[0]["map"].copy()
+        for again in (pickle.loads(pickle.dumps(env)), copy.deepcopy(env)):
+            assert again.observation_space == env.observation_space
+            with pytest.raises((robovac.UsageError, gymnasium.error.ResetNeeded)):
+                again.unwrapped.step(env.action_space.sample())
+            assert np.array_equal(again.reset(seed=4)[0]["map"], first)
+
+
+# slow: hundreds of flats are laid out until the signal arrives
+def test_a_reset_ends_by_a_signal():
+    class Stopped(Exception):
+        pass
+
+    def stop(*_):
+        raise Stopped
+
+    before = signal.signal(signal.SIGALRM, stop)
+    try:
+        envs = gymnasium.make_vec(ID, num_envs=100_000, flats=100_000)
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        with pytest.raises(Stopped):
+            envs.reset(seed=1)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
 def test_falls_end_an_episode():
     envs = gymnasium.make_vec(ID, num_envs=32, rooms="stairs", autoreset_mode="SameStep")
     envs.reset(seed=2)
@@ -164,17 +208,35 @@ def test_settings_that_wont_do_are_refused():
         ({"robot": "r2d2"}, 'there is no robot "r2d2"'),
         ({"slip": "oily"}, 'there is no level of slip "oily"'),
         ({"step_s": 0}, "step_s can't be 0"),
+        ({"step_s": "1"}, "step_s can't be '1'"),
         ({"goal": -1}, "goal can't be -1"),
+        ({"flats": -1}, "flats can't be -1: "),
+        ({"area_m2": 40}, "area_m2 can't be 40: "),
+        ({"noise": 3}, "noise can't be 3: "),
+        ({"autoreset_mode": "never"}, "autoreset_mode can't be 'never'; use 'NextStep', 'SameStep', 'Disabled'"),
+        ({"num_envs": 0}, "num_envs can't be 0; use a whole number from 1"),
         ({"rooms": []}, "give at least one room"),
         ({"charge_percent": (80, 20)}, "the lower first"),
     ]:
         with pytest.raises(robovac.UsageError, match=words):
-            gymnasium.make_vec(ID, num_envs=2, **settings)
+            gymnasium.make_vec(ID, **{"num_envs": 2, **settings})
     envs = gymnasium.make_vec(ID, num_envs=2, rooms="bedroom")
     with pytest.raises(robovac.UsageError, match=r"call reset\(\) before step\(\)"):
         envs.step(ahead(2))
     envs.reset()
     with pytest.raises(robovac.UsageError, match="the action of environment 1 has NaN"):
         envs.step([[0, 0], [0, np.nan]])
-    with pytest.raises(robovac.UsageError, match="one action for each of 2 environments"):
-        envs.step(ahead(3))
+    for actions in (ahead(3), np.zeros(4), np.zeros((1, 4)), "ahead"):
+        with pytest.raises(robovac.UsageError, match="one action for each of 2 environments"):
+            envs.step(actions)
+    for seed, words in [([1], "one for each of 2 environments"), (1.5, "seed can't be 1.5"), (2**64, "seed can't be")]:
+        with pytest.raises(robovac.UsageError, match=words):
+            envs.reset(seed=seed)
+    env = gymnasium.make(ID, rooms="bedroom", time_limit_s=0.105).unwrapped
+    env.reset(seed=1)
+    for action in (np.zeros((1, 2)), np.zeros(3), None):
+        with pytest.raises(robovac.UsageError, match=r"an action is an array of shape \(2,\)"):
+            env.step(action)
+    env.step(np.zeros(2))
+    with pytest.raises(robovac.UsageError, match=r"the episode is over; call reset\(\)"):
+        env.step(np.zeros(2))

@@ -28,6 +28,8 @@ def test_the_environment_is_there_whichever_is_imported_first():
     for imports in ("import robovac, gymnasium", "import gymnasium, robovac", "import gymnasium, robovac.gym"):
         code = f"{imports}; assert gymnasium.spec('robovac/Clean-v0').vector_entry_point"
         subprocess.run([sys.executable, "-c", code], check=True)
+    code = "import robovac; robovac.gym.RewardWeights(bump=-1); robovac.study.run"
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_importing_loads_neither_numpy_nor_gymnasium():

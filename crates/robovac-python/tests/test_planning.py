@@ -1,6 +1,9 @@
 """Rooms, plans, comparisons."""
 
+import copy
+import dataclasses
 import json
+import pickle
 import pickle
 import xml.etree.ElementTree as xml
 
@@ -134,6 +137,16 @@ def test_errors_are_the_command_lines_sentences():
     for call, error, words in [
         (lambda: robovac.plan("bedrom"), robovac.UsageError, r'there is no room "bedrom"; robovac.rooms\(\) lists them'),
         (lambda: robovac.plan("bedroom", "snail"), robovac.UsageError, r'there is no planner "snail"'),
+        (lambda: robovac.plan("bedroom", "bounce"), robovac.UsageError, r'"bounce" is a behaviour: simulate\(room, behav'),
+        (lambda: robovac.plan("bedroom", 3), robovac.UsageError, "planner can't be 3"),
+        (lambda: robovac.plan("bedroom", seed=-1), robovac.UsageError, "seed can't be -1; use a whole number from 0 to"),
+        (lambda: robovac.plan("bedroom", start=(1.5, 2)), robovac.UsageError, r"start can't be \(1.5, 2\): .*float"),
+        (lambda: robovac.plan("nowhere.png"), robovac.FileError, "nowhere.png: .*; check the path"),
+        (lambda: robovac.plan(None), robovac.UsageError, "a room can't be None"),
+        (lambda: robovac.plan(np.ones((9, 9))), robovac.MapError, "the array has no free cell"),
+        (lambda: robovac.Room.flat(1.5), robovac.UsageError, "seed can't be 1.5"),
+        (lambda: robovac.simulate("bedroom", behaviour="bounce", noise=3), robovac.UsageError, "noise can't be"),
+        (lambda: robovac.simulate("bedroom", behaviour="bounce", max_time_s="1h"), robovac.UsageError, "max_time_s can't be '1h'"),
         (lambda: robovac.plan("bedroom", robot="r2d2"), robovac.UsageError, r'there is no robot "r2d2"'),
         (lambda: robovac.plan(TEXT, start=(2, 1)), robovac.PlacementError, r"the start cell \(2, 1\) is inside a wall"),
         (lambda: robovac.plan("...\n...", robot="roomba600"), robovac.PlacementError, "robot"),
@@ -154,9 +167,27 @@ def test_a_comparison_has_a_row_for_each_trial():
     assert len(compared) == 2 * (1 + 1 + 2 + 1)
     assert all(trial.error is None and trial.metrics["coverage"] == 100.0 for trial in compared)
     table, name = compared.table("steps"), robovac.rooms()["thesis8"]["title"]
-    assert set(table) == {"snake", "genetic", "depth_first"} and table["depth_first"][name] > table["snake"][name]
-    assert compared.records()[0]["room"] == name
+    assert set(table) == {"snake~patience:2", "snake~patience:5", "genetic", "depth_first"}
+    assert table["depth_first"][name] > table["snake~patience:2"][name]
+    first = compared.records()[0]
+    assert first["room"] == name and first["params"] == "patience:2~rules:text"
+    assert set(robovac.compare("thesis8", "snake").table()) == {"snake"}
+    for call, words in [
+        (lambda: compared.table("speed"), 'there is no metric "speed"'),
+        (lambda: robovac.compare("thesis8", "snake", seeds=0), "at least one seed"),
+        (lambda: robovac.compare("thesis8", "snake", seeds=[-1]), "seeds can't be -1"),
+    ]:
+        with pytest.raises(robovac.UsageError, match=words):
+            call()
     assert robovac.compare("...\n...", ["snake"], robot="roomba600").trials[0].error is not None
+
+
+def test_plans_can_be_pickled_and_copied():
+    plan = robovac.plan(robovac.Room.flat(3, area_m2=(25, 40)), "snake", robot="roomba600")
+    again = pickle.loads(pickle.dumps(plan))
+    assert np.array_equal(again.line_m, plan.line_m) and np.array_equal(again.room.cells, plan.room.cells)
+    assert robovac.simulate(copy.deepcopy(plan), max_time_s=30).digest == robovac.simulate(plan, max_time_s=30).digest
+    assert dataclasses.asdict(plan)["length_m"] == plan.length_m
 
 
 def test_rooms_and_paths_draw_themselves():

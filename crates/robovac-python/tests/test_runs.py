@@ -48,6 +48,17 @@ def test_a_plan_is_driven_as_it_was_planned():
     assert smooth.finished and smooth.time_s < run.time_s
     with pytest.raises(robovac.UsageError, match="either a planner or a behaviour"):
         robovac.simulate("room12ft")
+    with pytest.raises(robovac.UsageError, match="driven as it is, by its own robot"):
+        robovac.simulate(plan, robot="cbot")
+
+
+def test_the_seed_of_a_run_changes_no_plan():
+    plans = [robovac.plan("room12ft", "genetic", robot="roomba600", seed=seed) for seed in (1, 2)]
+    assert not np.array_equal(plans[0].line_m, plans[1].line_m)
+    for plan in plans:
+        run = robovac.simulate(plan, slip="typical", seed=0, max_time_s=60)
+        assert np.array_equal(run.line_m, plan.line_m) and run.seed == 0
+    assert robovac.simulate(plans[1], max_time_s=5).seed == 2
 
 
 def test_noise_is_chosen_for_each_kind_of_sensor():
@@ -97,6 +108,8 @@ def test_faults_of_behaviours_are_told_in_words():
         robovac.simulate("bedroom", behaviour=type("Odd", (Answers,), {"answer": (1, 2, 3)}))
     with pytest.raises(robovac.ContractError, match="has no step"):
         robovac.simulate("bedroom", behaviour=object)
+    array = type("Array", (Answers,), {"answer": np.array([0.3, 0.3])})
+    assert robovac.simulate("bedroom", behaviour=array, max_time_s=5).distance_m > 1
 
 
 def test_exploring_makes_a_map_that_can_be_planned_in():
