@@ -27,6 +27,11 @@ export class Framed {
   #bytes = new Uint8Array(1 << 16);
   /** Readings at their places in `#bytes`. @type {Float64Array[]} */
   #views = [];
+  /** The last answer: filled again as long as as many runs are asked for. */
+  #numbers = new Int32Array(1);
+  #answerBytes = Buffer.from(this.#numbers.buffer);
+  /** Its commands. @type {Int32Array[]} */
+  #commands = [];
 
   /** The runs of all seeds that a host offers. @param {Offer} offer @param {Omit<import("./runtime.js").Options, "seed" | "layout">} options */
   constructor({ seeds, layout }, options) {
@@ -84,13 +89,13 @@ export class Framed {
   #answer() {
     const words = new Int32Array(this.#bytes.buffer);
     const count = words[1];
-    const answer = new Int32Array(1 + (COMMAND / 4) * count);
+    if (count !== this.#commands.length) this.#makeRoom(count);
     let number = 0;
     try {
       for (let index = 0, place = 1; index < count; index += 1) {
         number = words[2 * place];
         const beams = words[2 * place + 1];
-        this.#step(this.#runs[number], place + 1, beams, answer.subarray(1 + 4 * index));
+        this.#step(this.#runs[number], place + 1, beams, this.#commands[index]);
         if (this.#runs[number].program.output.length) this.#listen(number);
         place += 1 + this.#slots + beams;
       }
@@ -99,9 +104,15 @@ export class Framed {
     }
     const said = this.#sayings.length ? Buffer.from(JSON.stringify(this.#sayings)) : undefined;
     this.#sayings = [];
-    answer[0] = 4 * (answer.length - 1) + (said?.length ?? 0);
-    const bytes = Buffer.from(answer.buffer);
-    return said ? Buffer.concat([bytes, said]) : bytes;
+    this.#numbers[0] = COMMAND * count + (said?.length ?? 0);
+    return said ? Buffer.concat([this.#answerBytes, said]) : this.#answerBytes;
+  }
+
+  /** @param {number} count */
+  #makeRoom(count) {
+    const numbers = (this.#numbers = new Int32Array(1 + (COMMAND / 4) * count));
+    this.#answerBytes = Buffer.from(numbers.buffer);
+    this.#commands = Array.from({ length: count }, (_, index) => numbers.subarray(1 + (COMMAND / 4) * index));
   }
 
   /** @param {Run} run @param {number} place Where its readings are, in numbers. @param {number} beams @param {Int32Array} command */
@@ -124,8 +135,9 @@ export class Framed {
   }
 }
 
-/** A world of its own for a program. */
+/** A world of its own for a program. Node asks its own code for each global name there, so that those of the language are parameters. */
 function apart() {
   const context = vm.createContext({});
-  return (/** @type {string} */ text) => vm.runInContext(text, context);
+  const names = vm.runInContext("Object.getOwnPropertyNames(globalThis)", context).filter((/** @type {string} */ name) => /^[A-Z]\w+$/.test(name));
+  return (/** @type {string} */ text) => vm.runInContext(`((${names}) => ${text}\n)(${names})`, context);
 }

@@ -92,3 +92,29 @@ export const withoutServiceWorkers = (context) =>
       // A frame without an origin has none.
     }
   });
+
+/**
+ * What moves by itself is drawn 16 times a second at most: painting is what most tests cost, and none looks at more. What follows
+ * an input comes at once.
+ */
+export const withFewFrames = (context) =>
+  context.addInitScript(() => {
+    const atNextFrame = self.requestAnimationFrame.bind(self);
+    let waiting = new Map();
+    let last = 0;
+    let prompt = 30;
+    function callAll(now) {
+      const due = waiting;
+      waiting = new Map();
+      for (const call of due.values()) call(now);
+    }
+    for (const input of ["pointerdown", "pointermove", "click", "wheel", "keydown", "keyup", "change", "hashchange", "popstate"]) {
+      addEventListener(input, () => void (prompt = 6, atNextFrame(callAll)), { capture: true, passive: true });
+    }
+    self.requestAnimationFrame = (call) => {
+      if (waiting.size === 0) prompt-- > 0 ? atNextFrame(callAll) : setTimeout(() => atNextFrame(callAll), 60);
+      waiting.set((last += 1), call);
+      return last;
+    };
+    self.cancelAnimationFrame = (id) => void waiting.delete(id);
+  });

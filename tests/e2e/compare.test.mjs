@@ -270,7 +270,7 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   assert.match(await app.text("#about #tip"), /every reachable cell/, "before the dialog, not behind it");
   await page.getByRole("button", { name: "Open in Explore" }).click();
   await page.locator("#panel-explore").waitFor();
-  assert.equal(await page.locator("#algorithm").inputValue(), "spiral");
+  await app.poll(() => page.locator("#algorithm").inputValue(), (id) => id === "spiral");
   await app.until("playing", "ready", "paused", "finished");
   // What has one name is one number.
   const { cells } = first.rows.find(({ name }) => name === "Growing spirals");

@@ -8,7 +8,7 @@ const SMALL = { viewport: { width: 1000, height: 640 } };
 
 /** Opens the tab Robot, nothing connected. */
 export async function openRobot(t, { link = "room=empty&behaviour=bounce", ...options } = {}) {
-  const opened = await openPage(t, { address: `#${link}&robot=roomba600&tab=connection`, ...SMALL, ...options });
+  const opened = await openPage(t, { address: `#${link}&robot=roomba600&tab=connection`, allFrames: true, ...SMALL, ...options });
   const { page } = opened;
   const app = new App(page);
   await page.locator("body[data-tab=connection][data-boot=ready]").waitFor();

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
-import { DIST, ROOT, launchBrowser, serveFolder, withoutServiceWorkers } from "./browser.mjs";
+import { DIST, ROOT, launchBrowser, serveFolder, withFewFrames, withoutServiceWorkers } from "./browser.mjs";
 import { ends } from "./ends.mjs";
 
 export { DIST, ROOT };
@@ -25,7 +25,7 @@ ends.push(async () => {
 const idle = new Map();
 
 /** A window of its own for each set of options, with a server: an origin that no other window has. */
-async function openWindow({ mount, isNew, init, ...asked }) {
+async function openWindow({ mount, isNew, init, allFrames, ...asked }) {
   // Only tests of it have a service worker: others ask what the server is asked for.
   const { serviceWorkers, ...options } = asked;
   const server = await serveFolder(DIST, { mount, headers: isNew ? {} : { "cache-control": "max-age=3600" } });
@@ -33,6 +33,7 @@ async function openWindow({ mount, isNew, init, ...asked }) {
   const browser = await (sharedBrowser ??= launchBrowser());
   const context = await browser.newContext(options);
   if (serviceWorkers !== "allow") await withoutServiceWorkers(context);
+  if (!allFrames) await withFewFrames(context);
   if (init) await context.addInitScript(init);
   const window = { server, context, options, allow: [], problems: [] };
   const note = (message) => window.isLeft || window.allow.some((pattern) => pattern.test(message)) || window.problems.push(message);
@@ -76,8 +77,9 @@ async function tidy(window) {
  * thrown one, or failed to load a file, unless a pattern in `allow` matches the message.
  *
  * `address` is relative to the folder the page is served from: "", "?room=flat", "www/bench.html".
- * `init` is run in the page before any of its scripts. With `isNew`, nothing is in any cache. Other options go to Playwright's
- * browser context. The window is small unless a test needs it larger: painting is most of what these tests cost.
+ * `init` is run in the page before any of its scripts. With `isNew`, nothing is in any cache. With `allFrames`, the page draws
+ * as often as for users. Other options go to Playwright's browser context. The window is small unless a test needs it larger:
+ * painting is most of what these tests cost.
  */
 export async function openPage(t, { address = "", allow = [], init, isNew = init !== undefined, mount = "/", ...contextOptions } = {}) {
   const options = { viewport: { width: 1000, height: 640 }, ...contextOptions };

@@ -7,7 +7,7 @@ import { values } from "./app.mjs";
 // slow: some forty algorithms take their turn, and a Roomba drives no faster than one on the floor.
 test("every algorithm of the menu drives the virtual robot", async (t) => {
   // A small room is soon planned.
-  const { page, app, robot } = await openRobot(t, { link: "room=thesis8&behaviour=bounce" });
+  const { page, app, robot } = await openRobot(t, { link: "room=thesis8&behaviour=bounce", allFrames: false });
   await robot.connect();
   await robot.arm();
   const offered = await values(page, "connection-algorithm");

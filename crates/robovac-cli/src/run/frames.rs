@@ -99,7 +99,11 @@ impl Seat<'_> {
         self.scan = lockstep.scan();
         frame.extend(number.to_le_bytes());
         frame.extend((ranges.len() as u32).to_le_bytes());
-        frame.extend(readings.iter().chain(ranges).flat_map(|reading| reading.to_le_bytes()));
+        let begin = frame.len();
+        frame.resize(begin + size_of::<f64>() * (readings.len() + ranges.len()), 0);
+        for (place, reading) in frame[begin..].chunks_exact_mut(size_of::<f64>()).zip(readings.iter().chain(ranges)) {
+            place.copy_from_slice(&reading.to_le_bytes());
+        }
     }
 
     /// Drives as it is commanded.
