@@ -75,6 +75,22 @@ class RewardWeights:
     finish: float = 10.0
 
 
+@dataclass(frozen=True)
+class Drawn:
+    """What chance chose for an episode."""
+
+    #: Name of the room; None for a generated flat.
+    room: str | None
+    #: Seed of the generated flat, or None.
+    flat: int | None
+    #: Level of wheel slip.
+    slip: str
+    #: Level of sensor noise.
+    noise: str
+    #: Charge of the battery at the start, %.
+    charge_percent: int
+
+
 #: Rewards from ``infos``: an array with one for each environment, also where there is only one. What it returns for steps
 #: that only reset an environment doesn't count.
 RewardFunction = Callable[[dict[str, Any]], Any]
@@ -296,6 +312,10 @@ class CleanVectorEnv(VectorEnv, EzPickle):
     def _told(self) -> dict[str, Any]:
         return {name: array.copy() for name, array in self._infos.items()} if self._copy else dict(self._infos)
 
+    def drawn(self) -> tuple[Drawn, ...]:
+        """What chance chose for each environment's present episode."""
+        return tuple(Drawn(*parts) for parts in self._batch.drawn())
+
     def render(self) -> tuple[np.ndarray, ...] | None:
         """A picture of every room, which fills 480 x 480 pixels: walls, floor, swept floor and robot."""
         if self.render_mode is None:
@@ -340,6 +360,10 @@ class CleanEnv(gymnasium.Env, EzPickle):
         is_over, is_late = bool(terminated[0]), bool(truncated[0])
         self._is_over = is_over or is_late
         return _only(observations), float(rewards[0]), is_over, is_late, _only_info(infos)
+
+    def drawn(self) -> Drawn:
+        """What chance chose for the present episode."""
+        return self._envs.drawn()[0]
 
     def render(self) -> np.ndarray | None:
         """A picture of the room."""

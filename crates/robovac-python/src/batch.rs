@@ -107,9 +107,14 @@ struct Common {
     autoreset: Autoreset,
 }
 
+/// What chance chose for an episode: a room's name, or the seed of a flat; slip, noise, and the charge, %.
+type Drawn = (Option<String>, Option<u64>, &'static str, &'static str, u8);
+
 /// One environment.
 struct Env {
     episode: Option<Episode>,
+    /// What chance chose for it: the room's number, slip, noise, and the charge, %.
+    drawn: Option<(usize, SlipLevel, NoiseLevel, u8)>,
     rng: Rng,
     is_done: bool,
 }
@@ -215,6 +220,16 @@ impl Batch {
         PyArray1::from_vec(py, pixels).reshape([SIDE, SIDE, 3])
     }
 
+    /// What chance chose for each episode.
+    fn drawn(&self) -> PyResult<Vec<Drawn>> {
+        let told = |(index, slip, noise, charge): (usize, SlipLevel, NoiseLevel, u8)| {
+            let (name, flat) = self.common.rooms.name(index);
+            (name, flat, slip.id(), noise.id(), charge)
+        };
+        let all: Option<Vec<Drawn>> = self.envs.iter().map(|env| env.drawn.map(told)).collect();
+        Ok(all.ok_or_else(|| Failure::usage("call reset() before drawn()".to_owned()))?)
+    }
+
     /// Time of a step, s.
     #[getter]
     fn step_s(&self) -> f64 {
@@ -316,14 +331,13 @@ impl Env {
     /// Begins an episode in a room, under conditions and from a start that chance decides.
     fn begin(&mut self, common: &Common) -> Result<(), Failure> {
         let rng = &mut self.rng;
-        let room = common.rooms.choose(&common.task.robot, rng)?;
-        let conditions = Conditions {
-            slip: common.slip[rng.random_range(0..common.slip.len())],
-            noise: Noise::all(common.noise[rng.random_range(0..common.noise.len())]),
-            quantised: false,
-            start_charge_percent: rng.random_range(common.charge.0..=common.charge.1),
-            spare_batteries: false,
-        };
+        let (index, room) = common.rooms.choose(&common.task.robot, rng)?;
+        let slip = common.slip[rng.random_range(0..common.slip.len())];
+        let noise = common.noise[rng.random_range(0..common.noise.len())];
+        let start_charge_percent = rng.random_range(common.charge.0..=common.charge.1);
+        self.drawn = Some((index, slip, noise, start_charge_percent));
+        let noise = Noise::all(noise);
+        let conditions = Conditions { slip, noise, quantised: false, start_charge_percent, spare_batteries: false };
         let start = if common.anywhere { room.floor.anywhere(rng) } else { None };
         self.episode = Some(Episode::new(&common.task, &room, conditions, start, rng.random()));
         self.is_done = false;
@@ -432,7 +446,7 @@ impl BatchArguments {
                 },
             },
             envs: (0..self.num_envs)
-                .map(|_| Env { episode: None, rng: RandomStream::Environment.seeded(0), is_done: false })
+                .map(|_| Env { episode: None, drawn: None, rng: RandomStream::Environment.seeded(0), is_done: false })
                 .collect(),
             threads: threads.max(1),
         })

@@ -60,9 +60,18 @@ impl Rooms {
         Self { source, laid: (0..count).map(|_| Mutex::new(Weak::new())).collect(), kept: Mutex::new(Vec::new()) }
     }
 
-    /// One of them by chance, laid out for the robot.
-    pub fn choose(&self, robot: &RobotModel, rng: &mut Rng) -> Result<Arc<EpisodeRoom>, Failure> {
-        self.lay_out(rng.random_range(0..self.laid.len()), robot)
+    /// One of them by chance, and its number.
+    pub fn choose(&self, robot: &RobotModel, rng: &mut Rng) -> Result<(usize, Arc<EpisodeRoom>), Failure> {
+        let index = rng.random_range(0..self.laid.len());
+        Ok((index, self.lay_out(index, robot)?))
+    }
+
+    /// What users know a room by: its name, or the seed of a generated flat.
+    pub fn name(&self, index: usize) -> (Option<String>, Option<u64>) {
+        match &self.source {
+            Source::Given(plans) => (plans.get(index).map(|plan| plan.name.clone()), None),
+            Source::Flats(first, _) => (None, Some(first.wrapping_add(index as u64))),
+        }
     }
 
     fn lay_out(&self, index: usize, robot: &RobotModel) -> Result<Arc<EpisodeRoom>, Failure> {

@@ -240,3 +240,21 @@ def test_settings_that_wont_do_are_refused():
     env.step(np.zeros(2))
     with pytest.raises(robovac.UsageError, match=r"the episode is over; call reset\(\)"):
         env.step(np.zeros(2))
+
+
+def test_what_chance_chose_is_told():
+    settings = {"flats": 3, "first_flat": 40, "slip": ("none", "harsh"), "noise": ("off", "typical"), "charge_percent": (30, 60)}
+    envs = gymnasium.make_vec(ID, num_envs=24, **settings).unwrapped
+    with pytest.raises(robovac.UsageError, match=r"call reset\(\) before drawn\(\)"):
+        envs.drawn()
+    envs.reset(seed=5)
+    drawn = envs.drawn()
+    assert {one.room for one in drawn} == {None} and {one.flat for one in drawn} == {40, 41, 42}
+    assert {one.slip for one in drawn} == {"none", "harsh"} and {one.noise for one in drawn} == {"off", "typical"}
+    assert all(30 <= one.charge_percent <= 60 for one in drawn) and len({one.charge_percent for one in drawn}) > 5
+    alone = gymnasium.make(ID, **settings).unwrapped
+    alone.reset(seed=7)
+    assert alone.drawn() == drawn[2]
+    named = gymnasium.make(ID, rooms=["bedroom"]).unwrapped
+    named.reset(seed=1)
+    assert (named.drawn().room, named.drawn().flat) == ("Bedroom", None)
