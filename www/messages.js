@@ -11,10 +11,12 @@ let toastTimer;
 /** The text of anything that was thrown. @param {unknown} error */
 export const textOf = (error) => (error instanceof Error ? error.message : String(error));
 
+/** Errors of Rust begin small, to stand behind others. @param {string} text */
+export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** Shows an error until it is dismissed or something else succeeds. @param {string} text */
 export function complain(text) {
-  // Rust's errors begin small, to stand behind others.
-  local = text.charAt(0).toUpperCase() + text.slice(1);
+  local = sentence(text);
   dismissed = "";
 }
 

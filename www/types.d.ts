@@ -582,7 +582,9 @@ kind: "planner" | "behaviour",
 /** Whether it is measured by the boundary that it has met rather than by clean floor. */
 explores: boolean, mark: Mark, params: Array<Param>, };
 
-export type ManyRunsEntrantView = { chosen: boolean,
+export type ManyRunsEntrantView = {
+/** That of the user's program has its name. */
+title: string, chosen: boolean,
 /** Whether it can take part: the user's program only if there is one of its kind. */
 offered: boolean, params: Params,
 /** Finished runs among the required ones. */
@@ -1055,7 +1057,9 @@ export type QuizKind = "reachable" | "lanes" | "parity" | "median" | "odometry" 
 
 export type RaceView = { state: SessionState, time_s: number, end_s: number, planned_s: number, speed: number,
 /** Whether it stands still because the user's program hasn't got farther. */
-waits: boolean, lanes: Array<LaneView>, };
+waits: boolean,
+/** Why the user's program failed; empty if it didn't. */
+failure: string, lanes: Array<LaneView>, };
 
 /** User requests to a robot. In JavaScript, `{ do: "arm", full: false }` and the like. */
 export type Request = { "do": "connect" } | { "do": "disconnect" } | { "do": "arm",

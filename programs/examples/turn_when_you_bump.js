@@ -1,4 +1,4 @@
-// Drives straight on; backs off and turns when it bumps into something.
+// Drives straight on; at a bump, backs off and turns.
 let turnUntil = 0;
 
 function step(robot) {

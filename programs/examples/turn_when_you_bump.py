@@ -1,4 +1,4 @@
-# Drives straight on; backs off and turns when it bumps into something.
+# Drives straight on; at a bump, backs off and turns.
 turn_until = 0
 
 def step(robot):

@@ -19,6 +19,7 @@ export {
   hoverTooltip,
   keymap,
   lineNumbers,
+  showTooltip,
   tooltips,
 } from "@codemirror/view";
 export { tags } from "@lezer/highlight";

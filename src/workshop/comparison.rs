@@ -170,6 +170,11 @@ impl Comparison {
         self.state.extend_race(number, part).map_err(message)
     }
 
+    /// The program that makes the log with that number has failed; why, for users.
+    pub fn race_failed(&mut self, number: u32, why: &str) {
+        self.state.race_failed(number, why);
+    }
+
     // ---- results
 
     /// Snapshot for every frame: choices, progress, race.

@@ -67,7 +67,7 @@ test("the virtual Roomba is driven by the program, and stops for good when answe
   await page.locator("#connection-algorithm").selectOption("program");
   await page.locator("#connection-go").click();
   await robot.drives(0.25);
-  await page.getByText("was too slow").or(page.getByText("took too long")).first().waitFor();
+  await page.getByText("didn't answer").or(page.getByText("took too long")).first().waitFor();
   await robot.rests();
   assert.ok((await robot.distance()) < 0.6, "it drove on");
   // The loop, once the same readings were gone through again.

@@ -178,7 +178,7 @@ test("an exercise from a file is safe, checked, handed in, and graded natively w
   await app.settled();
   await panel.getByRole("button", { name: "Check my settings" }).click();
   await panel.getByText("Not yet.").waitFor();
-  await panel.getByText(/median coverage >= 40 %: [\d.]+ %, missed/).waitFor();
+  await panel.getByText(/median coverage ≥ 40 %: [\d.]+ %, missed/).waitFor();
   await app.choose("algorithm", "boustrophedon");
   await panel.getByRole("button", { name: "Check my settings" }).click();
   await panel.getByText("Goal reached.").waitFor();

@@ -54,6 +54,27 @@ test("an error is underlined in its line and said in words", async (t) => {
   await page.getByRole("button", { name: "Line 4" }).click();
 });
 
+test("what a call takes is told while it is written, and a double click takes a whole number", async (t) => {
+  const { page } = await openProgram(t);
+  await write(page, "def step(robot):\n    ");
+  await page.keyboard.type("robot.g");
+  await page.locator(".cm-tooltip-autocomplete li", { hasText: /^go/ }).click();
+  const told = page.locator(".cm-about").filter({ hasText: /robot\.go\(speed, turn_rate=0\).*left\.$/ });
+  await told.waitFor();
+  await page.keyboard.type("0.21, 15");
+  assert.match(await text(page), /robot\.go\(0\.21, 15\)$/);
+  await page.keyboard.press("End");
+  await told.waitFor({ state: "detached" });
+  await page.locator(".cm-line span", { hasText: /^0\.21$/ }).dblclick();
+  await page.keyboard.type("0.4");
+  assert.match(await text(page), /robot\.go\(0\.4, 15\)$/);
+  // What doesn't start leaves the floor at rest.
+  await write(page, "def step(robot)\n");
+  await page.keyboard.press("Control+Enter");
+  await page.getByText("Not started").waitFor();
+  await page.getByRole("button", { name: "Play", exact: true }).waitFor();
+});
+
 test("an endless loop is ended, its line named, and the text is untouched", async (t) => {
   const { page } = await openProgram(t);
   const source = "let n = 0;\nfunction step(robot) {\n  robot.go(0.2);\n  if (robot.time > 1)\n    while (true) n += 1;\n}\n";
@@ -140,10 +161,21 @@ test("a link opens the program elsewhere, where it waits to be read", async (t) 
 });
 
 test("a planner in Python plans, and a wrong one is told what is wrong", async (t) => {
-  const { page } = await openProgram(t);
+  const { page, app } = await openProgram(t);
   await page.locator("#program-list").selectOption("plan_in_rows.python");
   await page.locator(".cm-content", { hasText: "def plan" }).waitFor();
   await driven(page);
+  // Explore rounds its corners as those of other plans: that saves time.
+  const planned = async () => seconds((await app.metric("Time")).plan);
+  await page.locator("#tab-explore").click();
+  await page.locator("#algorithm option:checked", { hasText: "A planner: rows" }).waitFor({ state: "attached" });
+  // Three quarters of an hour, and no time of the program before.
+  const stopping = await app.poll(planned, (time) => time > 2700, "the plan");
+  await page.locator("#smooth").check();
+  await app.poll(planned, (smooth) => smooth < 0.9 * stopping, "the plan with rounded corners");
+  await page.locator("#smooth").uncheck();
+  await app.poll(planned, (again) => again === stopping, "the plan without");
+  await page.locator("#tab-program").click();
   await write(page, "def plan(room):\n    return [room.start, (0, 0)]\n");
   await page.keyboard.press("Control+Enter");
   await page.getByText("The program's plan can't be driven").waitFor();
@@ -174,6 +206,23 @@ test("Explore names the program, and it takes part in the race and in many runs"
   await page.locator("#runs-minutes").selectOption({ index: 0 });
   await page.locator("#runs-go").click();
   await page.locator("#runs-behaviours li", { hasText: "Your program" }).getByText("✓").waitFor();
+  // A program that fails says where, in its lane and in the table; the others go on.
+  await page.locator("#tab-program").click();
+  await write(page, "def step(robot):\n    robot.go(0.2)\n    if robot.time > 5:\n        robot.go(spead)\n");
+  await page.keyboard.press("Control+Enter");
+  await page.getByRole("alert").filter({ hasText: "spead" }).waitFor();
+  await page.locator("#tab-compare").click();
+  await page.locator("#runs-go").click();
+  const status = page.locator("#runs-behaviours li", { hasText: "Your program: Turn when you bump" }).locator(".status", { hasText: "failed" });
+  await status.waitFor();
+  assert.match(await status.getAttribute("data-tip"), /failed in line 4: .*spead/);
+  await page.locator("#view-race").click();
+  await page.locator("#race-reset").click();
+  const fault = page.locator("#lanes figure", { hasText: "Your program: Turn when you bump" }).locator(".fault");
+  await fault.filter({ hasText: /^The program failed in line 4: .*spead.* Mend it in the tab Program\.$/ }).waitFor();
+  await page.locator("#race-play").click();
+  await page.waitForFunction(() => [...document.querySelectorAll("#lanes figure:not(:has(.fault:not([hidden]))) output")].some((other) => Number.parseFloat(other.textContent) > 3));
+  assert.ok(await fault.isVisible(), "it stays");
 });
 
 test("Map takes the program as method: it maps, is carried, goes back, and comes back after a reload", async (t) => {

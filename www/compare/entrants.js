@@ -52,6 +52,11 @@ export function entrantItem({ id, title, params }, mark, scope, { choose, setPar
   return item;
 }
 
+/** The user's program can get another name. @param {Element | null | undefined} item @param {string} title */
+export function showTitle(item, title) {
+  if (item && changed(/** @type {HTMLElement} */ (item), "title", title)) item.querySelector("label")?.lastChild?.replaceWith(title);
+}
+
 /**
  * Shows the choices in an item.
  * @param {Element | null | undefined} item

@@ -3,7 +3,7 @@
 import { MonteCarlo } from "../../workshop.js";
 import { startChart } from "./coverage-chart.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
-import { entrantItem, showChoice, swatch } from "./entrants.js";
+import { entrantItem, showChoice, showTitle, swatch } from "./entrants.js";
 import { count } from "../format.js";
 import { Pool } from "./pool.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
@@ -64,7 +64,7 @@ export function startRuns(app, module, guard, mirror) {
   select("runs-seeds").addEventListener("change", () => act((s) => s.set_seeds(Number(select("runs-seeds").value))));
   select("runs-minutes").addEventListener("change", () => act((s) => s.set_minutes(Number(select("runs-minutes").value))));
   const items = offer.entrants.map((entrant, index) =>
-    entrantItem(entrant, swatch(entrant.mark), `run-${entrant.kind}`, {
+    entrantItem({ ...entrant, title: view.entrants[index]?.title ?? "" }, swatch(entrant.mark), `run-${entrant.kind}`, {
       choose: (takesPart) => act((s) => s.choose(index, takesPart)),
       setParam: (param, text) => act((s) => s.set_param(index, param, text)),
     }),
@@ -81,7 +81,7 @@ export function startRuns(app, module, guard, mirror) {
     // Behaviours first, as in the list of choices.
     shown.sort((a, b) => a.entrant.kind.localeCompare(b.entrant.kind) || a.index - b.index);
     const rows = shown.map(({ entrant, index }) => ({
-      title: entrant.title,
+      title: view.entrants[index]?.title ?? "",
       explores: entrant.explores,
       mark: swatch(entrant.mark),
       summary: study.summary(index),
@@ -159,6 +159,7 @@ function updateChoices(view, offer, items) {
     const item = items[index];
     if (item) setHidden(item, !entrant.offered);
     showChoice(item, entrant);
+    showTitle(item, entrant.title);
     const status = items[index]?.querySelector(".status");
     if (!status) return;
     const words = entrant.failure ? "failed" : entrant.runs >= view.seeds ? "✓" : entrant.runs > 0 ? String(entrant.runs) : "";

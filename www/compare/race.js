@@ -3,7 +3,7 @@
 import { byId, changed, make, setAttribute, setHidden, setText } from "../dom.js";
 import { swatch } from "./entrants.js";
 import { clock, metres, percent } from "../format.js";
-import { complain, textOf } from "../messages.js";
+import { sentence, textOf } from "../messages.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { fitSize } from "../shared/pan-zoom.js";
 import { startRange } from "../shared/range.js";
@@ -40,7 +40,7 @@ export function startRace(it) {
     const { race } = view;
     setHidden(byId("race-hint"), Boolean(race && race.lanes.length > 0));
     setText(byId("race-hint"), hint(it));
-    const who = race ? race.lanes.map(({ entrant }) => entrant).join(" ") : "";
+    const who = race ? race.lanes.map(({ entrant }) => `${entrant} ${view.entrants[entrant]?.title}`).join() : "";
     if (changed(byId("lanes"), "who", who)) buildLanes(it, race);
     if (changed(byId("bench"), "who", view.waiting.join())) showBench(it);
     if (race) updateLanes(it, race);
@@ -73,7 +73,7 @@ function buildLanes({ act, view, comparison, about }, race) {
     const out = make("button", { type: "button", className: "quiet square small", "aria-label": `Take ${title} out of the race`, title: "Take out of the race", onclick: () => act((c) => c.set_racing(entrant, false)) });
     out.innerHTML = '<svg class="icon" aria-hidden="true"><use href="#i-close" /></svg>';
     const rank = make("span", { className: "rank", "data-tip": RANK });
-    return make("figure", {}, make("figcaption", {}, rank, swatch(mark), name, make("output", { "data-tip": DRIVEN }), out), make("canvas", { role: "img" }));
+    return make("figure", {}, make("figcaption", {}, rank, swatch(mark), name, make("output", { "data-tip": DRIVEN }), out), make("canvas", { role: "img" }), make("p", { className: "fault", role: "alert", hidden: true }));
   });
   byId("lanes").replaceChildren(...panes);
   byId("lanes").dataset.count = String(panes.length);
@@ -99,7 +99,12 @@ function updateLanes({ view }, race) {
     if (!output || !canvas) return;
     const [rank, isDone] = [pane?.querySelector(".rank"), lane.finished || lane.won_s !== null];
     if (rank) setText(rank, race.time_s > 0 ? `#${lane.place}` : "");
-    setText(output, `${percent(lane.coverage)} %${isDone ? ` in ${clock(lane.won_s ?? lane.time_s)}` : ""}`);
+    // It stops where its program failed.
+    const failure = view.entrants[lane.entrant]?.id === "program" && lane.won_s === null ? race.failure : "";
+    const fault = /** @type {HTMLElement} */ (pane?.querySelector(".fault"));
+    setHidden(fault, failure === "");
+    setText(fault, failure);
+    setText(output, `${percent(lane.coverage)} %${isDone ? ` ${failure ? "until" : "in"} ${clock(lane.won_s ?? lane.time_s)}` : ""}`);
     setAttribute(pane, "data-leads", String(lane.place === 1 && race.time_s > 0));
     // While it drives, the picture is put into words now and then; while it stands, the words fit it.
     const far = isMoving(race) ? Math.floor(lane.coverage * 10) : lane.time_s;
@@ -149,5 +154,5 @@ export function raceProgram(app, comparison) {
   const seconds = 1.5 * (comparison.view().race?.planned_s ?? 0) + 60;
   void import("../program/work.js")
     .then(({ work }) => work({ program, job, seconds, onPart: (part) => void (isWanted = comparison.extend_race(version, part)) }, { isWanted: () => isWanted }))
-    .catch((error) => isWanted && complain(`${textOf(error)}.`));
+    .catch((error) => isWanted && comparison.race_failed(version, sentence(`${textOf(error)}.`)));
 }

@@ -36,7 +36,7 @@ let items = [];
 /** @param {Comparing} it */
 export function updateSetup(it) {
   const { view } = it;
-  if (changed(byId("entrants"), "copies", view.entrants.map(({ copy }) => copy).join())) items = showItems(it);
+  if (changed(byId("entrants"), "copies", view.entrants.map(({ copy, title }) => `${copy} ${title}`).join())) items = showItems(it);
   if (changed(select("compare-rooms"), "set", view.set)) select("compare-rooms").value = view.set;
   if (changed(select("compare-seeds"), "seeds", view.seeds)) select("compare-seeds").value = String(view.seeds);
   view.entrants.forEach((entrant, index) => {

@@ -82,7 +82,7 @@ export function goal(context, goal) {
 
   /** @param {import("../types").Verdict} verdict @param {string[]} ignored */
   function show(verdict, ignored) {
-    const rows = verdict.needs.map(({ text, value, unit, passed }) => make("li", { className: passed ? "right" : "wrong" }, `${text}: ${value === null ? "not reached" : `${value.toFixed(1)} ${unit}`.trim()}${passed ? "" : ", missed"}`));
+    const rows = verdict.needs.map(({ text, value, unit, passed }) => make("li", { className: passed ? "right" : "wrong" }, `${signed(text)}: ${value === null ? "not reached" : `${value.toFixed(1)} ${unit}`.trim()}${passed ? "" : ", missed"}`));
     outcome.replaceChildren(make("b", {}, verdict.passed ? "Goal reached." : "Not yet."), make("ul", {}, ...rows));
     if (ignored.length > 0) outcome.append(make("p", {}, `Not yours to change here, so it was checked as the task has it: ${ignored.join(", ")}.`));
   }
@@ -106,14 +106,20 @@ const WORDS = { algorithm: "Algorithm with its parameters", program: "the progra
 const count = (runs) => (runs === 1 ? "One run" : `${runs} runs`);
 
 /** @param {import("../types").Need} need @param {import("../types").Goal} goal */
-const words = ({ text }, { minutes }) => `${text.replace(">=", "≥").replace("<=", "≤")} within ${minutes} min`;
+const words = ({ text }, { minutes }) => `${signed(text)} within ${minutes} min`;
+
+/** @param {string} text */
+const signed = (text) => text.replace(">=", "≥").replace("<=", "≤");
+
+/** Columns of what is counted. */
+const COUNTS = /^(bumps|falls)/;
 
 /** A table that fills itself. @param {import("./blocks.js").Context} context @param {Extract<import("../types").LessonBlock, { kind: "measure" }>} table @param {number} at Index of the block. */
 export function measure({ text, signal, app }, table, at) {
   const cells = table.rows.map(() => table.columns.map(() => make("td", {}, "–")));
   const body = make("tbody", {}, ...table.rows.map(({ title, link }, row) => make("tr", {}, make("th", { scope: "row" }, press(title, () => applyLink(app, link, true), "link")), .../** @type {HTMLElement[]} */ (cells[row]))));
   const head = make("tr", {}, make("td"), ...table.columns.map((column) => make("th", { scope: "col" }, column)));
-  const told = make("p", { className: "note", role: "status" }, `${count(table.runs)} of ${table.minutes} min in each row; medians. A name shows its run.`);
+  const told = make("p", { className: "note", role: "status" }, `${table.runs === 1 ? "One run" : `Medians of ${table.runs} runs`} of ${table.minutes} min. Press a name to see a run.`);
   const go = press("Measure", async () => {
     go.disabled = true;
     try {
@@ -121,7 +127,7 @@ export function measure({ text, signal, app }, table, at) {
       await makeRuns(requests, (row, outcomes) => {
         text.cells(at, outcomes).forEach((value, column) => {
           const cell = cells[row]?.[column];
-          if (cell) cell.textContent = value === null ? "not reached" : value.toFixed(1);
+          if (cell) cell.textContent = value === null ? "not reached" : value.toFixed(Number.isInteger(value) && COUNTS.test(table.columns[column] ?? "") ? 0 : 1);
         });
       }, signal);
     } catch (error) {

@@ -2,6 +2,7 @@
 // Completion and help at the pointer for the interface that programs see.
 import * as cm from "../../codemirror.js";
 import { make } from "../dom.js";
+import { callHelp } from "./call-help.js";
 
 /**
  * @typedef {object} Part As programs/interface.json lists them.
@@ -24,18 +25,25 @@ export const setInterface = (list) => void (all = list);
 export const parts = () => all;
 
 /** @param {Part} part @param {import("./editor.js").Language} language */
-const nameIn = ({ name, js }, language) => (language === "python" ? name : js);
+export const nameIn = ({ name, js }, language) => (language === "python" ? name : js);
 
 /** @param {Part} part */
 const ownerOf = ({ kind, group }) => (kind === "function" ? "" : group === "room" ? "room." : "robot.");
 
-/** What it is, with an example. @param {Part} part @param {import("./editor.js").Language} language */
-export function about(part, language) {
+/** What it is, with an example. @param {Part} part @param {import("./editor.js").Language} language @param {boolean} [isShort] Without the example. */
+export function about(part, language, isShort = false) {
   const args = (language === "python" ? part.args : part.jsArgs) ?? "";
   const head = make("code", {}, ownerOf(part) + nameIn(part, language) + (part.kind === "property" ? "" : `(${args})`));
-  const example = part.example?.[language];
+  const example = isShort ? undefined : part.example?.[language];
   return make("div", { className: "cm-about" }, head, part.unit ? `, ${part.unit}` : "", make("p", {}, part.text), ...(example ? [make("pre", {}, example)] : []));
 }
+
+/** Completes a call; what is to be told stands between the brackets. @param {string} name @param {boolean} hasArgs */
+const call = (name, hasArgs) => (/** @type {import("@codemirror/view").EditorView} */ view, /** @type {unknown} */ _, /** @type {number} */ from, /** @type {number} */ to) => {
+  const isCalled = view.state.sliceDoc(to, to + 1) === "(";
+  const text = name + (isCalled ? "" : "()");
+  view.dispatch({ changes: { from, to, insert: text }, selection: { anchor: from + name.length + (hasArgs ? 1 : 2) }, userEvent: "input.complete" });
+};
 
 /** @param {import("./editor.js").Language} language @returns {(context: import("@codemirror/autocomplete").CompletionContext) => import("@codemirror/autocomplete").CompletionResult | null} */
 function complete(language) {
@@ -53,7 +61,7 @@ function complete(language) {
         label: nameIn(part, language),
         detail: part.unit ?? "",
         type: part.kind,
-        apply: nameIn(part, language) + (part.kind === "property" ? "" : part.args ? "(" : "()"),
+        apply: part.kind === "property" ? nameIn(part, language) : call(nameIn(part, language), Boolean(part.args)),
         info: () => about(part, language),
       })),
     };
@@ -77,4 +85,4 @@ const hover = (language) =>
   });
 
 /** @param {import("./editor.js").Language} language */
-export const help = (language) => [(language === "python" ? cm.pythonLanguage : cm.javascriptLanguage).data.of({ autocomplete: complete(language) }), hover(language)];
+export const help = (language) => [(language === "python" ? cm.pythonLanguage : cm.javascriptLanguage).data.of({ autocomplete: complete(language) }), hover(language), callHelp(language)];

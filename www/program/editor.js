@@ -49,6 +49,16 @@ const running = cm.StateField.define({
   provide: (field) => cm.EditorView.decorations.from(field),
 });
 
+/** A double click takes a whole number, with its fraction. */
+const wholeNumbers = cm.EditorView.domEventHandlers({
+  dblclick(event, view) {
+    const at = view.posAtCoords({ x: event.clientX, y: event.clientY });
+    const node = at === null ? undefined : cm.syntaxTree(view.state).resolveInner(at);
+    if (node?.name !== "Number") return;
+    view.dispatch({ selection: { anchor: node.from, head: node.to } });
+  },
+});
+
 const syntax = (/** @type {Language} */ language) => [
   language === "python" ? cm.python() : cm.javascript(),
   cm.indentUnit.of(language === "python" ? "    " : "  "),
@@ -98,10 +108,11 @@ export class Editor {
       cm.syntaxHighlighting(colours),
       cm.tooltips({ parent: document.body }),
       running,
+      wholeNumbers,
       closing,
       keys,
       theme,
-      cm.EditorView.contentAttributes.of({ "aria-label": "Program", autocapitalize: "off", spellcheck: "false" }),
+      cm.EditorView.contentAttributes.of({ "aria-label": "Program", "aria-description": "Tab indents; Escape leaves the editor.", autocapitalize: "off", spellcheck: "false" }),
       cm.EditorView.updateListener.of(({ docChanged, transactions }) => {
         if (docChanged && !transactions.some((one) => one.annotation(isLoading))) tell.changed();
       }),

@@ -26,7 +26,7 @@ async function load(app) {
   ]);
   setInterface(Object.values(JSON.parse(list)).flat());
   byId("setup").after(make("section", { className: "rail program sheet", id: "program", "aria-label": "Program", innerHTML: fragment }));
-  const opener = make("button", { type: "button", "data-sheet": "program", "aria-expanded": "false", "aria-controls": "program", innerHTML: '<svg class="icon" aria-hidden="true"><use href="#i-book" /></svg>Program' });
+  const opener = make("button", { type: "button", "data-sheet": "program", "aria-expanded": "false", "aria-controls": "program", innerHTML: '<svg class="icon" aria-hidden="true"><use href="#i-code" /></svg>Program' });
   document.querySelector("#panel-explore .sheet-bar")?.prepend(opener);
   return startProgram(app);
 }

@@ -2,7 +2,7 @@
 // Why a program has ended early, in words.
 
 /**
- * @typedef {{ message: string, line: number, column?: number, step: number }} Fault
+ * @typedef {{ message: string, line: number, column?: number, step: number, isEarly?: boolean }} Fault It is early before the program is on the floor.
  * @typedef {import("./types").FromWorker} FromWorker
  */
 

@@ -86,8 +86,7 @@ export class ProgramRun {
     const program = this.program;
     if (!program) return;
     const order = (this.#order += 1);
-    this.#isOver = false;
-    this.#asked = 0;
+    [this.#isOver, this.#asked] = [false, 0];
     this.said.cut(from);
     try {
       const inmate = await this.#hired.of(program.language);
@@ -110,11 +109,12 @@ export class ProgramRun {
 
   /** @param {Fault} fault */
   #fail(fault) {
+    const isEarly = this.#plays !== undefined;
     this.#isOver = true;
     this.#doubt.until = 0;
     this.#plays = undefined;
-    this.#stage.fail(fault.message);
-    this.#set("failed", fault);
+    this.#stage.fail(fault.message, isEarly);
+    this.#set("failed", { ...fault, isEarly });
   }
 
   /** It is loaded: the playground takes it. @param {"step" | "run" | "plan"} kind */

@@ -103,8 +103,9 @@ export class Stage {
     if (this.#app.playground.view().state !== "failed") this.#judge.prove(request, cells);
   }
 
-  /** There will be no plan. @param {string} why */
-  fail(why) {
+  /** There will be no plan. Before the program drives, what is on the floor is another's: it pauses. @param {string} why @param {boolean} [isEarly] */
+  fail(why, isEarly) {
+    if (isEarly) this.pause();
     const request = this.#request;
     this.#request = undefined;
     if (request) this.#app.act((p) => p.plan_failed(request.id, why));

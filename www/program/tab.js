@@ -20,6 +20,9 @@ import { Watch } from "./watch.js";
 
 /** @typedef {import("./own-programs.js").Program} Program */
 
+/** There, Run has a key. */
+const BY_KEY = matchMedia("(any-pointer: fine)").matches ? `, or ${/Mac/.test(navigator.platform) ? "⌘" : "Ctrl"}+Enter` : "";
+
 /** @param {import("../main.js").App} app */
 export async function startProgram(app) {
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -99,13 +102,13 @@ export async function startProgram(app) {
     const { view } = app;
     const at = run.fault ? ` at ${clock(run.fault.step * STEP)}` : "";
     if (isHeld) return "Not run yet";
-    if (app.isUnrun) return "Changed: press Run, or Ctrl+Enter";
+    if (app.isUnrun) return `Changed: press Run${BY_KEY}`;
     if (run.state === "loading") return shelf.current?.language === "python" ? "Loading Python…" : "Loading…";
-    if (run.state === "failed") return `Ended by an error${at}`;
+    if (run.state === "failed") return run.fault?.isEarly ? "Not started" : `Ended by an error${at}`;
     if (run.state === "stopped") return "Stopped";
     if (run.state === "idle" || !view.program) return "";
     if (view.program.end === "done") return `Ends at ${clock((view.program.reach_steps ?? 0) * STEP)}`;
-    return view.program.waits ? "Waiting for the program…" : "Change a number, then press Ctrl+Enter";
+    return view.program.waits ? "Waiting for the program…" : `Change a number, then press Run${BY_KEY}`;
   };
 
   // Explore shows the run, too.

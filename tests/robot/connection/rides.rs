@@ -11,6 +11,7 @@ use robovac_sim::{
     Conditions, Run,
     controller::{BEHAVIOURS, FollowPath, Setup},
     experiment::planning::{PlanRequest, Planned, RoomSetup},
+    program::{Piloted, RemotePilot},
 };
 use std::sync::Arc;
 
@@ -39,6 +40,35 @@ fn a_line_is_driven_alike_by_the_simulator_and_over_the_line() {
     assert!((took - run.time_s()).abs() < 0.05 * run.time_s(), "{took} {}", run.time_s());
     let [x, y, _] = wire.view().pose;
     assert!((Point::new(x, y) - here.position()).norm() < 0.01, "odometry {x} {y}, truth {here}");
+}
+
+#[test]
+fn a_program_that_no_longer_answers_has_ended_and_is_not_done() {
+    let setup = setup_in(&hall(), Conditions::default(), 1);
+    let mut wire = Wire::new(&setup, "model");
+    wire.connect();
+    wire.arm();
+    let start = setup.floor.start;
+    let ride = |wire: &mut Wire, pilot: &RemotePilot| {
+        let controller = Box::new(Piloted::new(pilot.clone(), &setup.robot, start));
+        wire.link.ride(wire.now, "Your program", controller, start, false).unwrap();
+        wire.pass(0.1);
+        pilot.answer(Some([200.0, 200.0]));
+        wire.pass(0.1);
+        assert!(wire.is_rolling());
+    };
+    let silent = RemotePilot::default();
+    ride(&mut wire, &silent);
+    wire.pass(1.0);
+    assert!(silent.has_missed() && !wire.is_rolling());
+    let doing = wire.view().doing;
+    assert_eq!(doing.title, "Your program: ended");
+    assert_eq!(doing.note, "Stopped: its program didn't answer within 200 ms.");
+    let done = RemotePilot::default();
+    ride(&mut wire, &done);
+    done.answer(None);
+    wire.pass(0.5);
+    assert_eq!(wire.view().doing.title, "Your program: done");
 }
 
 #[test]

@@ -102,6 +102,11 @@ impl Comparison {
         self.entrants.copy_number(entrant)
     }
 
+    /// Name of an entrant for users, without the number of a copy.
+    pub fn title(&self, entrant: &Entrant) -> String {
+        self.entrants.title(entrant)
+    }
+
     /// Lets a chosen entrant race, or takes it out of the race. With [`MOST_LANES`] in it, the last of them leaves.
     pub fn set_racing(&mut self, entrant: usize, races: bool) {
         self.entrants.set_racing(entrant, races);
@@ -441,6 +446,20 @@ impl Comparison {
     /// Takes a part of the log with that number; of an older one, it is left out and the result is false.
     pub fn extend_race(&mut self, number: u32, part: &[u8]) -> Result<bool, LogError> {
         self.race_log.extend(number, part)
+    }
+
+    /// The program that makes the log with that number has failed: `message` says why to users.
+    pub fn race_failed(&mut self, number: u32, message: &str) {
+        self.race_log.fail(number, message);
+    }
+
+    /// Why the user's program failed in the race, for users; empty if it didn't, or doesn't race.
+    pub fn race_failure(&self) -> &str {
+        let races = self.race.iter().flat_map(Race::lanes).any(|lane| {
+            let algorithm = self.entrants.get(lane.racer.entrant).algorithm;
+            algorithm == Algorithm::of_program(ProgramKind::Behaviour)
+        });
+        if races { self.race_log.failure() } else { "" }
     }
 }
 

@@ -11,6 +11,12 @@ const MOST_COPIES: usize = 16;
 /// Planners that are selected at first.
 const FIRST: [&str; 4] = ["boustrophedon", "snake", "spiral_stc", "wavefront_path"];
 
+/// Name of an algorithm for users: the user's program has its own.
+pub(super) fn titled(algorithm: Algorithm, program: Option<&Program>) -> String {
+    let title = algorithm.title();
+    program.map_or_else(|| title.to_owned(), |program| format!("{title}: {}", program.name))
+}
+
 /// Every entrant has a number, which stays.
 #[derive(Clone)]
 pub(super) struct Entrants {
@@ -133,6 +139,11 @@ impl Entrants {
     /// The user's program that an entrant stands for.
     pub fn program_of(&self, entrant: &Entrant) -> Option<&Arc<Program>> {
         self.program.as_ref().filter(|program| entrant.algorithm == Algorithm::of_program(program.kind))
+    }
+
+    /// Name of an entrant for users, without the number of a copy.
+    pub fn title(&self, entrant: &Entrant) -> String {
+        titled(entrant.algorithm, self.program_of(entrant).map(Arc::as_ref))
     }
 
     /// Name of an entrant in keys of results: a program's changes with its text.

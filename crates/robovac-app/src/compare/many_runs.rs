@@ -1,5 +1,6 @@
 //! View model of many runs: entrants, number of runs, missing runs, results.
 
+use super::entrants::titled;
 use crate::explore::{ProgramJob, Session, SessionSnapshot};
 use robovac_core::{
     floor_plan::{FloorPlan, Scenario},
@@ -209,6 +210,11 @@ impl ManyRuns {
     pub fn is_there(&self, entrant: usize) -> bool {
         let Some(entrant) = self.entrants.get(entrant) else { return false };
         !entrant.algorithm.is_program() || self.program_of(entrant).is_some()
+    }
+
+    /// Name of an algorithm for users.
+    pub fn title(&self, entrant: &Entrant) -> String {
+        titled(entrant.algorithm, self.program_of(entrant).map(Arc::as_ref))
     }
 
     /// The user's program that an entrant stands for.

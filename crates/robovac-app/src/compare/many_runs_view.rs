@@ -49,6 +49,8 @@ pub struct ManyRunsView<'a> {
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 struct ManyRunsEntrantView<'a> {
+    /// That of the user's program has its name.
+    title: String,
     chosen: bool,
     /// Whether it can take part: the user's program only if there is one of its kind.
     offered: bool,
@@ -96,6 +98,7 @@ impl<'a> ManyRunsView<'a> {
     pub fn new(many: &'a ManyRuns) -> Self {
         let (done, total) = many.count();
         let entrants = many.entrants().iter().enumerate().map(|(index, entrant)| ManyRunsEntrantView {
+            title: many.title(entrant),
             chosen: many.is_chosen(index) && many.is_there(index),
             offered: many.is_there(index),
             params: &entrant.params,

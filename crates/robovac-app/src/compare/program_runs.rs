@@ -35,7 +35,7 @@ impl ProgramRuns {
 mod tests {
     use super::*;
     use crate::{
-        compare::{Comparison, ManyRuns},
+        compare::{Comparison, ComparisonView, ManyRuns, ManyRunsView},
         explore::Session,
     };
     use robovac_core::{
@@ -45,6 +45,7 @@ mod tests {
     use robovac_sim::{
         STEP_S,
         experiment::{Algorithm, Entrant},
+        montecarlo::RunsRequest,
         program::{Lockstep, LogEnd},
     };
 
@@ -166,5 +167,68 @@ mod tests {
         comparison.trial_finished(request.id, Ok(outcome));
         assert_eq!(comparison.table(None).rows[0].trials, 1);
         assert!(comparison.race().unwrap().lanes().iter().any(|lane| lane.racer.entrant == program));
+    }
+
+    #[test]
+    fn a_program_that_fails_in_a_race_stops_there_and_says_why() {
+        let mut comparison = Comparison::new();
+        let session = session(ProgramKind::Behaviour);
+        comparison.take(&session);
+        comparison.restore("vs=&behaviours=bounce,program").unwrap();
+        let view = |comparison: &Comparison| serde_json::to_value(ComparisonView::new(comparison)).unwrap();
+        let program = number(comparison.entrants(), ProgramKind::Behaviour);
+        assert_eq!(view(&comparison)["entrants"][program]["title"], "Your program: mine");
+        let job = comparison.take_race_job().unwrap();
+        let mut failed = drive(&job.to_bytes(), None, 5.0);
+        failed.finish(LogEnd::Failed);
+        assert!(comparison.extend_race(job.version, &failed.log_bytes(0)).unwrap());
+        comparison.race_failed(job.version + 1, "of another race");
+        assert_eq!(view(&comparison)["race"]["failure"], "");
+        comparison.race_failed(job.version, "The program failed in line 3.");
+        assert_eq!(view(&comparison)["race"]["failure"], "The program failed in line 3.");
+        let race = comparison.race_mut().unwrap();
+        race.play();
+        race.set_speed(0.0);
+        race.frame(1.0, &mut || true);
+        assert!(!race.waits());
+        for lane in race.lanes() {
+            let is_program = lane.racer.entrant == program;
+            assert_eq!((lane.run().is_finished(), lane.run().time_s() > 30.0), (is_program, !is_program));
+        }
+        // Without the program there is nothing to say.
+        comparison.choose(program, false);
+        assert_eq!(view(&comparison)["race"]["failure"], "");
+    }
+
+    #[test]
+    fn a_program_that_fails_in_many_runs_says_why_and_the_others_go_on() {
+        let mut many = ManyRuns::new();
+        many.take(&session(ProgramKind::Behaviour));
+        many.choose_only("behaviour", "program").unwrap();
+        let program = number(many.entrants(), ProgramKind::Behaviour);
+        let bounce = many.entrants().iter().position(|entrant| entrant.id() == "bounce").unwrap();
+        many.choose(bounce, true);
+        many.set_seeds(3);
+        many.set_minutes(1);
+        many.run();
+        let requests: Vec<RunsRequest> = std::iter::from_fn(|| many.take_batch()).collect();
+        let asked = requests.iter().find(|request| request.job.is_some()).unwrap();
+        let job = asked.job.as_ref().unwrap();
+        let log = drive(job, Some(3), asked.duration_s).log_bytes(0);
+        let outcome = ProgramRuns::new(job, asked.duration_s).unwrap().behave(3, &log).unwrap();
+        for request in &requests {
+            let result = match request.job {
+                Some(_) => Err("the program failed in line 3".to_owned()),
+                // Whatever they did, they are counted.
+                None => Ok(request.seeds.iter().map(|&seed| RunOutcome { seed, ..outcome.clone() }).collect()),
+            };
+            many.batch_finished(request.id, result);
+        }
+        assert_eq!((many.failure(program), many.failure(bounce)), (Some("the program failed in line 3"), None));
+        assert_eq!((many.runs(program).len(), many.runs(bounce).len()), (0, 3));
+        assert!(!many.is_running() && many.summary(bounce).is_some() && many.summary(program).is_none());
+        let view = serde_json::to_value(ManyRunsView::new(&many)).unwrap();
+        assert_eq!(view["entrants"][program]["title"], "Your program: mine");
+        assert_eq!(view["entrants"][program]["failure"], "the program failed in line 3");
     }
 }

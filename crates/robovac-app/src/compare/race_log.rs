@@ -12,6 +12,8 @@ pub(super) struct RaceLog {
     number: u32,
     /// Whether its job was handed out.
     is_taken: bool,
+    /// Why the program failed, for users; empty if it didn't.
+    failure: String,
 }
 
 impl RaceLog {
@@ -36,5 +38,17 @@ impl RaceLog {
         }
         self.log.get_mut().extend(LogPart::from_bytes(part)?)?;
         Ok(true)
+    }
+
+    /// The program that makes the log with that number has failed.
+    pub fn fail(&mut self, number: u32, message: &str) {
+        if number == self.number {
+            message.clone_into(&mut self.failure);
+        }
+    }
+
+    /// Why the program failed, for users; empty if it didn't.
+    pub fn failure(&self) -> &str {
+        &self.failure
     }
 }

@@ -25,7 +25,7 @@ pub struct ComparisonView<'a> {
     entrants: Vec<EntrantView<'a>>,
     /// Chosen entrants that could race, but don't: nine race at most.
     waiting: Vec<usize>,
-    race: Option<RaceView>,
+    race: Option<RaceView<'a>>,
 }
 
 #[derive(Serialize)]
@@ -51,7 +51,7 @@ struct EntrantView<'a> {
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-struct RaceView {
+struct RaceView<'a> {
     state: SessionState,
     time_s: f64,
     end_s: f64,
@@ -59,6 +59,8 @@ struct RaceView {
     speed: f64,
     /// Whether it stands still because the user's program hasn't got farther.
     waits: bool,
+    /// Why the user's program failed; empty if it didn't.
+    failure: &'a str,
     lanes: Vec<LaneView>,
 }
 
@@ -90,11 +92,11 @@ impl<'a> ComparisonView<'a> {
                 TrialProgress::Failed(message) => ("failed", 1.0, message),
             };
             let (algorithm, copy) = (entrant.algorithm, comparison.copy_number(index));
-            let title = algorithm.title();
+            let title = comparison.title(entrant);
             EntrantView {
                 id: algorithm.id(),
                 kind: algorithm.kind(),
-                title: if copy > 1 { format!("{title} ({copy})") } else { title.to_owned() },
+                title: if copy > 1 { format!("{title} ({copy})") } else { title },
                 mark: Mark::of(algorithm).copied(copy),
                 copy,
                 chosen: comparison.is_chosen(index),
@@ -115,13 +117,16 @@ impl<'a> ComparisonView<'a> {
             cancelled: comparison.is_cancelled(),
             entrants: entrants.collect(),
             waiting: comparison.waiting(),
-            race: comparison.race().filter(|race| !race.lanes().is_empty()).map(RaceView::new),
+            race: comparison
+                .race()
+                .filter(|race| !race.lanes().is_empty())
+                .map(|race| RaceView::new(race, comparison.race_failure())),
         }
     }
 }
 
-impl RaceView {
-    fn new(race: &Race) -> Self {
+impl<'a> RaceView<'a> {
+    fn new(race: &Race, failure: &'a str) -> Self {
         let lanes = race.lanes().iter().zip(race.places()).map(|(lane, place)| LaneView {
             place,
             entrant: lane.racer.entrant,
@@ -139,6 +144,7 @@ impl RaceView {
             planned_s: race.planned_s(),
             speed: race.speed(),
             waits: race.waits(),
+            failure,
             lanes: lanes.collect(),
         }
     }

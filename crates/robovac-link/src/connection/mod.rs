@@ -457,7 +457,12 @@ impl Connection {
     /// The controller is done.
     fn ride_ended(&mut self) {
         let encoders = self.encoders();
-        let activity = self.ride.as_ref().map_or("", |ride| ride.controller.activity());
+        let Some(ride) = self.ride.as_mut() else { return };
+        let activity = ride.controller.activity();
+        // It gave up, and isn't done.
+        if let Some(why) = activity.strip_prefix("stopped: ") {
+            ride.ended = format!("Stopped: {why}.");
+        }
         if let Some(calibrating) = self.calibrating.as_mut().filter(|c| c.is_moving()) {
             match encoders {
                 Some(_) if activity == moves::STUCK_WORDS => {

@@ -94,7 +94,11 @@ impl Controller for Piloted {
     }
 
     fn activity(&self) -> &'static str {
-        if self.pilot.has_missed() { "stopped: its program was too slow" } else { "following its program" }
+        if self.pilot.has_missed() {
+            "stopped: its program didn't answer within 200 ms"
+        } else {
+            "following its program"
+        }
     }
 
     fn boxed_clone(&self) -> Box<dyn Controller> {
