@@ -158,7 +158,8 @@ impl Viewport {
     /// Keeps some of the room in view.
     fn keep_in_view(&mut self) {
         let room = self.room * self.scale;
-        let kept = Vector::new(KEPT.min(self.size.x), KEPT.min(self.size.y));
+        // At most half of the canvas, so that the limits stay apart.
+        let kept = self.size.map(|size| KEPT.min(0.5 * size));
         self.origin.x = self.origin.x.clamp(kept.x - room.x, self.size.x - kept.x);
         self.origin.y = self.origin.y.clamp(kept.y, self.size.y - kept.y + room.y);
     }
@@ -237,5 +238,14 @@ mod tests {
         view.resize(0.0, 0.0, 1.0);
         view.zoom_at(0.0, 0.0, 0.0);
         assert!(view.scale > 0.0 && view.origin.x.is_finite());
+    }
+
+    #[test]
+    fn a_small_room_on_a_low_canvas_is_survived() {
+        let mut view = view();
+        view.zoom_at(0.0, 0.0, 0.0);
+        view.resize(80.0, 40.0, 1.0);
+        let (low, high) = view.bounds();
+        assert!(low.x < 8.0 && high.x > 0.0 && low.y < 6.0 && high.y > 0.0);
     }
 }
