@@ -321,10 +321,10 @@ test("an algorithm that uses chance has a range over its seeds, one that doesn't
   assert.match(await app.text("#table-note"), /median of 3 seeds/);
 });
 
-test("a link with an algorithm that isn't there says which there are", async (t) => {
-  const { page, app } = await openCompare(t, { link: "vs=snail,snake" });
+test("a link with an algorithm that isn't there says which was meant", async (t) => {
+  const { page, app } = await openCompare(t, { link: "vs=snale,snake" });
   await page.locator("#message").waitFor();
-  await app.says(/^There is no planner "snail"; there are: .*snake/);
+  await app.says(/^There is no planner "snale"; did you mean "snake"\?/);
   const head = await page.locator(".arena-head").boundingBox();
   assert.ok((await page.locator("#message").boundingBox()).y >= head.y + head.height, "it covers no button");
   await page.getByRole("button", { name: "Dismiss" }).click();

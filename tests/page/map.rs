@@ -365,7 +365,7 @@ fn every_explorer_can_be_chosen_and_links_bring_choices_back() {
     }
     let mut survey = small();
     let before = survey.setup().to_link();
-    assert!(survey.restore("explorer=teleport").unwrap_err().to_string().contains("wall_follow"));
+    assert!(survey.restore("explorer=wall_folow").unwrap_err().to_string().contains("wall_follow"));
     assert!(survey.restore("explorer=bounce&layers=everything").is_err());
     assert_eq!(survey.setup().to_link(), before, "nothing has changed");
 }

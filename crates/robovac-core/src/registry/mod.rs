@@ -6,4 +6,4 @@ mod text;
 
 pub use explainer::{Example, Explainer};
 pub use params::{ParamError, ParamKind, ParamSpec, ParamValue, Params};
-pub use text::is_same;
+pub use text::{is_same, nearest};

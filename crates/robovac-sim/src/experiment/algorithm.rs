@@ -156,6 +156,9 @@ mod tests {
             assert!(!all[..index].contains(algorithm), "{} twice", algorithm.id());
             assert_eq!(Algorithm::find_kind(algorithm.kind(), algorithm.id()).unwrap(), *algorithm);
         }
-        assert!(Algorithm::find("algorithm", "snail", Algorithm::all()).unwrap_err().to_string().contains("bounce"));
+        assert_eq!(
+            Algorithm::find("algorithm", "snale", Algorithm::all()).unwrap_err().to_string(),
+            "there is no algorithm \"snale\"; did you mean \"snake\"? The page's menus list them all"
+        );
     }
 }

@@ -1,12 +1,19 @@
 //! Why settings can't be as wanted.
 
-use robovac_core::{program::ProgramFault, registry::ParamError, robot::CustomRobotFault};
+use robovac_core::{
+    program::ProgramFault,
+    registry::{ParamError, nearest},
+    robot::CustomRobotFault,
+};
+
+/// Longest list of names in a message, bytes: of more, the one that was probably meant is of more use.
+const LONGEST_LIST: usize = 100;
 
 /// Errors of settings.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SettingsError {
     /// No such planner, robot, room, ...
-    #[error("there is no {kind} \"{id}\"; there are: {known}")]
+    #[error("there is no {kind} \"{id}\"; {}", instead(id, known))]
     Unknown {
         /// Kind of the setting.
         kind: &'static str,
@@ -43,4 +50,13 @@ pub enum SettingsError {
     /// A twin's figure, or one of an own robot.
     #[error(transparent)]
     Robot(#[from] CustomRobotFault),
+}
+
+/// What to choose in place of `id`, as the end of a sentence.
+fn instead(id: &str, known: &str) -> String {
+    match nearest(id, known) {
+        _ if known.len() <= LONGEST_LIST => format!("there are: {known}"),
+        Some(meant) => format!("did you mean \"{meant}\"? The page's menus list them all"),
+        None => "the page's menus list them all".to_owned(),
+    }
 }
