@@ -154,8 +154,8 @@ impl Editor {
         // The current stroke must not continue in another room.
         self.stroke = None;
         let Some(before) = self.undo.pop() else { return false };
-        self.redo.push(std::mem::replace(&mut self.now, before));
-        self.version += 1;
+        let undone = self.show(before);
+        self.redo.push(undone);
         true
     }
 
@@ -163,9 +163,21 @@ impl Editor {
     pub fn redo(&mut self) -> bool {
         self.stroke = None;
         let Some(after) = self.redo.pop() else { return false };
-        self.undo.push(std::mem::replace(&mut self.now, after));
-        self.version += 1;
+        let before = self.show(after);
+        self.undo.push(before);
         true
+    }
+
+    /// Takes another state of the past or future; returns the one before.
+    fn show(&mut self, state: EditorState) -> EditorState {
+        let before = std::mem::replace(&mut self.now, state);
+        self.version += 1;
+        // An own room keeps its name, whatever is undone of it.
+        let is_own = self.now.lineage == before.lineage && self.now.room.or(before.room).is_none();
+        if is_own && self.now.plan.name != before.plan.name {
+            before.plan.name.clone_into(&mut Arc::make_mut(&mut self.now.plan).name);
+        }
+        before
     }
 
     fn remember(&mut self) {
@@ -249,6 +261,22 @@ mod tests {
         assert_eq!((walls(&editor), editor.room()), (0, Some("empty")));
         assert!(editor.redo() && !editor.redo());
         assert_eq!(walls(&editor), 20);
+    }
+
+    #[test]
+    fn a_new_name_outlives_undo() {
+        let mut editor = editor();
+        for x in [0.5, 0.9] {
+            editor.begin(Brush::Wall, Point::new(x, 0.5));
+            editor.end();
+        }
+        editor.rename("Loft");
+        assert!(editor.undo());
+        assert_eq!((editor.plan().name.as_str(), editor.room()), ("Loft", None));
+        assert!(editor.undo());
+        assert_eq!((editor.plan().name.as_str(), editor.room()), ("test", Some("empty")));
+        assert!(editor.redo());
+        assert_eq!(editor.plan().name, "Loft");
     }
 
     #[test]
