@@ -19,6 +19,7 @@ test("lanes in metres are kept early, told above the least, and driven", async (
   const { plan: time } = await app.metric("Excess time");
   assert.match(time, /^[\d.]+ % over [\d:]+$/);
   assert.ok(await page.getByRole("rowheader", { name: "Cells visited" }).isHidden(), "there are no cells");
+  assert.match((await app.metric("Planned in")).plan, /s$/);
   await app.poll(() => app.numbers(), ({ distance }) => distance > 0);
 });
 

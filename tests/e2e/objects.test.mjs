@@ -35,6 +35,7 @@ test("places, moves, undoes, deletes and saves objects with the mouse", async (t
   const before = JSON.parse(await saved(app)).objects;
   assert.equal(before[0].furniture.outline.length, 4);
   assert.equal(await app.room(), "Empty room (changed)");
+  assert.match(await app.text("#room-note"), /^\d/, "it isn't without obstacles any more");
 
   // With the view tool it is dragged by its middle.
   await app.tool("view");

@@ -156,8 +156,12 @@ impl Session {
     /// Name of the room, with a remark if a built-in one was changed.
     pub fn room_title(&self) -> String {
         let name = &self.plan().name;
-        let is_changed = self.room().is_none() && floor_plan::ROOMS.iter().any(|room| room.title == name);
-        if is_changed { format!("{name} (changed)") } else { name.clone() }
+        if self.is_changed_room() { format!("{name} (changed)") } else { name.clone() }
+    }
+
+    /// Whether the room is a built-in one that was changed: what is said about that one needn't hold.
+    fn is_changed_room(&self) -> bool {
+        self.room().is_none() && floor_plan::ROOMS.iter().any(|room| room.title == self.plan().name)
     }
 
     /// The start set by the user, if any.

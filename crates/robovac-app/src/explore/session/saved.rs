@@ -60,11 +60,10 @@ impl Session {
             self.settings = choices.settings(&self.settings)?;
         }
         self.message = None;
-        // A sweep of a room that ships brings that room back: with its name, all of it fits into a link.
-        let swept = self.settings.path.as_ref().and_then(|_| {
-            floor_plan::ROOMS.iter().find(|room| room.title == import.plan.name && (room.build)() == import.plan)
-        });
-        self.editor.replace(import.plan, swept.map(|room| room.id), None);
+        // A room that ships comes back as that room: with its name, all of it fits into a link.
+        let plan = import.plan;
+        let ships = floor_plan::ROOMS.iter().find(|room| room.title == plan.name && (room.build)() == plan);
+        self.editor.replace(plan, ships.map(|room| room.id), None);
         self.prepare();
         Ok(())
     }

@@ -68,6 +68,7 @@ impl Session {
         let custom = self.settings.custom.as_ref();
         let (flat, about) = match FlatId::in_note(&plan.note) {
             Some((name, about)) if self.editor.room().is_none() => (Some(FlatView::new(name)), about),
+            _ if self.is_changed_room() => (None, ""),
             _ => (None, plan.note.as_str()),
         };
         SessionView {
@@ -179,7 +180,7 @@ impl Session {
             progress: 1.0,
             walk: planned.walk.unwrap_or_default(),
             drive: planned.drive,
-            planning_s: (!self.is_opening && planned.walk.is_some()).then_some(planned.planning_s),
+            planning_s: (!self.is_opening && self.settings.path.is_none()).then_some(planned.planning_s),
             gap: planned.proof.map(Proof::gap),
             above_bound: planned.compared.map(Proof::gap),
             least: planned.least,
