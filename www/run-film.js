@@ -27,7 +27,9 @@ export async function film(app) {
   const size = sizeOf(floor, WIDTH);
   const { width, height } = size;
   const found = await supported(width, height);
-  const { time_s: back, run_end_s: end } = app.view;
+  const { time_s: back, run_end_s: end, state } = app.view;
+  // Before the first frame: a run that goes on ends the film.
+  app.act((p) => p.pause());
   const [moving, all] = [Math.max(1, Math.round(FPS * Math.min(LONGEST, end))), Math.round((FPS * lengthOf(end)) / 1000)];
 
   /** @type {import("./webm.js").Chunk[]} */
@@ -70,6 +72,7 @@ export async function film(app) {
     if (encoder.state !== "closed") encoder.close();
     hideToast();
     app.act((p) => p.seek(back));
+    if (state === "playing") app.act((p) => p.play());
   }
   return webm(chunks, { codec: found[1], width, height, ms: lengthOf(end) });
 }
