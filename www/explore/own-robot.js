@@ -41,7 +41,7 @@ function build(app) {
   fill(cleans, [["strip", "A strip"], ["body", "All under its body"]]);
   const [tool, ahead, aside] = [number({ id: "own-tool" }), number({ id: "own-ahead" }), number({ id: "own-aside" })];
   const wheels = make("select", { id: "own-wheels" });
-  fill(wheels, [["differential", "On two wheels"], ["omnidirectional", "Any direction"]]);
+  fill(wheels, [["differential", "Two wheels"], ["omnidirectional", "Any direction"]]);
   const [speed, turn] = [number({ id: "own-speed" }), number({ id: "own-turn" })];
   const sensors = make("div", { className: "own-sensors", role: "group", "aria-label": "Sensors" });
 
@@ -106,11 +106,19 @@ function build(app) {
     }
     paint();
   };
+  // A new shape begins as large as the model.
+  shape.addEventListener("input", () => {
+    const unit = +(chosen()?.radius_m ?? 0.17).toFixed(3);
+    for (const side of [first, second]) side.value ||= String(+(2 * unit).toFixed(3));
+    corners.value ||= `${unit} -${unit}; ${unit} ${unit}; -${unit} ${unit}; -${unit} -${unit}`;
+  });
   const paint = () => {
     const base = chosen();
     if (!base) return;
     const own = values();
     const unit = base.radius_m;
+    const middle = own.at.map(Number);
+    const half = own.cleansAll ? 0 : (Number(own.tool) || base.tool_width_m) / 2;
     /** @type {number[][] | undefined} */
     let points;
     try {
@@ -119,13 +127,12 @@ function build(app) {
       // It is told when the robot is to be used.
     }
     const radius = own.shape === "circle" ? Number(own.first) / 2 || 0 : own.shape === "model" && base.body.length === 0 ? unit : 0;
-    const reach = Math.max(radius, ...(points ?? []).map(([x = 0, y = 0]) => Math.hypot(x, y))) || 1;
+    const reach = Math.max(radius, Math.hypot(...middle) + half, ...(points ?? []).map(([x = 0, y = 0]) => Math.hypot(x, y)));
     const scale = (0.45 * SVG_SIZE) / reach;
     const at = (/** @type {number[]} */ [x = 0, y = 0]) => `${(-y * scale).toFixed(2)},${(-x * scale).toFixed(2)}`;
     const r = (radius * scale).toFixed(2);
     outline.setAttribute("d", radius ? `M${r},0A${r},${r} 0 1 1 -${r},0A${r},${r} 0 1 1 ${r},0Z` : points?.length ? `M${points.map(at).join("L")}Z` : "");
-    const [cx = "0", cy = "0"] = at(own.at.map(Number)).split(",");
-    const half = own.cleansAll ? 0 : (Number(own.tool) || base.tool_width_m) / 2;
+    const [cx = "0", cy = "0"] = at(middle).split(",");
     for (const [name, value] of Object.entries({ cx, cy, r: String(Math.max(0, half * scale)) })) strip.setAttribute(name, value);
     outline.classList.toggle("cleans", own.cleansAll);
   };
