@@ -32,11 +32,12 @@ function lift(app) {
 /** Puts the list beside the floor. @param {App} app */
 export async function startTry(app) {
   await style(new URL("./try.css", import.meta.url).href);
+  const sheet = byId("try");
   const items = IDEAS.map(([title, what, how]) => {
     const go = make("button", { type: "button", className: "idea" }, make("b", {}, title), make("span", { className: "note" }, what));
     go.addEventListener("click", () => {
       // On a small screen the list is a sheet over the floor.
-      if (byId("try").classList.contains("open")) button.click();
+      if (sheet.classList.contains("open")) close.click();
       Promise.resolve(how(app)).catch((error) => complain(`This could not be loaded (${textOf(error)}). Check the connection, then try again.`));
     });
     return make("li", { "data-tip": what }, go);
@@ -45,23 +46,10 @@ export async function startTry(app) {
   close.append(/** @type {Node} */ (byId("setup").querySelector(".sheet-close .icon")).cloneNode(true));
   const fold = make("details", { className: "fold", open: isWanted() }, make("summary", {}, make("span", {}, "Try this")), make("ul", { className: "ideas" }, ...items));
   const head = make("div", { className: "sheet-head" }, make("h2", { id: "try-title" }, "Try this"), close);
-  byId("facts").after(make("section", { className: "sheet try", id: "try", "aria-labelledby": "try-title" }, head, fold));
+  sheet.append(head, fold);
+  sheet.hidden = false;
   // The first one is there to be seen; who folds it away has seen it.
   fold.addEventListener("toggle", () => changed(fold, "open", fold.open) && want(fold.open));
-
-  const button = make("button", { type: "button", "data-sheet": "try", "aria-expanded": "false", "aria-controls": "try" }, "Try this");
-  button.prepend(star());
-  byId("panel-explore").querySelector(".sheet-bar")?.append(button);
-}
-
-/** The sign of the list. */
-function star() {
-  const sign = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  sign.setAttribute("class", "icon");
-  sign.setAttribute("viewBox", "0 0 24 24");
-  sign.setAttribute("aria-hidden", "true");
-  sign.innerHTML = '<path d="M12 3.5l2.5 5.6 6 .6-4.5 4.1 1.3 6-5.3-3.1-5.3 3.1 1.3-6L3.5 9.7l6-.6z" />';
-  return sign;
 }
 
 const KEY = "try";
