@@ -1,6 +1,7 @@
 // Runs after every trunk build, on the finished page before it is published as dist/.
 // Appends ?v=<digest of the whole build> to each reference between the page's files. A browser then never mixes files of
-// two builds, and because all of them get the same version, page and worker still share one address per module. Scripts and style sheets are packed.
+// two builds, and because all of them get the same version, page and worker still share one address per module. For a release,
+// scripts and style sheets are packed.
 import { createHash } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
@@ -19,8 +20,9 @@ for (const file of filesBelow(page).filter((name) => name.endsWith(".d.ts"))) {
   fs.rmSync(file);
 }
 
-// While working on it, one wants to see the modules.
-if (process.env.TRUNK_PROFILE === "release") await bundleFirstLoad(page);
+// While working on it, one wants to see the modules as they are written, and soon.
+const isRelease = process.env.TRUNK_PROFILE === "release";
+if (isRelease) await bundleFirstLoad(page);
 
 const digest = createHash("sha256");
 for (const file of filesBelow(page)) {
@@ -55,13 +57,18 @@ fs.writeFileSync(about, fs.readFileSync(about, "utf8").replace("@RELEASE@", rele
 const HTML_SPARE = /<!--(?:(?!-->)[^])*-->\n*|^[ \t]+/gm;
 const CSS_SPARE = /\/\*(?:(?!\*\/)[^])*\*\/\n*|^[ \t]+|^\n/gm;
 
+/** @param {string} file @param {string} text */
+async function packed(file, text) {
+  if (file.endsWith(".js")) return (await minify(text, { module: true, ecma: 2022, compress: { passes: 3 } })).code;
+  return text.replace(file.endsWith(".css") ? CSS_SPARE : HTML_SPARE, "");
+}
+
 // Programs are shown as they were written.
 const isWritten = (name) => name.startsWith(path.join(page, "programs"));
 
 for (const file of filesBelow(page).filter((name) => /\.(html|js|css)$/.test(name) && !isWritten(name))) {
   const text = rewriteReferences(file, (_target, reference) => `${reference}?v=${version}`);
-  const lean = file.endsWith(".js") ? (await minify(text, { module: true, ecma: 2022, compress: { passes: 3 } })).code : text.replace(file.endsWith(".css") ? CSS_SPARE : HTML_SPARE, "");
-  fs.writeFileSync(file, lean);
+  fs.writeFileSync(file, isRelease ? await packed(file, text) : text);
 }
 
 // Last, as it knows all files.

@@ -7,7 +7,7 @@ use robovac_core::{
 };
 
 /// Longest list of names in a message, bytes: of more, the one that was probably meant is of more use.
-const LONGEST_LIST: usize = 100;
+const LONGEST_LIST: usize = 300;
 
 /// Errors of settings.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
