@@ -95,7 +95,7 @@ test("an endless loop is ended, its line named, and the text is untouched", asyn
 
 // slow: the sandbox is held for more than a second, which is what a slow machine looks like.
 test("a program that a slow machine holds up is no endless loop", async (t) => {
-  const { page, app } = await openProgram(t);
+  const { page, app } = await openProgram(t, { allFrames: true });
   await page.evaluate(() => {
     const error = document.getElementById("program-error");
     new MutationObserver(() => (window.wasDoubted ||= error.textContent.includes("Looking for"))).observe(error, { childList: true });

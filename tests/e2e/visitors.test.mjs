@@ -114,8 +114,7 @@ test("own rooms are a list: new by size, renamed, duplicated, deleted and brough
   await page.locator("#room optgroup[label='Your rooms'] option", { hasText: "Loft copy" }).waitFor({ state: "attached" });
   await page.locator("#room").selectOption({ label: "Loft copy" });
   await app.poll(() => app.room(), (name) => name === "Loft copy");
-  await app.settled();
-  assert.equal(await app.reachableArea(), area);
+  await app.poll(() => app.reachableArea(), (now) => now === area);
 });
 
 test("back and forward go through tabs and rooms, and the run goes on", async (t) => {

@@ -6,8 +6,9 @@ use robovac_core::{
     robot::CustomRobotFault,
 };
 
-/// Longest list of names in a message, bytes: of more, the one that was probably meant is of more use.
+/// Longest list of names in a message, bytes, and the longest where one of them was probably meant.
 const LONGEST_LIST: usize = 300;
+const LONGEST_BESIDE_ONE_MEANT: usize = 100;
 
 /// Errors of settings.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -55,8 +56,10 @@ pub enum SettingsError {
 /// What to choose in place of `id`, as the end of a sentence.
 fn instead(id: &str, known: &str) -> String {
     match nearest(id, known) {
+        Some(meant) if known.len() > LONGEST_BESIDE_ONE_MEANT => {
+            format!("did you mean \"{meant}\"? The page's menus list them all")
+        }
         _ if known.len() <= LONGEST_LIST => format!("there are: {known}"),
-        Some(meant) => format!("did you mean \"{meant}\"? The page's menus list them all"),
-        None => "the page's menus list them all".to_owned(),
+        _ => "the page's menus list them all".to_owned(),
     }
 }
