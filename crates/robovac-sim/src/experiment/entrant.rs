@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn errors_name_what_there_is() {
-        assert!(Entrant::parse(PLANNER, "snail").unwrap_err().to_string().contains("boustrophedon, "));
+        assert!(Entrant::parse(PLANNER, "snail").unwrap_err().to_string().contains("did you mean \"snake\"?"));
         let planners = Entrant::parse_planner("bounce").unwrap_err().to_string();
         assert!(planners.starts_with("there is no planner \"bounce\""), "{planners}");
         let error = Entrant::parse(PLANNER, "snake~patience:fast").unwrap_err();
