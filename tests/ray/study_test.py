@@ -57,7 +57,11 @@ def main(program):
         assert left < 20, "the node was killed too late"
         thread.join()
         assert not failed, failed
-        assert ray.cluster_resources()["CPU"] == 1, ray.cluster_resources()
+        # Ray notices it by and by.
+        late = time.monotonic() + 60
+        while sum(node["Alive"] for node in ray.nodes()) > 1:
+            assert time.monotonic() < late, ray.nodes()
+            time.sleep(0.1)
         assert one.read_bytes() == many.read_bytes(), "other results"
         ray.shutdown()
         cluster.shutdown()
