@@ -3,7 +3,7 @@
 import { makeRobot } from "./readings.js";
 import { Room } from "./room.js";
 import { instrument, syntaxError } from "./trace-javascript.js";
-import { KINDS, SourceError, located, meant, missing, shown } from "./words.js";
+import { KINDS, SourceError, atIdle, located, meant, missing, shown } from "./words.js";
 
 /** @typedef {import("./robot.js").Robot} Robot */
 /** @typedef {import("./runtime.js").Options} Options */
@@ -161,7 +161,7 @@ export function loadJavaScript(options) {
         program.left = whole(robot._left, robot.topSpeed);
         program.right = whole(robot._right, robot.topSpeed);
       } catch (error) {
-        throw located(error, name, line);
+        throw atIdle(located(error, name, line), source);
       } finally {
         if (robot._sayings.length) {
           output.push(...robot._sayings);

@@ -3,9 +3,10 @@
 import { chance } from "./chance.js";
 import { MOST_PRINTED, whole } from "./javascript.js";
 import { NONE, startMicroPython } from "./micropython.js";
+import { explained, uncalled } from "./python-hints.js";
 import { attributeWriter } from "./python-attributes.js";
 import { instrument } from "./trace-python.js";
-import { SourceError } from "./words.js";
+import { SourceError, atIdle } from "./words.js";
 
 /** @typedef {import("./runtime.js").Options} Options */
 /** @typedef {import("./runtime.js").Program} Program */
@@ -19,6 +20,8 @@ export async function loadPython(options) {
   const { source, name = "program.py", facts, seed, layout, micropython, traced = false, budget = Infinity, breakpoints = [], memory = 64 } = options;
   if (!micropython) throw new Error("a Python program needs micropython: {wasm, files}");
   const module = micropython.wasm instanceof WebAssembly.Module ? micropython.wasm : await WebAssembly.compile(/** @type {BufferSource} */ (micropython.wasm));
+  const idle = uncalled(source);
+  if (idle) throw new SourceError(idle.message, idle.line);
   const python = await startMicroPython(module, micropython.files, memory * MEGABYTE);
   const { heap, exports, result, state } = python;
   const text = traced ? instrument(source, breakpoints) : { source, lines: null };
@@ -36,8 +39,8 @@ export async function loadPython(options) {
       return new SourceError(`this line is run again and again: the ${what}`, heap.words[traceAt]);
     }
     if (!error?.python) return error;
-    const inPython = pythonError(error.message, name, text.lines);
-    if (hint && inPython.message.endsWith("no such name")) inPython.message = String(python.call(hint, inPython.message));
+    const inPython = pythonError(error.message, name, text.lines, source);
+    if (hint && /no such name$|^NameError: name '/.test(inPython.message)) inPython.message = String(python.call(hint, inPython.message));
     return inPython;
   };
   /** @template T @param {() => T} work @returns {T} */
@@ -169,8 +172,8 @@ function returned(value, kind) {
   if (kind === "step" && value !== null && typeof value === "object") throw new SourceError("step has a yield: a function that waits is def run(robot)");
 }
 
-/** MicroPython's traceback in words. @param {string} trace @param {string} name @param {number[] | null} lines */
-function pythonError(trace, name, lines) {
+/** MicroPython's traceback in words. @param {string} trace @param {string} name @param {number[] | null} lines @param {string} source */
+function pythonError(trace, name, lines, source) {
   const all = trace.trimEnd().split("\n");
   const places = all.filter((words) => words.startsWith("  File "));
   const from = all.lastIndexOf(places[places.length - 1]);
@@ -180,5 +183,6 @@ function pythonError(trace, name, lines) {
   message = message.replace(/^(ProgramError|AttributeError): (?=.)/, "");
   if (/maximum recursion depth/.test(message)) message = "a function calls itself without end";
   if (/^MemoryError/.test(message)) message = "the program needs more memory than it may have";
-  return new SourceError(message, (lines ? lines[number] : number) || undefined);
+  const told = explained(message, (lines ? lines[number] : number) || undefined, source);
+  return atIdle(new SourceError(told.message, told.line), source);
 }

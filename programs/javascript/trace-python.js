@@ -3,9 +3,10 @@
 // line; in loops it is a call that also counts. Inserting lines at the indentation of the next statement needs no parser,
 // only where statements begin; `lines` leads back from the text that is run to the program's own.
 
+import { scan, statements } from "./python-text.js";
+
 /** @typedef {{line: number, condition?: string}} Breakpoint */
-/** A statement, or the head of one: its first line, counted from 0, its indentation, and its text with all its lines.
- * @typedef {{at: number, indent: string, text: string}} Statement */
+/** @typedef {import("./python-text.js").Statement} Statement */
 
 /** Parts of a statement that began before. */
 const PARTS = /^(elif|else|except|finally)\b/;
@@ -15,53 +16,8 @@ const ASSIGNED = /^([A-Za-z_]\w*(?:\s*,\s*[A-Za-z_]\w*)*)\s*(?:=(?!=)|[-+*/%&|^@
 const LOOPED = /^for\s+\(?\s*([A-Za-z_]\w*(?:\s*,\s*[A-Za-z_]\w*)*)\s*\)?\s+in\b/;
 const NAMED = /\bas\s+([A-Za-z_]\w*)/;
 
-/** Goes through Python's text; calls `seen(index, depth)` for each character outside strings and comments, with the depth of
- * its brackets. @param {string} source @param {(index: number, depth: number) => void} seen */
-function scan(source, seen) {
-  let depth = 0;
-  for (let at = 0; at < source.length; at++) {
-    const character = source[at];
-    if (character === "#") {
-      while (at + 1 < source.length && source[at + 1] !== "\n") at++;
-    } else if (character === '"' || character === "'") {
-      const triple = source.startsWith(character.repeat(3), at);
-      const end = triple ? character.repeat(3) : character;
-      at += end.length;
-      while (at < source.length && !source.startsWith(end, at) && (triple || source[at] !== "\n")) at += source[at] === "\\" ? 2 : 1;
-      at += end.length - 1;
-    } else if (character === "\\" && source[at + 1] === "\n") {
-      at++;
-    } else {
-      if ("([{".includes(character)) depth++;
-      if (")]}".includes(character)) depth = Math.max(0, depth - 1);
-      seen(at, depth);
-    }
-  }
-}
-
-/** The statements of a program. @param {string} source @returns {Statement[]} */
-export function statements(source) {
-  const ends = new Set();
-  scan(source, (index, depth) => { if (source[index] === "\n" && depth === 0) ends.add(index); });
-  const lines = source.split("\n");
-  /** @type {Statement[]} */
-  const found = [];
-  let [at, start, from, line] = [0, 0, 0, 0];
-  for (const text of lines) {
-    const end = from + text.length;
-    if (ends.has(end) || end >= source.length) {
-      const whole = source.slice(start, end);
-      if (!/^\s*(#.*)?$/.test(whole)) found.push({ at, indent: /^[ \t]*/.exec(whole)?.[0] ?? "", text: whole.trim() });
-      [at, start] = [line + 1, end + 1];
-    }
-    from = end + 1;
-    line++;
-  }
-  return found;
-}
-
 /** Names that a function has: its parameters and what it sets. @param {Statement} head @param {Statement[]} body */
-function namesOf(head, body) {
+export function namesOf(head, body) {
   const names = (/\(([^]*)\)/.exec(head.text)?.[1] ?? "").split(",").map((parameter) => /[A-Za-z_]\w*/.exec(parameter)?.[0] ?? "");
   const outer = new Set();
   for (const { text } of body) {

@@ -88,6 +88,15 @@ export function missing(source) {
   return "there is no function step(robot) (called every 15 ms), function* run(robot) (with yield) or plan(room) (a planner)";
 }
 
+/** The error at the line where a motion is made that nothing waits for: it comes with the next step. @param {SourceError} error @param {string} source */
+export function atIdle(error, source) {
+  const motion = /^robot\.(\w+)\(\.\.\.\) does nothing without yield/.exec(error.message)?.[1];
+  if (!motion) return error;
+  const makes = source.split("\n").map((text) => new RegExp(`^\\s*robot\\s*\\.\\s*${motion}\\s*\\(`).test(text));
+  error.line = makes.lastIndexOf(true, (error.line ?? makes.length) - 1) + 1 || makes.indexOf(true) + 1 || error.line;
+  return error;
+}
+
 /** An error with the program's line. @param {any} error @param {string} name @param {number} at the line that is known otherwise */
 export function located(error, name, at) {
   if (error instanceof SourceError && error.line) return error;

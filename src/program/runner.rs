@@ -17,7 +17,7 @@ use wasm_bindgen::prelude::*;
 pub struct ProgramRunner {
     lockstep: Lockstep,
     job: LaidOutJob,
-    version: u32,
+    seed: u64,
     /// Key frames by their steps.
     frames: BTreeMap<u64, LockstepFrame>,
     /// First step that wasn't taken by `take_log` yet.
@@ -30,13 +30,13 @@ impl ProgramRunner {
     #[wasm_bindgen(constructor)]
     pub fn new(job: &[u8], seed: Option<u32>) -> Result<Self, JsValue> {
         let job = ProgramJob::from_bytes(job).map_err(message)?;
-        let version = job.version;
-        let job = job.lay_out().map_err(message)?;
-        let job = LaidOutJob { seed: seed.map_or(job.seed, u64::from), ..job };
-        let lockstep = Lockstep::new(&job.room, job.conditions, job.seed, job.inputs.clone());
-        let mut frames = BTreeMap::new();
-        frames.insert(0, lockstep.frame());
-        Ok(Self { lockstep, job, version, frames, untaken: 0 })
+        Ok(Self::at_start(job.lay_out().map_err(message)?, seed))
+    }
+
+    /// The same room with another seed, from the start: to lay it out takes as long as some minutes in it. The readings
+    /// have another address then.
+    pub fn again(self, seed: Option<u32>) -> Self {
+        Self::at_start(self.job, seed)
     }
 
     /// Names and places of the readings, as JSON: `{"slots": [{"name", "index", "count", "flag", "unit", "about"}, ...],
@@ -57,12 +57,7 @@ impl ProgramRunner {
 
     /// Seed of everything random.
     pub fn seed(&self) -> u32 {
-        self.job.seed as u32
-    }
-
-    /// The version that the job was made for, to be handed back with the log.
-    pub fn version(&self) -> u32 {
-        self.version
+        self.seed as u32
     }
 
     /// Address of the readings in the module's memory; doesn't change. A view on them must be made again when memory
@@ -82,11 +77,6 @@ impl ProgramRunner {
         self.lockstep.step([left, right])
     }
 
-    /// Up to `most` steps with the same speeds; returns the number taken.
-    pub fn drive(&mut self, left: f64, right: f64, most: u32) -> u32 {
-        self.lockstep.steps([left, right], most)
-    }
-
     /// The program has nothing left to do, or failed. The robot brakes until it is at rest.
     pub fn finish(&mut self, has_failed: bool) {
         self.lockstep.finish(if has_failed { LogEnd::Failed } else { LogEnd::Done });
@@ -95,16 +85,6 @@ impl ProgramRunner {
     /// Steps taken.
     pub fn steps(&self) -> f64 {
         self.lockstep.run().steps() as f64
-    }
-
-    /// Whether the run is over.
-    pub fn is_over(&self) -> bool {
-        self.lockstep.run().is_finished()
-    }
-
-    /// Swept share of the reachable floor, 0 to 1.
-    pub fn coverage(&self) -> f64 {
-        self.lockstep.run().coverage()
     }
 
     /// Digest of the state, 16 hexadecimal digits.
@@ -150,18 +130,15 @@ impl ProgramRunner {
             self.frames.remove(&(step as u64));
         }
     }
+}
 
-    /// Memory of all kept states, bytes.
-    pub fn snapshot_bytes(&self) -> usize {
-        self.frames.values().map(LockstepFrame::bytes).sum()
-    }
-
-    /// Takes over a person's inputs and the version from a newer job in the same room. Go back first, to before the first
-    /// new input.
-    pub fn take_inputs(&mut self, job: &[u8]) -> Result<(), JsValue> {
-        let job = ProgramJob::from_bytes(job).map_err(message)?;
-        self.version = job.version;
-        self.lockstep.set_inputs(job.inputs());
-        Ok(())
+impl ProgramRunner {
+    /// Without a seed it is that of the job.
+    fn at_start(job: LaidOutJob, seed: Option<u32>) -> Self {
+        let seed = seed.map_or(job.seed, u64::from);
+        let lockstep = Lockstep::new(&job.room, job.conditions, seed, job.inputs.clone());
+        let mut frames = BTreeMap::new();
+        frames.insert(0, lockstep.frame());
+        Self { lockstep, job, seed, frames, untaken: 0 }
     }
 }

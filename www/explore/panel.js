@@ -84,11 +84,12 @@ export function startPanel(app) {
     input("smooth").disabled = !view.can_smooth;
     setHidden(byId("smooth-refusal"), view.can_smooth);
     show(input("seed"), String(view.seed));
-    const { offered, on, refusal } = view.search;
+    const { offered, on, refusal, fits_small } = view.search;
     show(input("show-search"), String(on));
     setHidden(byId("search-field"), !offered);
     setHidden(byId("search-refusal"), !refusal);
     setText(byId("search-refusal"), refusal);
+    setHidden(byId("search-small"), !fits_small);
     input("show-search").disabled = refusal !== "";
   };
 }

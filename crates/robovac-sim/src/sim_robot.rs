@@ -67,6 +67,12 @@ impl SimRobot {
         self
     }
 
+    /// Without light bumper and laser: for commands that are known, which nothing that it sees can change.
+    pub fn without_sight(mut self) -> Self {
+        self.senses.see_nothing();
+        self
+    }
+
     /// The true pose, which no controller gets.
     #[inline]
     pub fn pose(&self) -> Pose {

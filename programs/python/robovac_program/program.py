@@ -215,4 +215,4 @@ def said(error):
         return hinted(str(error))
     text = getattr(error, "msg", None) or str(error)
     kind = type(error).__name__
-    return "%s: %s" % (kind, text) if text else kind
+    return hinted("%s: %s" % (kind, text)) if text else kind

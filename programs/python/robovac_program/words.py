@@ -1,5 +1,7 @@
 """Errors that name the cause and the mend."""
 
+import math
+
 
 class ProgramError(Exception):
     """A mistake in a program, said in words."""
@@ -41,12 +43,24 @@ def unknown(name):
 
 def hinted(message):
     """The same with what may be meant."""
+    if message.startswith("NameError: name '"):
+        return message + _meant(message.split("'")[1])
     parts = message.split(": there is no such name")
     if len(parts) == 2 and not parts[1] and parts[0].startswith("robot."):
         meant = nearest(parts[0][6:], names)
         if meant:
             return "%s; did you mean %s?" % (message, meant)
     return message
+
+
+def _meant(name):
+    """What a name that isn't defined may mean."""
+    if name in names:
+        return "; did you mean robot.%s?" % name
+    if hasattr(math, name):
+        return "; write import math in the first line, and math.%s" % name
+    meant = nearest(name, ("robot", "print", "range", "True", "False", "None"))
+    return "; did you mean %s?" % meant if meant else ""
 
 
 def number(place, value):

@@ -18,6 +18,7 @@ import { Output } from "./output.js";
  * @property {() => void} allowText Lets the next text be evaluated.
  * @property {WebAssembly.Memory} memory
  * @property {typeof import("../../../program.js").ProgramRunner} ProgramRunner
+ * @property {import("./rooms.js").Rooms} rooms
  * @property {() => number} clock
  */
 
@@ -56,11 +57,11 @@ export class Job {
 
   async begin() {
     const { id, job, seed, facts, language, source, traced, breakpoints } = this.#order;
-    const { ProgramRunner, load, parser, micropython, allowText, memory, clock } = this.#kit;
+    const { ProgramRunner, rooms, load, parser, micropython, allowText, memory, clock } = this.#kit;
     this.close();
     this.#hasFailed = false;
     try {
-      const runner = new ProgramRunner(job, seed);
+      const runner = rooms.runner(job, seed);
       this.#runner = runner;
       if (language === "javascript") refuseImports(source, parser);
       allowText();
@@ -197,7 +198,7 @@ export class Job {
   }
 
   close() {
-    this.#runner?.free();
+    if (this.#runner) this.#kit.rooms.takeBack(this.#runner);
     this.#program = this.#runner = this.#drive = undefined;
   }
 }

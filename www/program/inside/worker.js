@@ -8,6 +8,7 @@ import files from "python-files";
 import { initSync, ProgramRunner } from "../../../program.js";
 import { harden } from "./harden.js";
 import { Job } from "./job.js";
+import { Rooms } from "./rooms.js";
 
 /** @typedef {import("../types").ToWorker} ToWorker */
 
@@ -40,6 +41,6 @@ self.onmessage = ({ data, ports }) => {
   // What follows a load waits for it.
   let turn = Promise.resolve();
   port.onmessage = (/** @type {MessageEvent<ToWorker>} */ { data }) => void (turn = turn.then(() => hear(data)));
-  const kit = { load, parser, micropython, memory, ProgramRunner, clock, allowText: harden() };
+  const kit = { load, parser, micropython, memory, ProgramRunner, rooms: new Rooms(ProgramRunner), clock, allowText: harden() };
   send({ type: "ready" });
 };

@@ -137,7 +137,8 @@ impl Lab {
     /// Repeats the run of a user's program that made `log` with that seed. One whose log ends too early ends there.
     pub fn repeat(&self, log: CommandLog, seed: u64) -> RunOutcome {
         let setup = self.prepared.setup(self.terms.conditions, seed);
-        self.outcome(Run::new(&setup, Box::new(Logged::new(SharedLog::new(log)))), seed)
+        let run = Run::new(&setup, Box::new(Logged::new(SharedLog::new(log))));
+        self.outcome(run.without_sight(), seed)
     }
 
     /// Runs along a walk that a user's program has planned. Errors are for users.

@@ -60,7 +60,7 @@ impl ProgramRun {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Conditions, SlipLevel, montecarlo::Terms};
+    use crate::{Conditions, Noise, NoiseLevel, SlipLevel, montecarlo::Terms};
     use robovac_core::{
         floor_plan::room,
         robot::{OdometryModel, model},
@@ -84,11 +84,18 @@ mod tests {
 
     #[test]
     fn a_measured_run_has_the_numbers_of_its_repetition() {
-        let (plan, robot) = ((room("bedroom").unwrap().build)(), model("roomba600").unwrap());
-        let conditions = Conditions { slip: SlipLevel::Typical, ..Conditions::default() };
+        let plan = (room("bedroom").unwrap().build)();
+        let noise = Noise::all(NoiseLevel::Typical);
+        let conditions = Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() };
         let (odometry, smooth, plan_seed) = (OdometryModel::Arc, false, 1);
         // The last one ends while it brakes.
-        for (duration_s, done) in [(20.0, u64::MAX), (60.0, 900), (1.0, u64::MAX), (15.03, 1000)] {
+        for (duration_s, done, robot) in [
+            (20.0, u64::MAX, "roomba600"),
+            (60.0, 900, "roomba600_lidar"),
+            (1.0, u64::MAX, "roomba600"),
+            (15.03, 1000, "roomba600"),
+        ] {
+            let robot = model(robot).unwrap();
             let terms = Terms { conditions, odometry, smooth, duration_s, plan_seed };
             let lab = Lab::new(&plan, robot, robot.default_cell, None, terms).unwrap();
             let run = drive(&lab, done);

@@ -103,6 +103,11 @@ impl Senses {
         }
     }
 
+    /// Takes the light bumper and the laser off: the costliest to simulate.
+    pub fn see_nothing(&mut self) {
+        (self.light, self.laser) = (None, None);
+    }
+
     /// The latest reading.
     #[inline]
     pub fn reading(&self) -> &SensorReadings {

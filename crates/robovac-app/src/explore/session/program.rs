@@ -74,7 +74,7 @@ impl Session {
                 LogEnd::Done => "done",
                 LogEnd::Failed => "failed",
             }),
-            waits: self.recording.as_ref().is_some_and(|recording| recording.run().waits()),
+            waits: self.recording.as_ref().is_some_and(|recording| recording.run().waits() && !recording.is_over()),
             input: self.recording.as_ref().and_then(|r| r.inputs().last()).map(|&(step, _)| step),
         })
     }
