@@ -104,6 +104,7 @@ function outside(source, line) {
   if (head < 0) return undefined;
   const own = namesOf({ ...all[head], text: "" }, all.slice(head + 1, end < 0 ? undefined : end));
   const outer = namesOf({ at: 0, indent: "", text: "" }, all.filter(({ indent }) => indent === ""));
+  /** @type {string[]} */
   const words = bare(source.split("\n")[line - 1] ?? "").match(/[A-Za-z_]\w*/g) ?? [];
   return own.find((name) => outer.includes(name) && words.includes(name));
 }

@@ -14,6 +14,8 @@ import { SourceError, atIdle } from "./words.js";
 
 const PAGE = 4096;
 const MEGABYTE = 1 << 20;
+/** How many of the statements that JavaScript counts take as long as one turn of a loop that is counted here, by a call. */
+const CALL = 5;
 
 /** @param {Options} options @returns {Promise<Program>} */
 export async function loadPython(options) {
@@ -57,7 +59,7 @@ export async function loadPython(options) {
   const named = (/** @type {string} */ of) => python.named(of);
   hint = named("hinted");
   const traceAt = Number(call(named("trace"))) >> 2;
-  const most = Math.min(budget, 2 ** 30);
+  let most = Math.min(budget / CALL, 2 ** 30);
   heap.words[traceAt + 1] = most;
   // What Python's `random` begins with: always the same, as it may begin again behind a restored state.
   const first = chance(seed)();
@@ -66,6 +68,8 @@ export async function loadPython(options) {
   options.begins?.();
   const { kind, floats, out } = JSON.parse(String(call(loading, text.source, name, JSON.stringify(facts), String(seed))));
   what = kind === "plan" ? "plan never ends" : "step never ends";
+  // A planner may think for longer.
+  if (kind === "plan") most = Math.min(budget, 2 ** 30);
   const [floatsAt, outAt] = [floats >> 3, out >> 3];
   python.run("robot = page.program.robot\nfunction = page.program.function");
   const robot = named("robot");

@@ -155,7 +155,7 @@ test("a link opens the program elsewhere, where it waits to be read", async (t) 
   await page.goto(link);
   await page.getByText("This program came by a link").waitFor();
   assert.match(await text(page), /# mine/);
-  assert.equal(await page.locator("#program-status").textContent(), "Not run yet");
+  assert.equal(await page.locator("#program-status").textContent(), "Not run yet: read it first");
   await page.locator("#program-run").click();
   await driven(page);
 });

@@ -15,13 +15,13 @@ const CLEANS = "connection-cleans";
 /** The user's program gets ready to answer. @param {ConnectionTab} it */
 async function takeSeat(it) {
   const { pilot } = await import("../program/pilot.js");
-  return pilot(it.app, it.connection, it.view.virtual === null, it.complain);
+  return pilot(it.app, it.connection, it.complain);
 }
 
 /** Whether the user's program may drive the robot. @param {ConnectionTab} it */
 async function mayPlan(it) {
   const { isAllowed } = await import("../program/pilot.js");
-  return isAllowed(it.room.own, it.view.virtual === null);
+  return isAllowed(it.room.own);
 }
 
 /** @param {ConnectionTab} it */

@@ -43,6 +43,8 @@ export function startEvents(app) {
     // The list doesn't move under the pointer.
     const held = view.state === "playing" && list.matches(":hover, :focus-within");
     const key = `${view.diary} ${view.run_end_s < (known[0]?.time ?? 0)} ${view.state === "playing" || view.time_s} ${moreVersion()}`;
+    // Another run of a program: nothing of the one before is ahead.
+    if (changed(list, "run", String(view.program?.version ?? ""))) known = [];
     if (held || !isDue(() => list.checkVisibility() && changed(list, "entries", key))) return;
     known = merged(known, read(app.playground.diary()), view);
     entries = withMore(known, view.time_s, MOST);

@@ -17,4 +17,5 @@ export function startSmallRoom(app) {
     });
     byId("show-search").focus();
   });
+  return () => {};
 }

@@ -80,34 +80,42 @@ function askCondition(view, at) {
   };
   box.addEventListener("keydown", (event) => {
     event.stopPropagation();
-    if (event.key === "Enter" || event.key === "Escape") close(event.key === "Enter");
+    if (event.key !== "Enter" && event.key !== "Escape") return;
+    // Else the key would go on to the editor, which has the focus now.
+    event.preventDefault();
+    close(event.key === "Enter");
   });
   box.addEventListener("blur", () => close(true));
   document.body.append(box);
   box.focus();
 }
 
+/** Hands on the column and on the line numbers. @type {Record<string, (view: EditorView, block: import("@codemirror/view").BlockInfo, event: Event) => boolean>} */
+const hands = {
+  mousedown(view, { from }, event) {
+    const { shiftKey, altKey, button } = /** @type {MouseEvent} */ (event);
+    if (button === 2) return true;
+    if (shiftKey || altKey) askCondition(view, from);
+    else toggleBreakpoint(view, from);
+    return true;
+  },
+  contextmenu(view, { from }, event) {
+    event.preventDefault();
+    askCondition(view, from);
+    return true;
+  },
+};
+
 /** The column. @param {() => void} marked Called when a breakpoint changes. */
 export function breakpoints(marked) {
   return [
     points,
+    cm.lineNumbers({ domEventHandlers: hands }),
     cm.gutter({
       class: "cm-points",
       markers: (view) => view.state.field(points),
       initialSpacer: () => new Point(""),
-      domEventHandlers: {
-        mousedown: (view, { from }, event) => {
-          const { shiftKey, altKey } = /** @type {MouseEvent} */ (event);
-          if (shiftKey || altKey) askCondition(view, from);
-          else toggleBreakpoint(view, from);
-          return true;
-        },
-        contextmenu: (view, { from }, event) => {
-          event.preventDefault();
-          askCondition(view, from);
-          return true;
-        },
-      },
+      domEventHandlers: hands,
     }),
     cm.keymap.of([
       {

@@ -1,6 +1,7 @@
 // @ts-check
 // The editor of programs: CodeMirror with the page's colours, errors in their lines, the running line and breakpoints.
 import * as cm from "../../codemirror.js";
+import { leaveByTab } from "./tab-key.js";
 import { breakpoints, breakpointsOf, setBreakpoints, toggleBreakpoint } from "./breakpoints.js";
 import { help } from "./complete.js";
 
@@ -93,7 +94,6 @@ export class Editor {
     // What closes before Escape leaves: completion and search.
     const closing = cm.Prec.high(cm.keymap.of([...cm.completionKeymap, ...cm.searchKeymap].filter(({ key }) => key === "Escape")));
     this.#extensions = [
-      cm.lineNumbers(),
       breakpoints(tell.marked),
       cm.history(),
       cm.drawSelection(),
@@ -107,12 +107,13 @@ export class Editor {
       cm.highlightSelectionMatches(),
       cm.syntaxHighlighting(colours),
       cm.tooltips({ parent: document.body }),
+      leaveByTab,
       running,
       wholeNumbers,
       closing,
       keys,
       theme,
-      cm.EditorView.contentAttributes.of({ "aria-label": "Program", "aria-description": "Tab indents; Escape leaves the editor.", autocapitalize: "off", spellcheck: "false" }),
+      cm.EditorView.contentAttributes.of({ "aria-label": "Program", "aria-description": "Tab moves on until you type; then it indents, and Escape leaves the editor.", autocapitalize: "off", spellcheck: "false" }),
       cm.EditorView.updateListener.of(({ docChanged, transactions }) => {
         if (docChanged && !transactions.some((one) => one.annotation(isLoading))) tell.changed();
       }),
@@ -151,7 +152,7 @@ export class Editor {
     if (error && error.line >= 1 && error.line <= state.doc.lines) {
       const line = state.doc.line(error.line);
       const indent = line.text.length - line.text.trimStart().length;
-      const from = Math.min(line.to, line.from + Math.max(indent, error.column ?? 0));
+      const from = Math.min(line.to, line.from + Math.max(indent, (error.column ?? 0) - 1));
       diagnostics.push({ from, to: Math.max(line.to, from), severity: /** @type {const} */ ("error"), message: error.message });
     }
     this.#view.dispatch(cm.setDiagnostics(state, diagnostics));

@@ -13,6 +13,8 @@ import { work } from "./work.js";
 /** The one that drives, or did. @type {Inmate | undefined} */
 let inmate;
 let lastId = 0;
+/** Texts that were shown and confirmed since the page was opened. @type {Set<string>} */
+const allowed = new Set();
 
 /** The plan of the program, for the place of a request. @param {{ name: string, language: "python" | "javascript", source: string }} program @param {{ place?: object }} request */
 export async function planned(program, { place }) {
@@ -22,18 +24,23 @@ export async function planned(program, { place }) {
   return plan;
 }
 
-/** A program that came from elsewhere drives a real robot only after its text was shown. @param {{ name: string, source: string } | undefined} program @param {boolean} isReal */
-export const isAllowed = async (program, isReal) => !isReal || !program || isTrusted(program.source) || (await confirmed(program));
+/** A program that came from elsewhere drives a robot only after its text was shown. @param {{ name: string, source: string } | undefined} program */
+export async function isAllowed(program) {
+  if (!program || isTrusted(program.source) || allowed.has(program.source)) return true;
+  const isConfirmed = await confirmed(program);
+  if (isConfirmed) allowed.add(program.source);
+  return isConfirmed;
+}
 
 /**
  * Gets the program ready.
- * @param {import("../main.js").App} app @param {import("../connection/client.js").ConnectionClient} connection @param {boolean} isReal @param {(text: string) => void} complain
+ * @param {import("../main.js").App} app @param {import("../connection/client.js").ConnectionClient} connection @param {(text: string) => void} complain
  * @returns {Promise<boolean>} Whether it is ready.
  */
-export async function pilot(app, connection, isReal, complain) {
+export async function pilot(app, connection, complain) {
   const program = app.playground.program();
   if (!program) return complain("There is no program any more. Choose one in the tab Program."), false;
-  if (!(await isAllowed(program, isReal))) return false;
+  if (!(await isAllowed(program))) return false;
   const facts = await connection.facts();
   if (!facts) return complain("The robot doesn't fit into the room."), false;
   inmate?.end();

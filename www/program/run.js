@@ -48,7 +48,8 @@ export class ProgramRun {
   /** Runs a program from the start of the room. @param {Program} program @param {boolean} plays */
   async start(program, plays) {
     // What one program has done to its worker is none of another's business.
-    if (program.id !== this.program?.id) this.#hired.end();
+    // And a loop whose line is looked for doesn't hold up what comes next.
+    if (program.id !== this.program?.id || this.#doubt.until) this.#hired.end();
     this.program = program;
     this.#set("loading", undefined);
     this.#doubt.reset();

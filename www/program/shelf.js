@@ -119,6 +119,8 @@ export class Shelf {
         put(copy);
         this.show(copy);
       },
+      "program-new-python": () => this.#new("python"),
+      "program-new-javascript": () => this.#new("javascript"),
       "program-delete": () => this.#delete(),
       "program-restore": () => {
         const program = this.#deleted;
@@ -145,8 +147,7 @@ export class Shelf {
     }
   }
 
-  #new() {
-    const language = this.#current?.language ?? "python";
+  #new(language = this.#current?.language ?? "python") {
     const source =
       language === "python"
         ? "# Called every 15 ms: read the sensors, then drive.\ndef step(robot):\n    if robot.bump:\n        robot.go(0, 90)\n    else:\n        robot.go(0.2, 0)\n"

@@ -14,8 +14,10 @@ import { startNames } from "./names.js";
 import { find, isOwn, remember, remembered } from "./own-programs.js";
 import { startPlace } from "./place.js";
 import { ProgramRun } from "./run.js";
+import { closeSheet, openSheet } from "./sheet.js";
 import { Shelf } from "./shelf.js";
 import { STEP } from "./stage.js";
+import { Stops } from "./stops.js";
 import { Watch } from "./watch.js";
 
 /** @typedef {import("./own-programs.js").Program} Program */
@@ -28,11 +30,10 @@ export async function startProgram(app) {
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
   /** Whether the program on the page came from elsewhere and wasn't run by hand yet. */
   let isHeld = false;
-  /** Where a breakpoint paused: the steps after it, and its line. */
-  let broke = { step: 0, line: 0 };
-  const editor = new Editor(byId("program-editor"), { changed: () => edited(), run: () => void start(true), stop: () => run.stop(), marked: () => marked() });
+  const editor = new Editor(byId("program-editor"), { changed: () => edited(), run: () => byHand(), stop: () => run.stop(), marked: () => void marked() });
   const run = new ProgramRun(app, () => show());
-  const watch = new Watch(app, run, (line) => editor.light(line && broke.line && broke.step === Math.round(app.view.time_s / STEP) ? broke.line : line));
+  const watch = new Watch(app, run, (line) => editor.light((line && stops.line) || line));
+  const stops = new Stops(app, run);
   const tellNames = startNames(() => editor.language);
   const shelf = await new Shelf({
     open(program) {
@@ -59,18 +60,21 @@ export async function startProgram(app) {
     const program = shelf.current;
     if (!program) return;
     isHeld = app.isUnrun = false;
+    stops.forget();
     run.breakpoints = editor.breakpoints;
     watch.clear();
     await run.start({ ...program, source: editor.text }, plays);
+  };
+  const byHand = () => {
+    closeSheet();
+    void start(true);
   };
   const edited = () => {
     app.isUnrun = true;
     shelf.edit(editor.text);
   };
-  /** Breakpoints hold from now on: the same run is simulated again. */
-  const marked = () => {
-    if (run.state === "running" || run.state === "stopped") void start(app.view.state === "playing");
-  };
+  /** Breakpoints hold from now on. */
+  const marked = () => (run.state === "running" || run.state === "stopped") && stops.again(() => start(app.view.state === "playing"));
 
   const show = () => {
     const { state, fault, program } = run;
@@ -83,9 +87,10 @@ export async function startProgram(app) {
       error.replaceChildren(...go, fault.message);
     }
     editor.complain(fault && program?.id === shelf.current?.id ? fault : undefined);
+    if ((isHeld || fault) && currentTab() === "program") openSheet();
   };
 
-  button("program-run").addEventListener("click", () => void start(true));
+  button("program-run").addEventListener("click", byHand);
   button("program-stop").addEventListener("click", () => run.stop());
   planWith((request) => run.plan(request));
   startPlace();
@@ -101,13 +106,14 @@ export async function startProgram(app) {
   const status = () => {
     const { view } = app;
     const at = run.fault ? ` at ${clock(run.fault.step * STEP)}` : "";
-    if (isHeld) return "Not run yet";
+    if (isHeld) return "Not run yet: read it first";
     if (app.isUnrun) return `Changed: press Run${BY_KEY}`;
     if (run.state === "loading") return shelf.current?.language === "python" ? "Loading Python…" : "Loading…";
     if (run.state === "failed") return run.fault?.isEarly ? "Not started" : `Ended by an error${at}`;
     if (run.state === "stopped") return "Stopped";
     if (run.state === "idle" || !view.program) return "";
     if (view.program.end === "done") return `Ends at ${clock((view.program.reach_steps ?? 0) * STEP)}`;
+    if (view.state === "paused" && stops.line) return `Stopped at the breakpoint in line ${stops.line}: play goes on`;
     return view.program.waits ? "Waiting for the program…" : `Change a number, then press Run${BY_KEY}`;
   };
 
@@ -116,26 +122,13 @@ export async function startProgram(app) {
     requestAnimationFrame(frame);
     run.frame();
     draw();
-    stopAtBreaks();
+    stops.frame();
+    if (isHeld && currentTab() === "program" && app.view.state === "playing") app.act((p) => p.pause());
     if (currentTab() !== "program") return;
     setText(byId("program-status"), status());
     watch.frame();
   };
   requestAnimationFrame(frame);
-
-  /** The latest step that was shown while the run played. */
-  let shown = 0;
-  const stopAtBreaks = () => {
-    const now = Math.round(app.view.time_s / STEP);
-    const isPlaying = app.view.state === "playing";
-    const hit = isPlaying && now > shown ? run.said.all.find(({ kind, step = 0 }) => kind === "break" && step > shown && step <= now) : undefined;
-    shown = now;
-    if (!hit) return;
-    // The line ran in the step that follows what it had read.
-    broke = { step: (hit.step ?? 0) + 1, line: Number(hit.line) || 0 };
-    shown = broke.step;
-    app.act((p) => (p.pause(), p.seek(broke.step * STEP)));
-  };
 
   /** Opens the program of a link, else the last one, else the first. @param {string} link */
   const open = async (link) => {

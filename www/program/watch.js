@@ -100,7 +100,11 @@ export class Watch {
   /** @param {[name: string, text: string, type: string][]} variables @param {number} step */
   #show(variables, step) {
     setHidden(byId("program-no-variables"), variables.length > 0);
+    // Where it rests, a digest to compare with `robovac run`.
+    const digest = this.#app.view.state !== "playing" && Math.round(this.#app.view.time_s / STEP) === step ? this.#app.playground.digest() : undefined;
     setText(byId("program-moment"), variables.length ? `at ${clock(step * STEP)}, step ${step.toLocaleString("en")}` : "");
+    setText(byId("program-digest"), digest ? `Digest ${digest}` : "");
+    setHidden(byId("program-digest"), !digest);
     const rows = variables.map(([name, text, type]) => {
       const [key, value] = [String(name).slice(0, 60), String(text).slice(0, 200)];
       const isNew = this.#known.has(key) && this.#known.get(key) !== value;

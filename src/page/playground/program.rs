@@ -39,6 +39,11 @@ impl Playground {
         self.session.extend_program(version, part).map_err(message)
     }
 
+    /// Digest of the state that is shown, 16 hexadecimal digits as `robovac run` prints them; `undefined` without a run.
+    pub fn digest(&self) -> Option<String> {
+        self.session.recording().map(|recording| format!("{:016x}", recording.run().digest()))
+    }
+
     /// The whole log of the program, for `run_bag`; `undefined` unless one drives.
     pub fn program_log(&self) -> Option<Vec<u8>> {
         self.session.program_log()

@@ -5,6 +5,7 @@
 
 export class Rooms {
   #ProgramRunner;
+  /** @type {Uint8Array} */
   #job = new Uint8Array();
   /** Not in use, in the room of that job. @type {Runner | undefined} */
   #left;

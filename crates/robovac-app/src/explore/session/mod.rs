@@ -251,11 +251,16 @@ impl Session {
         }
     }
 
-    /// Advances by one move: one planning cell or one turn, at most five seconds.
+    /// Advances by one move: one planning cell or one turn, at most five seconds. A user's program advances by one of its
+    /// steps.
     pub fn step(&mut self) {
         let allowed = self.state().allows(Action::Step);
         self.pause();
+        let is_program = self.program_drives();
         let Some(recording) = self.recording.as_mut().filter(|_| allowed) else { return };
+        if is_program {
+            return recording.step();
+        }
         let goal = recording.run().distance_m() + self.settings.cell_size;
         let turning = recording.run().turning_rad();
         for _ in 0..(5.0 / STEP_S) as u32 {
