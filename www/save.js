@@ -19,13 +19,17 @@ const SHOWN = [
 /** @type {Promise<(app: import("./main.js").App) => void> | undefined} */
 let made;
 
-/** @param {import("./main.js").App} app */
-export async function openSave(app) {
+/** @param {import("./main.js").App} app @param {string} [kind] The one to be proposed. */
+export async function openSave(app, kind) {
   made ??= build().catch((error) => {
     made = undefined;
     throw error;
   });
   (await made)(app);
+  const proposed = kind && document.querySelector(`input[name=kind][value=${kind}]`);
+  if (!(proposed instanceof HTMLInputElement)) return;
+  proposed.click();
+  proposed.scrollIntoView({ block: "center" });
 }
 
 async function build() {

@@ -40,7 +40,7 @@ async function build(app) {
   const save = async () => {
     close();
     const { openSave } = await import("./save.js");
-    await openSave(app);
+    await openSave(app, "picture");
   };
   const print = () => {
     close();

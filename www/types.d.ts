@@ -586,7 +586,9 @@ export type ManyRunsEntrantView = {
 /** That of the user's program has its name. */
 title: string, chosen: boolean,
 /** Whether it can take part: the user's program only if there is one of its kind. */
-offered: boolean, params: Params,
+offered: boolean,
+/** What the robot lacks for it; it then doesn't take part. */
+lacks: string, params: Params,
 /** Finished runs among the required ones. */
 runs: number, failure: string, };
 
@@ -821,6 +823,8 @@ selected: number,
 placing: string,
 /** Whether the robot is held on the picture. */
 is_carried: boolean,
+/** Whether the whole room is shown: it then gives way to what is said above it. */
+is_all_shown: boolean,
 /** How far down the picture the robot is, as a share of its height: messages must not hide it. 1 without one. */
 robot_down: number,
 /** State of the session. */
@@ -1204,6 +1208,8 @@ export type RowView = {
 entrant: number, trials: number, missing: number, failure: string, values: Array<MedianAndRange | null>,
 /** Which values are the best of their columns. */
 best: Array<boolean>,
+/** Whether it leaves floor out that others clean: it then has the best of nothing that costs. */
+leaves_floor: boolean,
 /** What a paper prints in the place of each value. */
 printed: Array<number | null>, };
 

@@ -117,6 +117,7 @@ export function explained(message, line, source) {
     const told = spelling(source, line);
     return told ? is(`SyntaxError: ${told.message}`, told.line) : is("SyntaxError: this line isn't Python. Look at its spelling, brackets and colons");
   }
+  if (/invalid syntax for (integer|number)/.test(message)) return is("SyntaxError: this number has letters in it");
   if (/^IndentationError/.test(message)) {
     const told = unlike(source);
     return told ? is(`IndentationError: ${told.message}`, told.line) : is(message);

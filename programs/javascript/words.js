@@ -108,6 +108,8 @@ export function located(error, name, at) {
   if (place) [line, column] = [Number(place[1]), Number(place[2]) || undefined];
   if (error instanceof RangeError && /stack|recursion/i.test(error.message)) return new SourceError("a function calls itself without end", line);
   if (error instanceof SourceError) return new SourceError(error.message, line, column);
+  // `yield` is a word only there.
+  if (/strict mode reserved word/.test(error?.message) && !line) return new SourceError("SyntaxError: yield needs a generator: write function* run(robot)");
   const words = error instanceof Error ? `${error.name}: ${error.message}` : `thrown: ${shown(error)}`;
   return new SourceError(words, line, column);
 }

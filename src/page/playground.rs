@@ -97,6 +97,7 @@ impl Playground {
             selected: self.object_tool.selected(&self.session).map_or(-1, |index| index as i32),
             placing: self.object_tool.kind.id(),
             is_carried: self.carried.is_some(),
+            is_all_shown: self.viewport.is_fitted(),
             robot_down: robot.map_or(1.0, |at| self.viewport.to_screen(at).y / self.viewport.size.y),
         })
     }

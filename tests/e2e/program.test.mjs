@@ -3,6 +3,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openApp } from "./app.mjs";
 
+const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+
 /** Opens the tab; the first program runs by itself. */
 async function openProgram(t, options = {}) {
   const opened = await openApp(t, { address: "#tab=program", viewport: { width: 1280, height: 800 }, ...options });
@@ -132,7 +134,7 @@ test("scrubbing back shows variables, prints and the line of that time", async (
 });
 
 test("a breakpoint pauses the run at its line", async (t) => {
-  const { page } = await openProgram(t);
+  const { page, app } = await openProgram(t);
   await write(page, "def step(robot):\n    robot.go(0.2)\n    if robot.time > 2:\n        robot.stop()\n");
   await page.locator(".cm-line:nth-child(4)").click();
   await page.keyboard.press("F9");
@@ -140,6 +142,68 @@ test("a breakpoint pauses the run at its line", async (t) => {
   await page.getByRole("button", { name: "Play", exact: true }).waitFor();
   assert.equal(seconds(await time(page)), 2);
   await page.locator(".cm-line:nth-child(4).cm-running").waitFor();
+  await page.getByText("Stopped at the breakpoint in line 4").waitFor();
+  // Its condition takes the Enter that ends it, and the run comes back to the same time.
+  const before = await text(page);
+  await page.keyboard.press("Shift+F9");
+  await page.keyboard.type("robot.time > 3");
+  await page.keyboard.press("Enter");
+  await page.getByText("Change a number").waitFor();
+  await page.waitForFunction((seen) => document.getElementById("n-time").textContent === seen, "0:02");
+  assert.equal(await text(page), before);
+  await page.getByRole("button", { name: "Play", exact: true }).click();
+  await page.waitForFunction(() => document.getElementById("n-time").textContent === "0:03");
+  await page.getByText("Stopped at the breakpoint in line 4").waitFor();
+  // Line numbers take breakpoints away and set them.
+  await page.locator(".cm-lineNumbers .cm-gutterElement", { hasText: /^4$/ }).click();
+  await page.waitForFunction(() => !document.querySelector(".cm-points .cm-gutterElement:not([style*=hidden]) .cm-point"));
+  // One step of the play bar is a step of the program.
+  await page.locator("#program-watch summary").click();
+  const step = async () => Number((await page.locator("#program-moment").textContent()).replace(/.*step |,/g, ""));
+  await app.poll(step, (now) => now > 0);
+  const at = await step();
+  await page.getByRole("button", { name: "One step" }).click();
+  await app.poll(step, (now) => now === at + 1);
+  assert.match(await page.locator("#program-digest").textContent(), /^Digest [0-9a-f]{16}$/);
+});
+
+test("Tab passes through the editor, and indents once something is typed", async (t) => {
+  const { page } = await openProgram(t);
+  await driven(page);
+  const before = await text(page);
+  await page.locator("#program-more").focus();
+  await page.keyboard.press("Tab");
+  await page.locator(".program-editor.by-tab .cm-content:focus").waitFor();
+  await page.keyboard.press("Tab");
+  await page.locator("#program-run:focus").waitFor();
+  await page.keyboard.press("Shift+Tab");
+  await page.keyboard.press("Shift+Tab");
+  await page.locator("#program-more:focus").waitFor();
+  assert.equal(await text(page), before);
+  await page.keyboard.press("Tab");
+  await page.keyboard.type("#");
+  await page.keyboard.press("Tab");
+  await page.locator(".cm-content:focus").waitFor();
+  assert.notEqual(await text(page), before);
+});
+
+test("on a phone a program of a link is there to be read, and gives way once it runs", async (t) => {
+  const { page } = await openApp(t, { ...PHONE, address: "#room=empty" });
+  const code = await page.evaluate(async () => {
+    const { packProgram } = await import(new URL("www/program/link.js", document.baseURI).href);
+    return packProgram({ name: "Theirs", language: "python", source: "def step(robot):\n    robot.go(0.1, 30)\n" });
+  });
+  await page.evaluate((code) => (location.hash = `room=empty&tab=program&code=${code}`), code);
+  await page.getByText("This program came by a link").waitFor();
+  await page.locator("#program.open").waitFor();
+  await page.locator("#program .sheet-close").tap();
+  // It doesn't play unread.
+  await page.getByRole("button", { name: "Play", exact: true }).tap();
+  await page.locator("body[data-state=paused], body[data-state=ready]").waitFor();
+  await page.locator("button[data-sheet=program]").tap();
+  await page.locator("#program-run").tap();
+  await driven(page);
+  assert.equal(await page.locator("#program.open").count(), 0);
 });
 
 test("a link opens the program elsewhere, where it waits to be read", async (t) => {

@@ -8,11 +8,14 @@ import { clock, count, metres, percent } from "../format.js";
  * @typedef {{ title: string, explores: boolean, mark: HTMLElement, summary: Summary | null, failure: string }} Row
  */
 
+/** In place of the unit of a time, which depends on how long the runs are. */
+const TIME = "time";
+
 /** Columns: name, unit, definition. */
 const COLUMNS = /** @type {const} */ ([
-  ["90 % clean", "min", "Time until 90 % of the reachable floor was swept: the median, and below it the 10 % and 90 % quantiles. Lower is better."],
+  ["90 % clean", TIME, "Time until 90 % of the reachable floor was swept: the median, and below it the 10 % and 90 % quantiles. Lower is better."],
   ["reached", "of runs", "Share of the runs that swept 90 % in time."],
-  ["99 % clean", "min", "Time until 99 % of the reachable floor was swept. Lower is better."],
+  ["99 % clean", TIME, "Time until 99 % of the reachable floor was swept. Lower is better."],
   ["reached", "of runs", "Share of the runs that swept 99 % in time."],
   ["Coverage", "% at the end", "Swept share of the reachable floor at the end: the median, and the 10 % to 90 % quantiles. Higher is better."],
   ["Distance", "m", "Median distance driven."],
@@ -24,9 +27,9 @@ const COLUMNS = /** @type {const} */ ([
 
 /** The same with exploring behaviours, which detect walls and furniture instead of sweeping. */
 const EXPLORING = /** @type {const} */ ([
-  ["90 % found", "min", "Time until bumper or light bumper had found 90 % of the reachable walls and furniture; for cleaning algorithms, until 90 % of the floor was swept. Lower is better."],
+  ["90 % found", TIME, "Time until bumper or light bumper had found 90 % of the reachable walls and furniture; for cleaning algorithms, until 90 % of the floor was swept. Lower is better."],
   ["reached", "of runs", "Share of the runs that reached 90 % in time."],
-  ["99 % found", "min", "Time until 99 % was found, or swept. Lower is better."],
+  ["99 % found", TIME, "Time until 99 % was found, or swept. Lower is better."],
   ["reached", "of runs", "Share of the runs that reached 99 % in time."],
   ["Found", "% at the end", "Share of the reachable walls and furniture found at the end; for cleaning algorithms, share of the floor swept. Higher is better."],
 ]);
@@ -38,8 +41,9 @@ export function showTable(table, rows, minutes, stress) {
   const comparable = known.length > 1 && rows.every(({ explores }) => explores === exploring);
   const all = exploring ? [...EXPLORING, ...COLUMNS.slice(EXPLORING.length)] : COLUMNS;
   const columns = all.slice(0, known.some(({ dirt_left }) => dirt_left) ? undefined : -1);
+  const times = minutes <= 60 ? "min:s" : "(h:)min:s";
   const heads = columns.map(([label, unit, definition]) =>
-    make("th", { scope: "col", "data-tip": definition }, make("span", { className: "term", tabIndex: 0 }, label), make("span", { className: "unit" }, unit)),
+    make("th", { scope: "col", "data-tip": definition }, make("span", { className: "term", tabIndex: 0 }, label), make("span", { className: "unit" }, unit === TIME ? times : unit)),
   );
   table.querySelector("thead")?.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...heads));
   const best = {

@@ -76,6 +76,9 @@ export function startCompare(app, module, guard) {
   picker.addEventListener("change", () => void take(picker.files ?? []).then(() => (picker.value = "")));
   startExports(app, () => (shownView() === "runs" ? runs.exported : shownView() === "study" && study ? study.exported() : plans));
 
+  /** Whether the race starts as soon as all have lined up. */
+  let starts = false;
+
   return {
     /** Once a frame while the tab is shown. @param {number} now */
     frame(now) {
@@ -90,6 +93,11 @@ export function startCompare(app, module, guard) {
       raceProgram(app, comparison);
       comparison.frame(now);
       it.view = comparison.view();
+      const { race: lineUp, done, total } = it.view;
+      if (starts && lineUp && lineUp.lanes.length > 0 && done >= total) {
+        starts = false;
+        it.act((c) => c.play());
+      }
       updateSetup(it);
       if (shownView() === "race") race.update(it.view);
       else updateNumbers(it.view);
@@ -104,7 +112,9 @@ export function startCompare(app, module, guard) {
           complain(textOf(error));
         }
       }
-      const wanted = new URLSearchParams(link).get("view");
+      const pairs = new URLSearchParams(link);
+      const wanted = pairs.get("view");
+      starts = pairs.has("go") && !matchMedia("(prefers-reduced-motion: reduce)").matches;
       // A link has no file.
       showView(VIEWS.find((name) => name === wanted && name !== "study") ?? "race");
     },

@@ -103,10 +103,14 @@ export function startConnection(app, module, guard) {
   const show = (/** @type {ConnectionView} */ view) => {
     // Once connected in any way, earlier messages are hidden.
     if (view.mode !== it.view.mode && view.mode !== "Passive" && it.view.mode === "Passive" && view.notice?.number === it.view.notice?.number) over = view.notice?.number ?? -1;
-    it.view = view;
+    // After Disconnect nothing of the robot stays, but its recording.
+    const isOver = view.phase === "closed";
+    const hasLeft = isOver && it.view.phase !== "closed";
+    it.view = isOver ? { ...view, virtual: null, ride: null } : view;
+    if (hasLeft) it.live.begin(it.view);
     isFresh = true;
     setAttribute(document.body, "data-robot", view.is_open ? "open" : "");
-    guard(() => it.live.update(view, way));
+    guard(() => it.live.update(it.view, way));
     way = new Float64Array();
   };
   const follow = (/** @type {Float64Array} */ trace) => void (way = trace);

@@ -44,6 +44,8 @@ export async function startManual(app) {
     const manual = isManual() && view.tool === "view";
     if (changed(byId("manual"), "on", manual)) {
       setHidden(byId("manual"), !manual);
+      // On a small screen the setup lies over the robot that is to be driven.
+      if (manual && byId("setup").classList.contains("open")) byId("setup").dispatchEvent(new Event("swiped", { bubbles: true }));
       stop();
     }
     if (!manual) return;

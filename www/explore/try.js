@@ -12,12 +12,12 @@ const follow = (link) => void (location.hash = link);
 
 /** @type {[title: string, what: string, how: (app: App) => unknown][]} */
 const IDEAS = [
-  ["Random walk against lanes", "Which one cleans the living room first?", () => follow("room=living&tab=compare&vs=boustrophedon&behaviours=random_walk")],
+  ["Random walk against lanes", "Which one cleans the living room first?", () => follow("room=living&tab=compare&vs=boustrophedon&behaviours=random_walk&go=1")],
   ["You against the algorithm", "Drive by hand: can you sweep more in the same time?", (app) => import("./games.js").then(({ offerVersus }) => offerVersus(app))],
   ["Break it", "Draw the room that this planner does worst in.", (app) => import("./games.js").then(({ offerWorst }) => offerWorst(app))],
   ["A cat in the way", "A robot that only has its bumper meets the cat.", () => follow("room=living&behaviour=random_walk&speed=4")],
   ["Kidnap the robot", "Put it down elsewhere. Does it notice?", (app) => lift(app)],
-  ["A race of six", "Six ideas in the same room, at the same time.", () => follow("room=bedroom&tab=compare&vs=boustrophedon,spiral,spiral_stc,snake&behaviours=random_walk,spiral_out")],
+  ["A race of six", "Six ideas in the same room, at the same time.", () => follow("room=bedroom&tab=compare&vs=boustrophedon,spiral,spiral_stc,snake&behaviours=random_walk,spiral_out&go=1")],
   ["Your own room", "Draw it, or load a floor plan.", (app) => import("./rooms.js").then(({ openRooms }) => openRooms(app))],
 ];
 

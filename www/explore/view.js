@@ -13,6 +13,10 @@ const HAS_KEYS = !matchMedia("(hover: none)").matches;
 /** Whether it is time to put the picture into words. */
 const mayNarrate = atMostEvery(4000);
 
+/** Least time that a caption of the search is shown, ms. */
+const CAPTION = 1200;
+const isCaptionDue = atMostEvery(CAPTION);
+
 /** @param {import("../main.js").App} app */
 export function updateView({ view, playground }) {
   setText(byId("n-coverage"), percent(view.coverage));
@@ -24,8 +28,10 @@ export function updateView({ view, playground }) {
   setAttribute(document.body, "data-kind", view.kind);
   updateFolds(view);
   updateMessage(view);
-  setHidden(byId("search-box"), !view.search.text);
-  setText(byId("search-note"), view.search.text);
+  const { text, film } = view.search;
+  setHidden(byId("search-box"), !text);
+  // While the robot drives, each stays long enough to be read.
+  if (view.state !== "playing" || film !== null || !text || isCaptionDue()) setText(byId("search-note"), text);
   updatePlanning(view);
   updateTools(view);
 
@@ -63,17 +69,17 @@ function updatePlanning({ state, plan, can }) {
 /**
  * Messages are above the robot or below it; it must come near before they change places. The captions of a search have room of their
  * own above the floor.
- * @param {number} down
+ * @param {boolean} isAllShown @param {number} down
  */
-function keepClear(down) {
+function keepClear(isAllShown, down) {
   const captions = byId("search-box");
   const notices = captions.parentElement;
   const isLow = notices?.dataset.low === "true";
-  if (notices) setAttribute(notices, "data-low", String(captions.hidden && down < (isLow ? 0.6 : 0.4)));
+  if (notices) setAttribute(notices, "data-low", String(!isAllShown && captions.hidden && down < (isLow ? 0.6 : 0.4)));
 }
 
 /** @param {View} view */
-function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carried, robot_down }) {
+function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carried, is_all_shown, robot_down }) {
   for (const node of byId("tools").querySelectorAll("button[data-tool]")) {
     const name = node.getAttribute("data-tool");
     setAttribute(node, "aria-pressed", String(name === tool && !is_lifted));
@@ -86,7 +92,7 @@ function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carr
   setAttribute(button("lift"), "aria-label", is_lifted ? "Put the robot down" : "Lift the robot");
   setHidden(byId("carry-note"), !is_carried);
   setAttribute(byId("carry-note"), "data-low", String(robot_down < 0.5));
-  keepClear(robot_down);
+  keepClear(is_all_shown, robot_down);
   setText(byId("carry-note"), is_carried ? (HAS_KEYS ? "Click where to put the robot down. Arrow keys move it, Enter puts it down, Escape puts it back." : "Tap where to put the robot down, or drag it there.") : "");
   setEnabled(button("undo"), can.undo);
   setEnabled(button("redo"), can.redo);

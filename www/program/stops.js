@@ -2,6 +2,9 @@
 // Where the run rests: at breakpoints, and at the same time again after they were changed.
 import { STEP } from "./stage.js";
 
+/** Steps in a frame when the same run is simulated again: a tenth of its time. */
+const PART = 10_000;
+
 export class Stops {
   #app;
   #run;
@@ -9,8 +12,10 @@ export class Stops {
   #broke = { step: 0, line: 0 };
   /** The latest step that was shown while the run played. */
   #shown = 0;
-  /** Where the run was before it was simulated again, s; 0 for nowhere. */
+  /** Where the run was before it is simulated again, steps; 0 for nowhere. */
   #before = 0;
+  /** Whether it goes on from there. */
+  #goesOn = false;
 
   /** @param {import("../main.js").App} app @param {import("./run.js").ProgramRun} run */
   constructor(app, run) {
@@ -26,25 +31,38 @@ export class Stops {
 
   /** Another run begins. */
   forget() {
-    this.#before = 0;
+    this.#before = this.#broke.line = 0;
   }
 
-  /** The same run is simulated again with other breakpoints: it then goes to the time that is shown now. @param {() => Promise<void>} start */
+  /** The same run is simulated again with other breakpoints, up to the time that is shown now. @param {() => Promise<void>} start Without playing. */
   async again(start) {
-    const at = this.#before || this.#app.view.time_s;
-    await start();
+    const { time_s, state } = this.#app.view;
+    if (!this.#before) this.#goesOn = state === "playing";
+    const at = this.#before || Math.round(time_s / STEP);
+    const begun = start();
     this.#before = at;
+    await begun;
+  }
+
+  /** Goes on to where it was, a part in each frame. */
+  #catchUp() {
+    const { view } = this.#app;
+    if (this.#run.state !== "running" || (view.program?.reach_steps ?? 0) < this.#before) return;
+    const now = Math.round(view.time_s / STEP);
+    const next = Math.min(this.#before, now + PART);
+    this.#app.act((p) => {
+      for (let step = now; step < next; step += 1) p.step();
+    });
+    this.#shown = next;
+    if (next < this.#before) return;
+    this.#before = 0;
+    if (this.#goesOn) this.#app.act((p) => p.play());
   }
 
   /** In every frame. */
   frame() {
-    const [before, { view }] = [this.#before, this.#app];
-    if (before && this.#run.state === "running" && (view.program?.reach_steps ?? 0) * STEP >= before) {
-      this.#app.act((p) => p.seek(before));
-      this.#shown = Math.round(before / STEP);
-      this.#before = 0;
-    }
-    if (this.#before) return;
+    if (this.#before) return this.#catchUp();
+    const { view } = this.#app;
     const [now, shown] = [Math.round(view.time_s / STEP), this.#shown];
     const isPassed = (/** @type {import("./types").Output} */ { kind, step = 0 }) => kind === "break" && step > shown && step <= now;
     const hit = view.state === "playing" && now > shown ? this.#run.said.all.find(isPassed) : undefined;

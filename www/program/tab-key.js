@@ -9,7 +9,8 @@ addEventListener("pointerdown", () => (isByTab = false), { capture: true });
 const SIGN = "by-tab";
 const pass = (/** @type {import("@codemirror/view").EditorView} */ view, /** @type {boolean} */ passes) => {
   view.setTabFocusMode(passes);
-  view.dom.classList.toggle(SIGN, passes);
+  // CodeMirror writes the classes of its own element.
+  view.dom.parentElement?.classList.toggle(SIGN, passes);
 };
 
 export const leaveByTab = cm.EditorView.domEventHandlers({

@@ -74,7 +74,7 @@ export async function startProgram(app) {
     shelf.edit(editor.text);
   };
   /** Breakpoints hold from now on. */
-  const marked = () => (run.state === "running" || run.state === "stopped") && stops.again(() => start(app.view.state === "playing"));
+  const marked = () => (run.state === "running" || run.state === "stopped") && stops.again(() => start(false));
 
   const show = () => {
     const { state, fault, program } = run;

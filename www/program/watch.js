@@ -102,7 +102,7 @@ export class Watch {
     setHidden(byId("program-no-variables"), variables.length > 0);
     // Where it rests, a digest to compare with `robovac run`.
     const digest = this.#app.view.state !== "playing" && Math.round(this.#app.view.time_s / STEP) === step ? this.#app.playground.digest() : undefined;
-    setText(byId("program-moment"), variables.length ? `at ${clock(step * STEP)}, step ${step.toLocaleString("en")}` : "");
+    setText(byId("program-moment"), variables.length || step ? `at ${clock(step * STEP)}, step ${step.toLocaleString("en")}` : "");
     setText(byId("program-digest"), digest ? `Digest ${digest}` : "");
     setHidden(byId("program-digest"), !digest);
     const rows = variables.map(([name, text, type]) => {

@@ -143,7 +143,7 @@ impl Reasons for EnergyFloor<'_> {
     }
 
     fn rule(&self, _at: Cell, _heading: Direction, _towards: Direction) -> &'static str {
-        "Hundredths above the least energy"
+        "Energy above the least, in hundredths"
     }
 }
 

@@ -85,6 +85,11 @@ impl Viewport {
         }
     }
 
+    /// Whether the whole room is shown.
+    pub fn is_fitted(&self) -> bool {
+        self.fitted
+    }
+
     /// Takes the size of another room, in metres, and shows all of it.
     pub fn set_room(&mut self, width: f64, height: f64) {
         self.room = Vector::new(width, height);

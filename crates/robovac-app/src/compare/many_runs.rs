@@ -212,6 +212,15 @@ impl ManyRuns {
         !entrant.algorithm.is_program() || self.program_of(entrant).is_some()
     }
 
+    /// What the robot lacks for an algorithm to do anything; empty if nothing.
+    pub fn lacks(&self, entrant: usize) -> &'static str {
+        let robot = self.base.as_ref().map(|base| base.settings.robot_model());
+        let behaviour = self.entrants.get(entrant).and_then(|entrant| entrant.algorithm.behaviour());
+        let is_blind = behaviour.is_some_and(|info| info.claims.needs_laser)
+            && robot.is_some_and(|robot| robot.sensors.laser.is_none());
+        if is_blind { "needs a laser scanner" } else { "" }
+    }
+
     /// Name of an algorithm for users.
     pub fn title(&self, entrant: &Entrant) -> String {
         titled(entrant.algorithm, self.program_of(entrant).map(Arc::as_ref))
@@ -225,7 +234,7 @@ impl ManyRuns {
 
     /// The included algorithms that can take part.
     fn taking_part(&self) -> impl Iterator<Item = usize> {
-        self.chosen.iter().copied().filter(|&entrant| self.is_there(entrant))
+        self.chosen.iter().copied().filter(|&entrant| self.is_there(entrant) && self.lacks(entrant).is_empty())
     }
 
     fn index(&self, wanted: Algorithm) -> Result<usize, SettingsError> {

@@ -54,6 +54,8 @@ struct ManyRunsEntrantView<'a> {
     chosen: bool,
     /// Whether it can take part: the user's program only if there is one of its kind.
     offered: bool,
+    /// What the robot lacks for it; it then doesn't take part.
+    lacks: &'static str,
     params: &'a Params,
     /// Finished runs among the required ones.
     runs: usize,
@@ -99,8 +101,9 @@ impl<'a> ManyRunsView<'a> {
         let (done, total) = many.count();
         let entrants = many.entrants().iter().enumerate().map(|(index, entrant)| ManyRunsEntrantView {
             title: many.title(entrant),
-            chosen: many.is_chosen(index) && many.is_there(index),
+            chosen: many.is_chosen(index) && many.is_there(index) && many.lacks(index).is_empty(),
             offered: many.is_there(index),
+            lacks: many.lacks(index),
             params: &entrant.params,
             runs: many.runs(index).len(),
             failure: many.failure(index).unwrap_or(""),

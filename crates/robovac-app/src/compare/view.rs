@@ -172,6 +172,8 @@ struct RowView {
     values: Vec<Option<MedianAndRange>>,
     /// Which values are the best of their columns.
     best: Vec<bool>,
+    /// Whether it leaves floor out that others clean: it then has the best of nothing that costs.
+    leaves_floor: bool,
     /// What a paper prints in the place of each value.
     printed: Vec<Option<f64>>,
 }
@@ -186,6 +188,7 @@ impl TableView {
             failure: row.failure.clone().unwrap_or_default(),
             values: row.values.clone(),
             best: (0..METRICS.len()).map(|column| table.is_best(row, column)).collect(),
+            leaves_floor: !row.is_complete,
             printed: METRICS.iter().map(|metric| row.printed?.value(metric.id)).collect(),
         });
         let (bounds, least) = numbers.map_or((None, None), |numbers| (numbers.bounds, numbers.least));

@@ -142,6 +142,8 @@ pub struct PageView {
     pub placing: &'static str,
     /// Whether the robot is held on the picture.
     pub is_carried: bool,
+    /// Whether the whole room is shown: it then gives way to what is said above it.
+    pub is_all_shown: bool,
     /// How far down the picture the robot is, as a share of its height: messages must not hide it. 1 without one.
     pub robot_down: f64,
 }

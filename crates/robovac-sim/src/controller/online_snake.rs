@@ -420,7 +420,7 @@ impl Behaviour for SnakeDrive {
             OnlineSnakePhase::Search => "relocalising on its map",
             OnlineSnakePhase::Done => "done: all cells that it can reach are clean",
             OnlineSnakePhase::Lost => "done: relocalisation failed",
-            OnlineSnakePhase::Blind => "done: it needs a laser scanner",
+            OnlineSnakePhase::Blind => "it needs a laser scanner",
         }
     }
 
