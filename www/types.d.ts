@@ -90,16 +90,18 @@ cost: number, };
 export type BrcWire = "low" | "high" | "none";
 
 /** Kinds of calibrations. */
-export type Calibration = "nudge" | "spin" | "metre" | "square";
+export type Calibration = "nudge" | "spin" | "metre" | "square" | "square_right";
 
 /** A calibration. */
 export type CalibrationView = {
-/** `nudge`, `spin`, `metre` or `square`; empty for none. */
-what: "" | "nudge" | "spin" | "metre" | "square",
+/** `nudge`, `spin`, `metre`, `square` or `square_right`; empty for none. */
+what: "" | "nudge" | "spin" | "metre" | "square" | "square_right",
 /** `none`, `moving`, `asking`, `done` or `failed`. */
 step: "none" | "moving" | "asking" | "done" | "failed",
 /** Progress, question or result. */
 text: string,
+/** What the question asks for, as measured on the floor of a virtual robot; empty for others. */
+measured: string,
 /** Unit of the answer: `yes` for yes or no, `deg`, `m`; empty for no question. */
 asks: "" | "yes" | "deg" | "m",
 /** Suggested answer. */

@@ -1,7 +1,7 @@
 //! A connection to a robot, in a worker: bytes in, bytes out, and the view model for the page.
 
 use super::session_mirror::SessionMirror;
-use robovac_core::geometry::Point;
+use robovac_core::geometry::{Point, Pose};
 use robovac_link::connection;
 use robovac_playground::wire::{to_js, trajectory::trajectory_from_js};
 use robovac_sim::{
@@ -52,6 +52,24 @@ impl Connection {
     /// Takes bytes from the line.
     pub fn feed(&mut self, now: f64, bytes: &[u8]) {
         self.link.feed(now, bytes);
+    }
+
+    /// The true pose of a virtual robot, before every [`Self::tick`]; empty for others.
+    pub fn know_truth(&mut self, truth: &[f64]) {
+        self.link.know_truth(match *truth {
+            [x, y, heading] => Some(Pose::new(x, y, heading)),
+            _ => None,
+        });
+    }
+
+    /// A hand lifts the virtual robot, or puts it elsewhere.
+    pub fn moved_by_hand(&mut self) {
+        self.link.moved_by_hand();
+    }
+
+    /// The robot was put at x, y, heading, where its estimate begins anew.
+    pub fn put_at(&mut self, now: f64, x: f64, y: f64, heading: f64) {
+        self.link.put_at(now, Pose::new(x, y, heading));
     }
 
     /// The page's sign of life.

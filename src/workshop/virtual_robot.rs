@@ -75,6 +75,12 @@ impl VirtualRobot {
         self.emulator.apply(Input::PutDown(Pose::new(x, y, heading)));
     }
 
+    /// Its true pose: x, y in m, heading in rad.
+    pub fn pose(&self) -> Vec<f64> {
+        let pose = self.emulator.pose();
+        vec![pose.x, pose.y, pose.heading]
+    }
+
     /// Its visible and audible state.
     #[wasm_bindgen(unchecked_return_type = "rust.VirtualView")]
     pub fn view(&mut self) -> Result<JsValue, JsValue> {

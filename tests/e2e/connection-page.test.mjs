@@ -194,3 +194,24 @@ test("fits a laptop without scrolling, in light and dark", async (t) => {
     await screenshot(`laptop-robot-${colorScheme}`);
   }
 });
+
+test("put at its start the robot believes to be there, and what calibrating asks for is measured on the virtual floor", async (t) => {
+  const { page, robot } = await openRobot(t, { link: "room=empty&behaviour=bounce&start=1.5,2,0&slip=harsh&seed=6" });
+  await robot.connect();
+  await robot.arm();
+  const toStart = page.locator("#connection-to-start");
+  await toStart.waitFor({ state: "hidden" });
+  await page.locator("#connection-floor").focus();
+  await page.keyboard.press("ArrowLeft", { delay: 300 });
+  await robot.rests();
+  // A turn on the spot is not at the start, either.
+  await toStart.click();
+  await toStart.waitFor({ state: "hidden" });
+  await page.waitForFunction(() => /estimated position 1\.50 m, 2\.00 m, heading 0 degrees/.test(document.getElementById("connection-floor").getAttribute("aria-label")));
+  if (!(await page.locator("#connection-drawer").isVisible())) await page.locator("#connection-tools-open").click();
+  await page.locator("#connection-tabs [data-panel=calibrate]").click();
+  await page.locator("#connection-calibrate li[data-what=nudge] button").click();
+  await page.locator("#calibrate-measured", { hasText: /^Measured on the virtual floor: turned \d+\.\d°\.$/ }).waitFor();
+  const [question, panel] = [await page.locator("#calibrate-told").boundingBox(), await page.locator("#connection-calibrate").boundingBox()];
+  assert.ok(question.y >= panel.y - 1 && question.y + question.height <= panel.y + panel.height + 1, "the question is out of view");
+});

@@ -77,6 +77,7 @@ export class LiveConnection {
     if (!line) return this.#sleep.awake();
     this.safely(() => {
       if (line instanceof VirtualLine) line.tick(now());
+      this.#connection.know_truth(line instanceof VirtualLine ? line.pose() : new Float64Array());
       this.#connection.tick(now());
     });
     if (line instanceof RemoteLine && !line.tick(this.#connection.is_acting())) void this.#rescue(line);
@@ -125,7 +126,12 @@ export class LiveConnection {
 
   /** @param {import("./types").Touch} touch */
   touch(touch) {
-    this.safely(() => this.#line instanceof VirtualLine && this.#line.touch(touch));
+    this.safely(() => {
+      if (!(this.#line instanceof VirtualLine)) return;
+      this.#line.touch(touch);
+      if (touch.do === "put_at_start") this.#connection.put_at(now(), touch.x, touch.y, touch.heading);
+      else if (touch.do !== "press") this.#connection.moved_by_hand();
+    });
   }
 
   /** Stops the robot without the connection, and ends the connection. @param {unknown} error */

@@ -149,7 +149,7 @@ export function startRide(it) {
   });
   const putAtStart = () => {
     const [x, y, heading] = room.mirror.start();
-    if (x !== undefined && y !== undefined && heading !== undefined) it.connection.virtual({ do: "put_down", x, y, heading });
+    if (x !== undefined && y !== undefined && heading !== undefined) it.connection.virtual({ do: "put_at_start", x, y, heading });
   };
   button("connection-to-start").addEventListener("click", putAtStart);
 

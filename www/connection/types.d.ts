@@ -8,6 +8,8 @@ export type Touch =
   | { do: "lift" }
   /** x, y in m, heading in rad. */
   | { do: "put_down"; x: number; y: number; heading: number }
+  /** The same at its start, where its estimate begins anew. */
+  | { do: "put_at_start"; x: number; y: number; heading: number }
   /** Bits as in packet 18: 1 clean, 2 spot, 4 dock, ... */
   | { do: "press"; buttons: number }
   | { do: "plug"; plugged: boolean };

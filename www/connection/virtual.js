@@ -76,9 +76,14 @@ export class VirtualLine {
   /** @param {import("./types").Touch} touch */
   touch(touch) {
     if (touch.do === "lift") this.#robot.lift();
-    else if (touch.do === "put_down") this.#robot.put_down(touch.x, touch.y, touch.heading);
+    else if (touch.do === "put_down" || touch.do === "put_at_start") this.#robot.put_down(touch.x, touch.y, touch.heading);
     else if (touch.do === "press") this.#robot.press(touch.buttons);
     else this.#robot.plug_charger(touch.plugged);
+  }
+
+  /** Its true pose: x, y in m, heading in rad. */
+  pose() {
+    return this.#robot.pose();
   }
 
   /** Its visible and audible state. @returns {import("./types").VirtualView} */

@@ -1,9 +1,13 @@
 //! Guided calibration.
 
 use super::wire::{Wire, hall, setup_in};
-use robovac_core::geometry::difference;
+use robovac_core::{
+    floor_plan::room,
+    geometry::{Point, Pose, difference},
+    math::FRAC_PI_2,
+};
 use robovac_link::connection::{Calibration, Request};
-use robovac_sim::Conditions;
+use robovac_sim::{Conditions, Input, Slip, SlipLevel};
 
 fn calibrate(wire: &mut Wire, what: Calibration) {
     wire.ask(Request::Calibrate { what });
@@ -139,4 +143,86 @@ fn what_is_in_use_is_shown_before_anything_is_calibrated() {
     wire.ask(Request::UseCalibration { swapped: false, distance_factor: 1.01, base_factor: 0.98 });
     let view = wire.view().calibration;
     assert_eq!((view.what, view.step, view.distance_factor, view.base_factor), ("", "none", 1.01, 0.98));
+}
+
+/// A hand puts it at `start`, where its estimate begins anew.
+fn put_at(wire: &mut Wire, start: Pose) {
+    wire.robot.apply(Input::PutDown(start));
+    wire.link.put_at(wire.now, start);
+    wire.pass(0.1);
+}
+
+/// The numbers of what was measured, in order, as a student reads them.
+fn measured(wire: &mut Wire) -> Vec<f64> {
+    wire.pass(1.0);
+    let text = wire.view().calibration.measured.replace('−', "-");
+    let words = text.split([' ', '(', ')', ',', '°']);
+    words.filter_map(|word| word.trim_end_matches('.').parse().ok()).collect()
+}
+
+#[test]
+fn put_at_the_start_it_believes_to_be_there_whatever_it_believed_before() {
+    let start = Pose::new(2.0, 2.0, 0.5);
+    let mut wire = armed("model");
+    wire.hold_ahead(1.0);
+    wire.ask(Request::Calibrate { what: Calibration::Square });
+    wire.pass(2.0);
+    put_at(&mut wire, start);
+    let view = wire.view();
+    assert_eq!((view.calibration.step, view.is_moving), ("failed", false));
+    assert!((wire.pose().position() - start.position()).norm() < 0.01);
+    let [x, y, heading] = view.pose;
+    assert!((Point::new(x, y) - start.position()).norm() < 0.01 && (heading - 0.5).abs() < 0.02, "{:?}", view.pose);
+    // A hand that puts it elsewhere tells it nothing.
+    wire.robot.apply(Input::PutDown(Pose::new(4.0, 3.0, 0.0)));
+    wire.link.moved_by_hand();
+    wire.pass(0.1);
+    assert_eq!(wire.view().pose, [x, y, heading]);
+}
+
+/// Means of what squares to one side show, true minus estimated: x and y, m.
+fn mean_error(wire: &mut Wire, what: Calibration, start: Pose, squares: u32) -> Point {
+    let mut sum = Point::new(0.0, 0.0);
+    for _ in 0..squares {
+        put_at(wire, start);
+        calibrate(wire, what);
+        let numbers = measured(wire);
+        sum += Point::new(numbers[4], numbers[5]).coords;
+        wire.ask(Request::Skip);
+    }
+    sum / f64::from(squares)
+}
+
+/// The mean errors of squares to the left and to the right.
+fn umbmark(wire: &mut Wire, start: Pose) -> [Point; 2] {
+    [Calibration::Square, Calibration::SquareRight].map(|what| mean_error(wire, what, start, 5))
+}
+
+// slow: the twenty squares of lesson 7 take the virtual robot a quarter of an hour
+#[test]
+fn umbmark_of_lesson_7_finds_the_wheel_base_by_what_the_page_shows_and_calibrating_makes_the_error_smaller() {
+    const SEED: u64 = 6;
+    let start = Pose::new(1.5, 2.0, 0.0);
+    let conditions = Conditions { slip: SlipLevel::Harsh, ..Conditions::default() };
+    let plan = (room("empty").unwrap().build)();
+    let mut wire = Wire::new(&setup_in(&plan, conditions, SEED), "model");
+    wire.connect();
+    wire.arm();
+    let before = umbmark(&mut wire, start);
+    let corner = |[left, right]: [Point; 2]| -(left.x + right.x) / 4.0;
+    let base = 235.0 * FRAC_PI_2 / (FRAC_PI_2 - corner(before));
+    let real = Slip::new(SlipLevel::Harsh, SEED).wheel_base(235.0);
+    assert!((base - real).abs() < 0.4 * (235.0 - real).abs(), "{base} mm, in truth {real} mm");
+    for what in [Calibration::Spin, Calibration::Metre] {
+        put_at(&mut wire, start);
+        calibrate(&mut wire, what);
+        let value = measured(&mut wire)[0];
+        wire.ask(Request::Answer { value });
+    }
+    let after = umbmark(&mut wire, start);
+    println!("{before:?} {after:?} {base} {real} {:?}", wire.view().calibration);
+    assert!(corner(after).abs() < 0.3 * corner(before).abs(), "{before:?} {after:?}");
+    for (before, after) in before.iter().zip(after) {
+        assert!(after.coords.norm() < 0.6 * before.coords.norm(), "{before} {after}");
+    }
 }

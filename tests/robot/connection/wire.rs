@@ -179,6 +179,7 @@ impl Wire {
             self.link.beat(self.now);
         }
         if self.looks.is_multiple_of(TICK) {
+            self.link.know_truth(Some(self.robot.pose()));
             self.link.tick(self.now);
         }
         self.flush();

@@ -1,6 +1,8 @@
 //! User requests to a robot, executed or refused.
 
-use super::{Calibrated, Calibrating, Calibration, Connection, RecordedEvent, Request, RequestRefused, refuse};
+use super::{
+    Calibrated, Calibrating, Calibration, Connection, FloorMeasure, RecordedEvent, Request, RequestRefused, refuse,
+};
 use robovac_core::registry::Params;
 use robovac_sim::controller::{self, Joystick as Stick, Setup};
 use roomba_oi::{Command, CommandRefusal, Lamps, Mode, Motors, ScheduleLamps, Weekdays};
@@ -143,7 +145,8 @@ impl Connection {
                     self.encoders().ok_or_else(|| RequestRefused("No encoder readings yet. Wait a moment.".into()))?;
                 let controller = what.controller(&self.known.apply(&self.model));
                 self.set_off(now, what.title(), Box::new(controller), self.odometry.pose(), false);
-                self.calibrating = Some(Calibrating::new(what, began));
+                let measure = self.truth.map(|truth| FloorMeasure::new(truth, self.odometry.pose()));
+                self.calibrating = Some(Calibrating::new(what, began, measure));
             }
             Request::Answer { .. } | Request::UseCalibration { .. } if self.is_acting() => {
                 return refuse("Stop the robot first: the running program uses its calibration.");

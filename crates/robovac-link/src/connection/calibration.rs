@@ -2,6 +2,7 @@
 
 use super::{
     Calibration, CalibrationView,
+    floor_measure::FloorMeasure,
     moves::{CalibrationMove, CalibrationMoves},
 };
 use robovac_core::{
@@ -69,6 +70,8 @@ pub(super) struct Calibrating {
     /// Encoder packets 43 and 44 at its start.
     began: [u16; 2],
     swapped: Option<bool>,
+    /// For a virtual robot.
+    measure: Option<FloorMeasure>,
 }
 
 impl Calibration {
@@ -79,6 +82,7 @@ impl Calibration {
             Self::Spin => "spin",
             Self::Metre => "metre",
             Self::Square => "square",
+            Self::SquareRight => "square_right",
         }
     }
 
@@ -89,6 +93,7 @@ impl Calibration {
             Self::Spin => "Spin",
             Self::Metre => "One metre",
             Self::Square => "Square",
+            Self::SquareRight => "Square to the right",
         }
     }
 
@@ -99,6 +104,7 @@ impl Calibration {
             Self::Spin => vec![CalibrationMove::Turn(2.0 * PI)],
             Self::Metre => vec![CalibrationMove::Go(1.0)],
             Self::Square => [CalibrationMove::Go(1.0), CalibrationMove::Turn(FRAC_PI_2)].repeat(4),
+            Self::SquareRight => [CalibrationMove::Go(1.0), CalibrationMove::Turn(-FRAC_PI_2)].repeat(4),
         };
         CalibrationMoves::new(robot, list)
     }
@@ -106,14 +112,15 @@ impl Calibration {
 
 impl Calibrating {
     /// Starts with the current encoder values.
-    pub fn new(what: Calibration, began: [u16; 2]) -> Self {
+    pub fn new(what: Calibration, began: [u16; 2], measure: Option<FloorMeasure>) -> Self {
         let text = match what {
             Calibration::Nudge => "The robot turns ten degrees. Watch which way it turns.",
             Calibration::Spin => "The robot turns once around, to the left. Remember which way it faces.",
             Calibration::Metre => "The robot drives one metre ahead. Mark where it starts.",
             Calibration::Square => "The robot drives a 1 m square, turning left. Mark where it starts.",
+            Calibration::SquareRight => "The robot drives a 1 m square, turning right. Mark where it starts.",
         };
-        Self { what, stage: CalibrationStage::Moving, text: text.to_owned(), began, swapped: None }
+        Self { what, stage: CalibrationStage::Moving, text: text.to_owned(), began, swapped: None, measure }
     }
 
     /// Whether it moves.
@@ -124,6 +131,11 @@ impl Calibrating {
     /// Whether it waits for an answer of the user.
     pub fn is_asking(&self) -> bool {
         self.stage == CalibrationStage::Asking
+    }
+
+    /// Measures a virtual robot on its floor, if it is one.
+    pub fn measure(&mut self) -> Option<&mut FloorMeasure> {
+        self.measure.as_mut().filter(|_| matches!(self.stage, CalibrationStage::Moving | CalibrationStage::Asking))
     }
 
     /// The moves were ended early.
@@ -155,7 +167,9 @@ impl Calibrating {
                     .to_owned()
             }
             Calibration::Metre => "How far did it drive, in metres? Measure from front to front.".to_owned(),
-            Calibration::Square => "How far is it from its starting point, in metres?".to_owned(),
+            Calibration::Square | Calibration::SquareRight => {
+                "How far is it from its starting point, in metres?".to_owned()
+            }
         };
     }
 
@@ -195,12 +209,12 @@ impl Calibrating {
                 known.distance_factor = distance;
                 self.text = format!("Wheel diameter {:.2} mm.", 72.0 * known.distance_factor);
             }
-            Calibration::Square if !(0.0..=4.0).contains(&value) => {
+            Calibration::Square | Calibration::SquareRight if !(0.0..=4.0).contains(&value) => {
                 return Err(format!(
                     "{value} m can't be right: the square itself is only one metre wide. Measure again."
                 ));
             }
-            Calibration::Square => {
+            Calibration::Square | Calibration::SquareRight => {
                 self.text = format!(
                     "{:.0} cm off after 4 m and a full turn: {:.1} % of the distance. Usually most of it comes from \
                      turning; Spin corrects that.",
@@ -236,9 +250,11 @@ impl Calibrating {
             Calibration::Nudge => ("yes", 1.0),
             Calibration::Spin => ("deg", 360.0),
             Calibration::Metre => ("m", 1.0),
-            Calibration::Square => ("m", 0.0),
+            Calibration::Square | Calibration::SquareRight => ("m", 0.0),
         };
         (view.what, view.step, view.asks, view.suggestion) = (self.what.id(), step, asks, suggestion);
         view.text.clone_from(&self.text);
+        let measure = self.measure.filter(|_| self.stage == CalibrationStage::Asking);
+        view.measured = measure.map_or(String::new(), |measure| measure.words(self.what));
     }
 }

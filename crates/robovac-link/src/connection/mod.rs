@@ -7,6 +7,7 @@ mod asked;
 mod calibration;
 mod captions;
 mod drive_session;
+mod floor_measure;
 mod moves;
 mod page_watch;
 mod reading;
@@ -33,6 +34,7 @@ pub use view::{
 use self::{
     calibration::{Calibrated, Calibrating, UNCOUNTED},
     drive_session::DriveSession,
+    floor_measure::FloorMeasure,
     page_watch::PageWatch,
     recording::Recorder,
     traffic::Console,
@@ -88,6 +90,8 @@ pub struct Connection {
     ride: Option<DriveSession>,
     calibrating: Option<Calibrating>,
     odometry: Odometry,
+    /// The true pose, known of virtual robots.
+    truth: Option<Pose>,
     odometry_model: OdometryModel,
     distance_m: f64,
     /// Time of the latest call.
@@ -134,6 +138,7 @@ impl Connection {
             ride: None,
             calibrating: None,
             odometry,
+            truth: None,
             odometry_model: OdometryModel::Arc,
             distance_m: 0.0,
             now: 0.0,
@@ -197,6 +202,33 @@ impl Connection {
         self.listen();
     }
 
+    /// The true pose of a virtual robot; `None` for others. To be said before every [`Self::tick`].
+    pub fn know_truth(&mut self, truth: Option<Pose>) {
+        self.truth = truth;
+        let measure = self.calibrating.as_mut().and_then(Calibrating::measure);
+        if let (Some(truth), Some(measure)) = (truth, measure) {
+            measure.go_on(truth, self.odometry.pose());
+        }
+    }
+
+    /// A hand lifts the virtual robot or puts it elsewhere, of which the real one would know nothing.
+    pub fn moved_by_hand(&mut self) {
+        if let Some(measure) = self.calibrating.as_mut().and_then(Calibrating::measure) {
+            measure.end();
+        }
+    }
+
+    /// The robot was put at `start`, where its estimate begins anew.
+    pub fn put_at(&mut self, now: f64, start: Pose) {
+        self.now = now;
+        self.moved_by_hand();
+        self.end_ride("The robot was put at its start.");
+        let json = serde_json::json!({ "do": "put_at", "start": [start.x, start.y, start.heading] });
+        self.recorder.note(now, RecordedEvent::Asked(json.to_string()));
+        self.place(start);
+        self.mark(start);
+    }
+
     /// The page's sign of life.
     pub fn beat(&mut self, now: f64) {
         if now.is_finite() {
@@ -244,7 +276,8 @@ impl Connection {
         // A controller slows down first; brushes and raw bytes have nothing between on and off.
         let is_silent = self.page.hangs() || (!self.rides() && self.page.share() <= 0.0);
         if (self.is_acting() || self.page.is_awaited()) && is_silent {
-            self.leave(now, "The page stopped responding, so the robot was stopped.");
+            let why = "The page stopped responding, so the robot was stopped. Close what else keeps this computer busy, then start again.";
+            self.leave(now, why);
         }
         if self.rides() && self.page.share() <= 0.0 {
             // Not only when the next reading comes, which can be late on a busy computer.

@@ -191,6 +191,8 @@ pub enum Calibration {
     Spin,
     /// Drives a metre: determines the wheel diameter.
     Metre,
-    /// Drives a square of one metre, to check both.
+    /// Drives a square of one metre to the left, to check both.
     Square,
+    /// The same to the right: both squares together tell errors of the wheel base from those of the wheels' sizes.
+    SquareRight,
 }

@@ -193,14 +193,19 @@ pub struct DropView {
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct CalibrationView {
-    /// `nudge`, `spin`, `metre` or `square`; empty for none.
-    #[cfg_attr(feature = "types", ts(type = "\"\" | \"nudge\" | \"spin\" | \"metre\" | \"square\""))]
+    /// `nudge`, `spin`, `metre`, `square` or `square_right`; empty for none.
+    #[cfg_attr(
+        feature = "types",
+        ts(type = "\"\" | \"nudge\" | \"spin\" | \"metre\" | \"square\" | \"square_right\"")
+    )]
     pub what: &'static str,
     /// `none`, `moving`, `asking`, `done` or `failed`.
     #[cfg_attr(feature = "types", ts(type = "\"none\" | \"moving\" | \"asking\" | \"done\" | \"failed\""))]
     pub step: &'static str,
     /// Progress, question or result.
     pub text: String,
+    /// What the question asks for, as measured on the floor of a virtual robot; empty for others.
+    pub measured: String,
     /// Unit of the answer: `yes` for yes or no, `deg`, `m`; empty for no question.
     #[cfg_attr(feature = "types", ts(type = "\"\" | \"yes\" | \"deg\" | \"m\""))]
     pub asks: &'static str,

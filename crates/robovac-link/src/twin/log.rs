@@ -185,7 +185,7 @@ impl MotionLog {
                 let measured = match what {
                     Calibration::Spin => Measured::Turn(right - left, value),
                     Calibration::Metre => Measured::Way(0.5 * (left + right), value),
-                    Calibration::Nudge | Calibration::Square => return,
+                    Calibration::Nudge | Calibration::Square | Calibration::SquareRight => return,
                 };
                 self.measured.extend(Some(measured).filter(Measured::is_plausible));
             }
