@@ -103,10 +103,10 @@ test("a program that a slow machine holds up is no endless loop", async (t) => {
     new MutationObserver(() => (window.wasDoubted ||= error.textContent.includes("Looking for"))).observe(error, { childList: true });
   });
   // It has enough to do meanwhile.
-  await write(page, "def step(robot):\n    sum(range(1000))\n    robot.go(0.21)\n");
+  await write(page, "def step(robot):\n    sum(range(2000))\n    robot.go(0.21)\n");
   await page.keyboard.press("Control+Enter");
   const hold = () => {
-    for (const end = new Date().getTime() + 1500; new Date().getTime() < end; );
+    for (const end = new Date().getTime() + 2500; new Date().getTime() < end; );
   };
   // Which worker it is, and when it drives, can't be seen from here.
   const holdAll = () => Promise.all(page.workers().map((worker) => worker.url().startsWith("blob:") && worker.evaluate(hold).catch(() => {})));
