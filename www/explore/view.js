@@ -37,7 +37,8 @@ export function updateView({ view, playground }) {
 
   // While paused the search changes only by a step or a seek, which is announced at once.
   const decision = ["playing", "planning", "seeking"].includes(view.state) ? "" : view.search.text;
-  const news = [changed(byId("floor"), "state", view.state), changed(byId("floor"), "decision", decision)];
+  const who = `${view.algorithm} ${view.robot} ${view.room.title}`;
+  const news = [changed(byId("floor"), "state", view.state), changed(byId("floor"), "decision", decision), changed(byId("floor"), "who", who)];
   if (mayNarrate(undefined, news.includes(true))) {
     const text = playground.description();
     setAttribute(byId("floor"), "aria-label", text);

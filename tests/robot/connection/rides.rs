@@ -63,7 +63,7 @@ fn a_program_that_no_longer_answers_has_ended_and_is_not_done() {
     assert!(silent.has_missed() && !wire.is_rolling());
     let doing = wire.view().doing;
     assert_eq!(doing.title, "Your program: ended");
-    assert_eq!(doing.note, "Stopped: its program didn't answer within 200 ms.");
+    assert_eq!(doing.note, "Stopped: its program didn't answer within 200 ms; the computer may be busy.");
     let done = RemotePilot::default();
     ride(&mut wire, &done);
     done.answer(None);

@@ -158,7 +158,7 @@ mod tests {
         }
         assert_eq!(
             Algorithm::find("algorithm", "snale", Algorithm::all()).unwrap_err().to_string(),
-            "there is no algorithm \"snale\"; did you mean \"snake\"? The page's menus list them all"
+            "there is no algorithm \"snale\"; did you mean \"snake\"?"
         );
     }
 }

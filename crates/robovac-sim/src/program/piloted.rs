@@ -95,7 +95,7 @@ impl Controller for Piloted {
 
     fn activity(&self) -> &'static str {
         if self.pilot.has_missed() {
-            "stopped: its program didn't answer within 200 ms"
+            "stopped: its program didn't answer within 200 ms; the computer may be busy"
         } else {
             "following its program"
         }

@@ -56,10 +56,8 @@ pub enum SettingsError {
 /// What to choose in place of `id`, as the end of a sentence.
 fn instead(id: &str, known: &str) -> String {
     match nearest(id, known) {
-        Some(meant) if known.len() > LONGEST_BESIDE_ONE_MEANT => {
-            format!("did you mean \"{meant}\"? The page's menus list them all")
-        }
+        Some(meant) if known.len() > LONGEST_BESIDE_ONE_MEANT => format!("did you mean \"{meant}\"?"),
         _ if known.len() <= LONGEST_LIST => format!("there are: {known}"),
-        _ => "the page's menus list them all".to_owned(),
+        _ => "the page's menus and lists such as `robovac planners` have them all".to_owned(),
     }
 }
