@@ -156,8 +156,8 @@ impl Viewport {
         let (sideways, down) = (shrink(self.size.x, 480.0), shrink(self.size.y, 260.0));
         let [left, top, right, bottom] = MARGINS;
         let [left, top, right, bottom] = [left * sideways, top * down, right * sideways, bottom * down];
-        // At least half of the canvas is left to the room.
-        [left, top.max(self.told.min(0.5 * self.size.y - bottom)), right, bottom]
+        // At least two fifths of the canvas are left to the room.
+        [left, top.max(self.told.min(0.6 * self.size.y - bottom)), right, bottom]
     }
 
     /// Keeps some of the room in view.
@@ -202,7 +202,7 @@ mod tests {
         assert!(view.to_screen(Point::new(0.0, 6.0)).y >= 130.0 - 1e-9);
         view.keep_clear(0.0);
         assert_eq!(view.scale, before.scale);
-        // Never more than half of the canvas, and not when zoomed in.
+        // Never more than three fifths of the canvas, and not when zoomed in.
         view.keep_clear(5000.0);
         assert!(view.scale > 0.0 && view.to_screen(Point::new(0.0, 6.0)).y < 350.0);
         view.zoom_at(300.0, 200.0, 2.0);
