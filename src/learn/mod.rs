@@ -1,7 +1,7 @@
 //! The module `learn`: lessons, their goals and quizzes. It plans and simulates nothing: runs are made by the workshop's
 //! workers.
 
-use robovac_lessons::{Goal, Lesson, LessonBlock, Measure, QuizKind};
+use robovac_lessons::{Goal, KnownNames, Lesson, LessonBlock, LessonFault, Measure, QuizKind};
 use robovac_playground::wire::{message, to_js};
 use robovac_sim::montecarlo::RunOutcome;
 use wasm_bindgen::prelude::*;
@@ -24,6 +24,12 @@ impl LessonText {
     #[wasm_bindgen(unchecked_return_type = "rust.Lesson")]
     pub fn view(&self) -> Result<JsValue, JsValue> {
         to_js(&self.lesson)
+    }
+
+    /// What its author may want otherwise, and names in its links that aren't among these (joined by ", "), each with its line.
+    pub fn notes(&self, rooms: String, robots: String, planners: String, behaviours: String) -> Vec<String> {
+        let unknown = self.lesson.unknown(&KnownNames { rooms, robots, planners, behaviours });
+        unknown.iter().chain(&self.lesson.notes).map(LessonFault::to_string).collect()
     }
 
     /// The runs that check the answer `link` to a goal, for part `index` of `parts` of the lesson's seeds; pass them to
@@ -86,11 +92,14 @@ pub fn question(kind: &str, seed: u32) -> Result<JsValue, JsValue> {
     to_js(&quiz(kind)?.question(seed))
 }
 
-/// Marks an answer: `[right, reason]`.
-#[wasm_bindgen(unchecked_return_type = "[boolean, string]")]
+/// Marks an answer: `[right, reason]`; `[null, what to give instead]` if it can't be read.
+#[wasm_bindgen(unchecked_return_type = "[boolean | null, string]")]
 pub fn mark(kind: &str, seed: u32, answer: &str) -> Result<JsValue, JsValue> {
     let question = quiz(kind)?.question(seed);
-    to_js(&(question.is_right(answer), question.because()))
+    match question.wants(answer) {
+        Some(wanted) => to_js(&(None::<bool>, wanted)),
+        None => to_js(&(Some(question.is_right(answer)), question.because())),
+    }
 }
 
 fn quiz(kind: &str) -> Result<QuizKind, JsValue> {

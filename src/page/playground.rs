@@ -214,9 +214,10 @@ impl Playground {
         self.viewport.resize(width, height, ratio);
     }
 
-    /// Keeps the uppermost `height` CSS pixels of the canvas free of the room, for a message.
-    pub fn keep_clear(&mut self, height: f64) {
-        self.viewport.keep_clear(height);
+    /// Keeps the uppermost `height` CSS pixels of the canvas free of the room, for a message. Whether nothing else floats over it
+    /// is `is_cleared`.
+    pub fn keep_clear(&mut self, height: f64, is_cleared: bool) {
+        self.viewport.keep_clear(height, is_cleared);
     }
 
     /// Dark or light colours.

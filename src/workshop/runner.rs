@@ -1,8 +1,11 @@
 //! Runs in workers: a request comes in as a plain object, outcomes go out as numbers.
 
 use js_sys::{Array, Float64Array, Reflect, Uint8Array, Uint32Array};
-use robovac_app::{compare::ProgramRuns, explore::Session};
-use robovac_core::floor_plan::SourceFile;
+use robovac_app::{Import, compare::ProgramRuns, explore::Session};
+use robovac_core::floor_plan::{
+    SourceFile,
+    generate::{FlatId, FlatIdError},
+};
 use robovac_playground::wire::{message, walk};
 use robovac_sim::montecarlo::{Lab, RunOutcome, RunsRequest};
 use wasm_bindgen::prelude::*;
@@ -48,6 +51,10 @@ pub fn job_of_place(link: &str, scenario: Option<String>) -> Result<Vec<u8>, JsV
     if let Some(text) = scenario {
         let file = SourceFile { name: "scene.json".to_owned(), bytes: text.into_bytes() };
         session.load(&[file]).map_err(message)?;
+    }
+    if let Some(name) = link.split('&').find_map(|pair| pair.strip_prefix("flat=")) {
+        let flat: FlatId = name.parse().map_err(|e: FlatIdError| e.to_string())?;
+        session.take_import(Import { plan: flat.build(), choices: None }).map_err(|e| e.to_string())?;
     }
     // The program drives in its place.
     session.restore(&format!("{link}&behaviour=bounce")).map_err(message)?;

@@ -83,7 +83,7 @@ test("a lesson stands beside the floor, takes predictions, and marks right and w
   await panel.getByRole("button", { name: "Commit" }).first().click();
   assert.ok(await panel.getByRole("radio").nth(1).isDisabled(), "what was committed stays");
   await panel.getByRole("button", { name: "Compare with what happened" }).first().click();
-  await panel.getByText(/As you predicted|It is:/).waitFor();
+  await panel.getByText(/As you predicted|Not as you predicted\. Right is: “/).waitFor();
 
   const quiz = panel.getByRole("region", { name: "Quiz" }).first();
   const answer = async (by) => {
@@ -188,6 +188,7 @@ test("an exercise from a file is safe, checked, handed in, and graded natively w
   await panel.getByRole("textbox", { name: "Your name" }).fill("Ada");
   const [download] = await taken(page, 1, () => panel.getByRole("button", { name: "Hand in" }).click());
   assert.equal(download.suggestedFilename(), "small-ada.json");
+  await panel.getByText("Saved, with everything that is asked for.").waitFor();
   const folder = fs.mkdtempSync(path.join(ROOT, "target/learn-"));
   t.after(() => fs.rmSync(folder, { recursive: true }));
   const [lesson, answer] = [path.join(folder, "small.md"), path.join(folder, "ada.json")];
@@ -200,6 +201,103 @@ test("an exercise from a file is safe, checked, handed in, and graded natively w
   cheat.goals.more.runs[0].digest = "0123456789abcdef";
   fs.writeFileSync(answer, JSON.stringify(cheat));
   assert.equal(grade().goals[0].misfits.length, 1);
+});
+
+const AMISS = `# Corners
+
+\`\`\`goal
+in: room=own&flat=7&robot=roomba600&behaviour=bounce
+runs: 2
+minutes: 1
+need: median coverage >= 1 %
+\`\`\`
+
+\`\`\`measure
+in: room=own&flat=7&robot=roomba600
+row: Bounce | behaviour=bounse
+row: Lanes | planner=boustrophedon
+runs: 1
+minutes: 1
+show: coverage
+\`\`\`
+
+\`\`\`quiz median
+rounds: 1
+\`\`\`
+`;
+
+test("a dropped lesson tells its author what is amiss; a generated flat is the room of a goal, here and when it is graded", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=thesis8&behaviour=bounce" });
+  const panel = page.locator("#learn");
+  await drop(page, "slip.md", AMISS.replace("```quiz", "```quizz"));
+  await panel.getByText('line 19: there is no block "quizz median"; did you mean "quiz"?').waitFor();
+  await drop(page, "amiss.md", AMISS);
+  const notes = panel.getByRole("region", { name: "For its author" });
+  await notes.getByText('line 12: there is no behaviour "bounse"; did you mean "bounce"?').waitFor();
+  await notes.getByText(/line 3: the goal doesn't say what may be changed/).waitFor();
+  await notes.getByText(/the lesson has no id, so answers are for "corners"/).waitFor();
+  assert.equal(await notes.getByRole("listitem").count(), 3);
+
+  await panel.getByRole("button", { name: "Set up the task" }).click();
+  await page.waitForFunction(() => /room=own&flat=7&/.test(location.hash));
+  await app.settled();
+  await panel.getByRole("button", { name: "Check my settings" }).click();
+  await panel.getByText("Goal reached.").waitFor();
+  assert.equal(await panel.getByText("Not yours to change").count(), 0);
+  const quiz = panel.getByRole("region", { name: "Quiz" });
+  await quiz.getByRole("textbox").fill("abc");
+  await quiz.getByRole("button", { name: "Answer" }).click();
+  await quiz.getByText("Give a number, e.g. 72.").waitFor();
+  const [download] = await taken(page, 1, () => panel.getByRole("button", { name: "Hand in" }).click());
+  await panel.getByText('Not in the file: the quiz "quiz-1" (right: 0 of 1).').waitFor();
+  const folder = fs.mkdtempSync(path.join(ROOT, "target/learn-"));
+  t.after(() => fs.rmSync(folder, { recursive: true }));
+  const [lesson, answer] = [path.join(folder, "lesson.md"), path.join(folder, "answer.json")];
+  fs.writeFileSync(lesson, AMISS.replace("bounse", "bounce"));
+  await download.saveAs(answer);
+  const [{ goals, quizzes }] = JSON.parse(execFileSync(robovac(), ["grade", lesson, answer, "--json"], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }));
+  assert.deepEqual({ passed: goals[0].verdict.passed, misfits: goals[0].misfits, right: quizzes[0].right }, { passed: true, misfits: [], right: 0 });
+});
+
+test("on paper a table has the names of its rows, and nothing that only works on a screen", async (t) => {
+  const { page } = await openApp(t, { address: "#room=thesis8&behaviour=bounce" });
+  await drop(page, "small.md", LESSON);
+  const panel = page.locator("#learn");
+  await panel.getByRole("heading", { name: "Small" }).waitFor();
+  await page.emulateMedia({ media: "print" });
+  t.after(() => page.emulateMedia({ media: null }));
+  const shown = await panel.innerText();
+  assert.match(shown, /Bounce/);
+  assert.doesNotMatch(shown, /Hand in|Press a name|Measure\b/);
+});
+
+test("in lecture mode page keys scroll a section that is longer than the window, and then turn", async (t) => {
+  const { page } = await openApp(t, { address: "#room=thesis8&behaviour=bounce&lesson=lost", viewport: { width: 1440, height: 900 } });
+  const panel = page.locator("#learn");
+  await panel.getByRole("heading", { name: "Lost", exact: true }).waitFor();
+  await panel.getByRole("button", { name: /Lecture mode/ }).click();
+  const state = () => page.evaluate(() => {
+    const body = document.querySelector(".learn-body");
+    return { page: Number.parseInt(document.getElementById("learn").dataset.page), top: body.scrollTop, left: body.scrollHeight - body.clientHeight - body.scrollTop };
+  });
+  let now = await state();
+  while (now.left < 100) {
+    await page.keyboard.press("ArrowRight");
+    now = await state();
+  }
+  await page.keyboard.press("ArrowDown");
+  const line = await state();
+  assert.ok(line.top > 0 && line.page === now.page, JSON.stringify(line));
+  let last = line;
+  for (const key of ["Space", "PageDown"].flatMap((key) => Array(6).fill(key))) {
+    await page.keyboard.press(key);
+    const next = await state();
+    assert.ok(next.page === last.page ? next.top > last.top : last.left < 2 && next.top === 0 && next.page === last.page + 1, `${JSON.stringify(last)} ${key} ${JSON.stringify(next)}`);
+    if (next.page > last.page) break;
+    last = next;
+  }
+  await page.keyboard.press("PageUp");
+  assert.equal((await state()).page, now.page);
 });
 
 test("a lesson from elsewhere is fetched only after the reader agreed; what can't be opened says why", async (t) => {
@@ -221,6 +319,9 @@ test("a lesson from elsewhere is fetched only after the reader agreed; what can'
   await go("https://teacher.example/closed.md");
   await panel.getByRole("button", { name: "Fetch the lesson" }).click();
   await panel.getByText(/forbids other sites to read the file/).waitFor();
+  await page.waitForFunction(() => decodeURIComponent(location.hash).endsWith("lesson=https://teacher.example/closed.md"));
+  await panel.getByRole("button", { name: "Try again" }).click();
+  await panel.getByRole("button", { name: "Fetch the lesson" }).waitFor();
   await go("http://teacher.example/small.md");
   await panel.getByText(/by https only/).waitFor();
   await drop(page, "broken.md", "# T\n```goal\nin: room=flat&robot=roomba600\n```\n");
@@ -277,6 +378,14 @@ test("a program reaches a goal in a room of the task's, is handed in, and graded
   const panel = page.locator("#learn");
   await panel.getByRole("button", { name: "Check my program" }).click();
   await panel.getByText(/No program drives the robot yet/).waitFor();
+  // What the robot does elsewhere is no part of the task.
+  await page.locator("#play").click();
+  await page.waitForFunction(() => document.getElementById("n-time").textContent !== "0:00");
+  assert.equal(await panel.locator(".live").textContent(), "");
+  await panel.getByRole("button", { name: "Hand in" }).click();
+  await panel.getByText('Not in the file: the goal "drive", which you haven\'t checked.').waitFor();
+  await panel.getByRole("button", { name: "Set up the task" }).click();
+  await page.locator("body[data-tab=program]").waitFor();
   await panel.getByRole("button", { name: "Open in Program" }).click();
   await page.locator("#program-foreign").waitFor();
   await page.locator("#program-run").click();

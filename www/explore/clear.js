@@ -22,6 +22,8 @@ export function startClear(app) {
     told = film === null && !text ? 0 : Math.max(told, below("search-box"));
     palette = Math.max(palette, below("kinds"));
     const next = Math.max(told, palette, below("message"), below("ending"), below("game"), below("tools", 2));
-    if (changed(stage, "clear", next)) app.playground.keep_clear(next);
+    // Beside a lesson on a phone.
+    const isCleared = stage.checkVisibility() && !byId("tools").checkVisibility();
+    if (changed(stage, "clear", `${next} ${isCleared}`)) app.playground.keep_clear(next, isCleared);
   };
 }

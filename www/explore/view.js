@@ -34,6 +34,7 @@ export function updateView({ view, playground }) {
   if (view.state !== "playing" || film !== null || !text || isCaptionDue()) setText(byId("search-note"), text);
   updatePlanning(view);
   updateTools(view);
+  setHidden(byId("legend-estimate"), !view.shows.estimate);
 
   // While paused the search changes only by a step or a seek, which is announced at once.
   const decision = ["playing", "planning", "seeking"].includes(view.state) ? "" : view.search.text;

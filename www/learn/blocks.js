@@ -56,7 +56,7 @@ export function predict({ done, changed }, { id, question, options, right, becau
   });
   const reveal = press("Compare with what happened", () => {
     const chosen = done.predictions[id];
-    outcome.replaceChildren(make("b", {}, chosen === right ? "As you predicted. " : `It is: ${options[right]}. `), prose(because));
+    outcome.replaceChildren(make("b", {}, chosen === right ? "As you predicted. " : `Not as you predicted. Right is: “${options[right]}”.`), prose(because));
     reveal.hidden = true;
   });
   const show = () => {

@@ -1,8 +1,12 @@
 // @ts-check
-// Lecture mode: large type, one section at a time, arrow keys or a presenter's buttons. Answers stay hidden until asked for.
+// Lecture mode: large type, one section at a time, arrow keys or a presenter's buttons. What is longer than the window scrolls first. Answers stay hidden until asked for.
 
-const ON = ["ArrowRight", "PageDown"];
+const ON = ["ArrowRight", "PageDown", " "];
 const BACK = ["ArrowLeft", "PageUp"];
+/** Share of the window that a page key scrolls a section that is longer: some lines are seen twice. */
+const PAGE = 0.85;
+/** Pixels that an arrow key scrolls. */
+const LINE = 60;
 
 /** @param {HTMLElement} panel @param {HTMLElement} body @param {() => void} again Shows the lesson again. */
 export function startLecture(panel, body, again) {
@@ -21,6 +25,15 @@ export function startLecture(panel, body, again) {
     show();
   };
 
+  /** Scrolls; says whether there was anything left in that direction. @param {number} by */
+  const scrolls = (by) => {
+    const before = body.scrollTop;
+    body.scrollTop += by;
+    return Math.abs(body.scrollTop - before) >= 1;
+  };
+  /** Space and page keys; sideways keys turn at once. @param {string} key @param {number} by */
+  const goOn = (key, by) => void ((!key.startsWith("Arrow") && scrolls(by * PAGE * body.clientHeight)) || turn(by));
+
   document.addEventListener(
     "keydown",
     (event) => {
@@ -28,8 +41,11 @@ export function startLecture(panel, body, again) {
       const target = event.target instanceof Element ? event.target : document.body;
       if (event.key === "Escape") setOn(false);
       else if (target.matches("input, select, textarea, canvas, [role=slider]")) return;
-      else if (ON.includes(event.key)) turn(1);
-      else if (BACK.includes(event.key)) turn(-1);
+      else if (event.key === " " && target.matches("button, summary, a")) return;
+      else if (event.key === "ArrowDown") scrolls(LINE);
+      else if (event.key === "ArrowUp") scrolls(-LINE);
+      else if (BACK.includes(event.key) || (event.key === " " && event.shiftKey)) goOn(event.key, -1);
+      else if (ON.includes(event.key)) goOn(event.key, 1);
       else return;
       event.preventDefault();
       event.stopPropagation();

@@ -27,6 +27,8 @@ export function startPanel(app) {
   let ticks = [];
   /** The lesson that is shown, to be shown again in another way. @type {import("./source.js").Source | undefined} */
   let source;
+  /** What the address says, also if it couldn't be opened: a reload tries again. */
+  let address = "";
   const lecture = startLecture(panel, body, () => source && render(source));
 
   /** @param {boolean} isOpen */
@@ -34,7 +36,7 @@ export function startPanel(app) {
     document.body.classList.toggle("learning", isOpen);
     panel.hidden = !isOpen;
     opener?.setAttribute("aria-expanded", String(isOpen));
-    app.lesson = isOpen ? (source?.place ?? "") : "";
+    app.lesson = isOpen ? address : "";
     if (!isOpen) {
       lecture.stop();
       opener?.focus();
@@ -59,7 +61,7 @@ export function startPanel(app) {
     body.replaceChildren(...read.parts);
     source = lesson;
     back.hidden = large.hidden = false;
-    app.lesson = lesson.place;
+    app.lesson = address = lesson.place;
     lecture.began();
     body.focus();
   }
@@ -67,19 +69,22 @@ export function startPanel(app) {
   /** @param {unknown} error @param {string} what */
   function failed(error, what) {
     source = undefined;
+    app.lesson = address;
     const why = error instanceof Error ? error.message : String(error);
-    fill("Learn", make("div", { className: "part wrong", role: "alert" }, make("b", {}, `${what} can't be opened.`), make("p", {}, `${why}.`)), press("All lessons", () => void show("")));
+    fill("Learn", make("div", { className: "part wrong", role: "alert" }, make("b", {}, `${what} can't be opened.`), make("p", {}, /[.?!]$/.test(why) ? why : `${why}.`)), make("p", { className: "act" }, ...(address ? [press("Try again", () => void show(address))] : []), press("All lessons", () => void show(""))));
   }
 
   /** Asks before anything is fetched from another site. @param {string} place */
   function ask(place) {
     let url;
+    address = place;
     try {
       url = addressOf(place);
     } catch (error) {
       return failed(error, "This lesson");
     }
     source = undefined;
+    app.lesson = address;
     const fetchIt = press("Fetch the lesson", () => void ofSite(url).then(render).catch((error) => failed(error, "This lesson")), "primary");
     fill(
       "A lesson from elsewhere",
@@ -92,6 +97,7 @@ export function startPanel(app) {
   async function show(place) {
     if (isFar(place)) return ask(place);
     try {
+      address = place;
       if (place) return render(await ofPlace(place));
       source = undefined;
       app.lesson = "";
@@ -106,6 +112,7 @@ export function startPanel(app) {
   /** @param {File} file */
   async function take(file) {
     try {
+      address = "";
       render(await ofFile(file));
     } catch (error) {
       failed(error, `"${file.name}"`);

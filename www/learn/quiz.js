@@ -14,7 +14,8 @@ export function quiz({ done, changed }, { id, about, rounds }) {
   box.append(score, place, outcome);
   const tell = () => {
     const right = new Set(state.answers.filter(([, , isRight]) => isRight).map(([seed]) => seed)).size;
-    score.textContent = `Right: ${right} of ${rounds}${right >= rounds ? ", done. You can go on for practice." : ""}`;
+    const more = right > rounds ? ` So far ${right - rounds} more ${right === rounds + 1 ? "is" : "are"} right.` : "";
+    score.textContent = `Right: ${Math.min(right, rounds)} of ${rounds}${right >= rounds ? `, done. You can go on for practice.${more}` : ""}`;
   };
 
   const ask = () => {
@@ -26,6 +27,10 @@ export function quiz({ done, changed }, { id, about, rounds }) {
     /** @param {string} answer */
     const answered = (answer) => {
       const [isRight, because] = mark(about, seed, answer);
+      if (isRight === null) {
+        outcome.textContent = because;
+        return;
+      }
       state.answers.push([seed, answer, isRight]);
       changed();
       tell();
@@ -46,7 +51,7 @@ export function quiz({ done, changed }, { id, about, rounds }) {
     }
     form.addEventListener("submit", (event) => event.preventDefault());
     form.append(next);
-    place.replaceChildren(make("p", {}, text), ...(room.length > 0 ? [picture(room)] : []), form);
+    place.replaceChildren(make("p", {}, text), ...(room.length > 0 ? [picture(room), make("p", { className: "note room-key" }, make("i", { className: "wall" }), "Wall ", make("i"), "Floor")] : []), form);
   };
   tell();
   ask();

@@ -3,9 +3,9 @@
 import { LessonText } from "../../learn.js";
 import { make } from "../dom.js";
 import { complain, toast } from "../messages.js";
-import { download } from "../files.js";
 import { act, code, hint, predict, press, prose, scene } from "./blocks.js";
 import { goal, measure } from "./goal.js";
+import { handIn } from "./hand-in.js";
 import { quiz } from "./quiz.js";
 import { lessons } from "./source.js";
 import { done, keep, nothing } from "./store.js";
@@ -52,8 +52,17 @@ export function readLesson(app, source, { isLecture, signal, ticks, open }) {
         return quiz(context, block);
     }
   });
-  return { title: lesson.title, parts: [head(lesson), ...parts, foot(source, lesson, state, open)] };
+  return { title: lesson.title, parts: [...forAuthor(app, text, source), head(lesson), ...parts, foot(context, source, open)] };
 }
+
+/** What may be amiss, for who has opened the file. @param {import("../main.js").App} app @param {LessonText} text @param {import("./source.js").Source} source */
+function forAuthor({ catalogue: { rooms, robots, planners, behaviours } }, text, { isFile }) {
+  const notes = isFile ? text.notes(...names(rooms, robots, planners, behaviours)) : [];
+  return notes.length > 0 ? [make("section", { className: "part wrong", "aria-label": "For its author" }, make("b", {}, "For its author"), make("ul", {}, ...notes.map((note) => make("li", {}, `${note}${/[.?!]$/.test(note) ? "" : "."}`))))] : [];
+}
+
+/** @param {{ id: string }[][]} lists @returns {[string, string, string, string]} */
+const names = (...lists) => /** @type {[string, string, string, string]} */ (lists.map((list) => list.map(({ id }) => id).join(", ")));
 
 /** @param {import("../types").Lesson} lesson */
 function head({ minutes, audience, outcomes }) {
@@ -62,8 +71,9 @@ function head({ minutes, audience, outcomes }) {
   return make("div", { className: "prose outcomes" }, make("p", { className: "note" }, facts), ...goals);
 }
 
-/** @param {import("./source.js").Source} source @param {import("../types").Lesson} lesson @param {import("./store.js").Done} state @param {(id: string) => void} open */
-function foot(source, lesson, state, open) {
+/** @param {import("./blocks.js").Context} context @param {import("./source.js").Source} source @param {(id: string) => void} open */
+function foot(context, source, open) {
+  const { lesson } = context;
   const next = make("p", { className: "act" });
   if (source.isOurs) {
     void lessons().then((all) => {
@@ -72,32 +82,22 @@ function foot(source, lesson, state, open) {
     });
   }
   const name = make("input", { type: "text", autocomplete: "name", "aria-label": "Your name", placeholder: "Your name" });
+  const told = make("p", { className: "note", role: "status" });
+  const hand = press("Hand in", () => {
+    const missing = handIn(context, name.value);
+    told.textContent = missing.length > 0 ? `Saved. Not in the file: ${missing.join("; ")}.` : "Saved, with everything that is asked for.";
+  });
   const sources = lesson.sources.length > 0 ? [make("h3", {}, "Sources"), ...lesson.sources.map((html) => prose(html, "source"))] : [];
   return make(
     "footer",
     {},
     ...sources,
-    make("h3", {}, "Hand in"),
+    make("h3", { className: "on-screen" }, "Hand in"),
     make("p", { className: "note" }, "Saves a file with your settings, the numbers of the runs and their digests. Anybody can repeat it with robovac grade."),
-    make("p", { className: "act" }, name, press("Hand in", () => handIn(lesson, state, name.value)), press("Get a link to send", () => void send(source)), press("Print", () => window.print())),
+    make("p", { className: "act" }, name, hand, press("Get a link to send", () => void send(source)), press("Print", () => window.print())),
+    told,
     next,
   );
-}
-
-/** @param {import("../types").Lesson} lesson @param {import("./store.js").Done} state @param {string} name */
-function handIn(lesson, state, name) {
-  /** @type {import("../types").Answer} */
-  const answer = {
-    robovac_answer: 1,
-    lesson: lesson.id,
-    lesson_digest: lesson.digest,
-    name: name.trim(),
-    goals: Object.fromEntries(Object.entries(state.goals).map(([id, { passed: _, ...answer }]) => [id, answer])),
-    quizzes: Object.fromEntries(Object.entries(state.quizzes).map(([id, { answers }]) => [id, { answers: answers.map(([seed, text]) => /** @type {[number, string]} */ ([seed, text])) }])),
-    predictions: state.predictions,
-  };
-  const file = [lesson.id, name.trim().toLowerCase().replace(/[^\p{L}\p{N}]+/gu, "-")].filter(Boolean).join("-");
-  download(`${file}.json`, JSON.stringify(answer, null, 1), "application/json");
 }
 
 /** @param {import("./source.js").Source} source */

@@ -1,5 +1,6 @@
 // @ts-check
 // Applies the settings of a lesson to the page.
+import { complain, textOf } from "../messages.js";
 import { settingsOf } from "../settings-link.js";
 
 /** What links of lessons don't name is as on a new page. */
@@ -10,7 +11,7 @@ export const DEFAULTS = "seed=1&slip=none&noise=off&quantised=false&charge=100&o
  * @param {string} link Settings, as in links; `tab=...` in it opens that tab.
  * @param {boolean} plays Whether it starts at once.
  */
-export function applyLink(app, link, plays) {
+export async function applyLink(app, link, plays) {
   const settings = settingsOf(link);
   const tab = settings.get("tab") ?? "explore";
   const hasSettings = ["room", "robot", "planner", "behaviour"].some((key) => settings.has(key));
@@ -20,6 +21,12 @@ export function applyLink(app, link, plays) {
     return;
   }
   document.getElementById("tab-explore")?.click();
+  const flat = settings.get("room") === "own" ? settings.get("flat") : null;
+  if (flat) {
+    const { openFlat } = await import("../explore/flat.js");
+    const failed = await openFlat(app, flat).then(() => "", textOf);
+    if (failed) return complain(failed);
+  }
   if (hasSettings && !app.act((p) => p.restore(`search=0&${DEFAULTS}&${link}`))) return;
   app.act((p) => {
     if (!plays) p.reset();

@@ -8,6 +8,7 @@ import { pack, unpack } from "../explore/pack.js";
  * @property {string} text
  * @property {string} place What leads here, behind `#lesson=`.
  * @property {boolean} isOurs Whether it comes with the page.
+ * @property {boolean} [isFile] Whether it was opened from a file: by its author, or who looks it over.
  */
 
 /** Most letters of a lesson in a link; some programs cut longer ones off. */
@@ -39,7 +40,7 @@ export async function ofFile(file) {
   if (file.size > MOST_LETTERS) throw new Error(`"${file.name}" has ${Math.round(file.size / 1000)} kB; a lesson has at most ${MOST_LETTERS / 1000} kB`);
   const text = await file.text();
   const packed = await pack(text);
-  return { text, place: packed.length <= MOST_LINK ? PACKED + packed : "", isOurs: false };
+  return { text, place: packed.length <= MOST_LINK ? PACKED + packed : "", isOurs: false, isFile: true };
 }
 
 /** Whether a place is on another site. @param {string} place */

@@ -28,6 +28,8 @@ pub struct Viewport {
     fitted: bool,
     /// Whether no tools float over the canvas.
     is_bare: bool,
+    /// Whether the tools that float over it are hidden for now.
+    is_cleared: bool,
     /// Height of the page's message at the top that must not hide the room, CSS pixels.
     told: f64,
 }
@@ -52,6 +54,7 @@ impl Viewport {
             room: Vector::new(room_width, room_height),
             fitted: true,
             is_bare: false,
+            is_cleared: false,
             told: 0.0,
         };
         view.fit();
@@ -74,12 +77,13 @@ impl Viewport {
         self.fitted = true;
     }
 
-    /// Keeps the uppermost `told` CSS pixels free when the whole room is shown.
-    pub fn keep_clear(&mut self, told: f64) {
-        if (told - self.told).abs() < 0.5 {
+    /// Keeps the uppermost `told` CSS pixels free when the whole room is shown; `is_cleared` says whether the tools that float
+    /// over it are hidden for now.
+    pub fn keep_clear(&mut self, told: f64, is_cleared: bool) {
+        if (told - self.told).abs() < 0.5 && is_cleared == self.is_cleared {
             return;
         }
-        self.told = told;
+        (self.told, self.is_cleared) = (told, is_cleared);
         if self.fitted {
             self.fit();
         }
@@ -155,7 +159,8 @@ impl Viewport {
         let shrink = |size: f64, enough: f64| (size / enough).clamp(0.1, 1.0);
         let (sideways, down) = (shrink(self.size.x, 480.0), shrink(self.size.y, 260.0));
         let [left, top, right, bottom] = MARGINS;
-        let [left, top, right, bottom] = [left * sideways, top * down, right * sideways, bottom * down];
+        let scaled = [left * sideways, top * down, right * sideways, bottom * down];
+        let [left, top, right, bottom] = if self.is_cleared { [BARE_MARGIN; 4] } else { scaled };
         // At least two fifths of the canvas are left to the room.
         [left, top.max(self.told.min(0.6 * self.size.y - bottom)), right, bottom]
     }
@@ -198,16 +203,16 @@ mod tests {
     fn what_is_told_hides_nothing_of_a_room_that_is_shown_whole() {
         let mut view = view();
         let before = view;
-        view.keep_clear(130.0);
+        view.keep_clear(130.0, false);
         assert!(view.to_screen(Point::new(0.0, 6.0)).y >= 130.0 - 1e-9);
-        view.keep_clear(0.0);
+        view.keep_clear(0.0, false);
         assert_eq!(view.scale, before.scale);
         // Never more than three fifths of the canvas, and not when zoomed in.
-        view.keep_clear(5000.0);
+        view.keep_clear(5000.0, false);
         assert!(view.scale > 0.0 && view.to_screen(Point::new(0.0, 6.0)).y < 350.0);
         view.zoom_at(300.0, 200.0, 2.0);
         let zoomed = view;
-        view.keep_clear(100.0);
+        view.keep_clear(100.0, false);
         assert_eq!((view.scale, view.origin), (zoomed.scale, zoomed.origin));
     }
 
@@ -252,5 +257,17 @@ mod tests {
         view.resize(80.0, 40.0, 1.0);
         let (low, high) = view.bounds();
         assert!(low.x < 8.0 && high.x > 0.0 && low.y < 6.0 && high.y > 0.0);
+    }
+
+    #[test]
+    fn without_tools_over_it_a_room_is_as_large_as_a_low_canvas() {
+        let mut view = view();
+        view.resize(390.0, 190.0, 1.0);
+        view.fit();
+        let before = view.scale;
+        view.keep_clear(0.0, true);
+        assert!(view.scale > 1.4 * before && view.scale * 6.0 <= 190.0, "{before} {}", view.scale);
+        view.keep_clear(40.0, true);
+        assert!(view.scale * 6.0 <= 150.0, "{}", view.scale);
     }
 }

@@ -75,7 +75,10 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let text = read(&arguments.lesson)?;
     let named = |error: &dyn std::fmt::Display| Failure::usage(format!("{}: {error}", arguments.lesson.display()));
     let lesson = Lesson::parse(&text).map_err(|fault| named(&fault))?;
-    check(&lesson).map_err(|error| named(&error))?;
+    check(&lesson).map_err(|error| named(&error.replace('\n', &format!("\n{}: ", arguments.lesson.display()))))?;
+    for note in &lesson.notes {
+        eprintln!("{}: note: {note}", arguments.lesson.display());
+    }
     if arguments.answers.is_empty() {
         let (goals, quizzes) = (lesson.goals().count(), lesson.quizzes().count());
         return Ok(format!(
@@ -109,9 +112,14 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         .zip(&mut results)
         .map(|((file, answer), results)| match answer {
             Ok(answer) => GradedAnswer::new(&lesson, &answer, &file, std::mem::take(results)),
-            Err(fault) => {
-                GradedAnswer { name: file, passed: false, remarks: vec![fault], goals: Vec::new(), quizzes: Vec::new() }
-            }
+            Err(fault) => GradedAnswer {
+                name: file.clone(),
+                file,
+                passed: false,
+                remarks: vec![fault],
+                goals: Vec::new(),
+                quizzes: Vec::new(),
+            },
         })
         .collect();
     Ok(match (arguments.form.json, arguments.form.csv, arguments.form.html) {

@@ -1,6 +1,6 @@
 //! The `key: value` lines of a fenced block, and the numbers in them.
 
-use crate::{LessonFault, fixed::short};
+use crate::{LessonFault, Link, fixed::short};
 
 /// One line of a block.
 #[derive(Debug, Clone)]
@@ -38,6 +38,8 @@ pub struct BlockLines {
     line: usize,
     lines: Vec<BlockLine>,
     known: Vec<&'static str>,
+    /// Keys that were there and taken.
+    taken: Vec<&'static str>,
 }
 
 impl BlockLines {
@@ -66,7 +68,18 @@ impl BlockLines {
             };
             lines.push(BlockLine { line: at, key: key.trim().to_owned(), value: value.trim().to_owned() });
         }
-        Ok(Self { kind, line, lines, known: Vec::new() })
+        Ok(Self { kind, line, lines, known: Vec::new(), taken: Vec::new() })
+    }
+
+    /// The settings links, each with its line: a row's stands on that of "in".
+    pub fn links(&self) -> Vec<(usize, String)> {
+        let base = self.lines.iter().find(|field| field.key == "in").map(|field| Link::parse(&field.value));
+        let of = |field: &BlockLine| match (field.key.as_str(), &base) {
+            ("in" | "link", _) => Some(field.value.clone()),
+            ("row", Some(base)) => Some(base.with(&Link::parse(field.value.split_once('|')?.1)).to_string()),
+            _ => None,
+        };
+        self.lines.iter().filter_map(|field| Some((field.line, of(field)?))).collect()
     }
 
     /// Line of the fence.
@@ -78,7 +91,13 @@ impl BlockLines {
     pub fn take(&mut self, key: &'static str) -> Option<BlockLine> {
         self.known.push(key);
         let at = self.lines.iter().position(|field| field.key == key)?;
+        self.taken.push(key);
         Some(self.lines.remove(at))
+    }
+
+    /// Whether there was a field `key`.
+    pub fn has_had(&self, key: &str) -> bool {
+        self.taken.contains(&key)
     }
 
     /// Takes all fields `key`.

@@ -4,6 +4,7 @@ use crate::{
     LessonFault, Link, Number,
     answer::RunRecord,
     fields::{BlockLine, BlockLines, decimal},
+    fixed::short,
 };
 use robovac_sim::montecarlo::{RunOutcome, RunsRequest, quantile};
 use serde::Serialize;
@@ -110,15 +111,16 @@ impl Goal {
         let start = fields.need("in", "room=living&behaviour=bounce")?;
         needs_robot(&start)?;
         let scene = fields.take("scene").map(|field| field.value);
-        if scene.is_none() && Link::parse(&start.value).get("room").is_none_or(|room| room == "own") {
-            let mend = "add e.g. \"room=living&\" in front, or \"scene: \" with the id of a scene that is a scenario";
-            return Err(LessonFault::new(start.line, "the link of \"in\" names no built-in room", mend));
+        if scene.is_none() {
+            needs_room(&start, ", or \"scene: \" with the id of a scene that is a scenario")?;
         }
         let changes = match fields.take("change") {
             None => vec!["algorithm".to_owned(), "cell".to_owned()],
             Some(field) => changes(&field)?,
         };
-        let needs: Vec<Need> = fields.take_all("need").iter().map(Need::parse).collect::<Result<_, _>>()?;
+        let minutes = fields.number("minutes", 20.0, 0.1..=MOST_MINUTES)?;
+        let needs = fields.take_all("need");
+        let needs: Vec<Need> = needs.iter().map(|need| Need::parse(need, minutes)).collect::<Result<_, _>>()?;
         if needs.is_empty() {
             return Err(fields.lack("need", "median coverage >= 95 %"));
         }
@@ -130,7 +132,7 @@ impl Goal {
             changes,
             first_seed: fields.number("seed", 1.0, 0.0..=f64::from(u32::MAX))? as u64,
             runs: fields.number("runs", 20.0, 1.0..=MOST_RUNS)? as u64,
-            minutes: fields.number("minutes", 20.0, 0.1..=MOST_MINUTES)?,
+            minutes,
             needs,
         })
     }
@@ -165,9 +167,13 @@ impl Goal {
         let over: Vec<String> =
             answer.pairs().filter(|(key, _)| takes(key)).map(|(key, value)| format!("{key}={value}")).collect();
         let fixed = ["room", "robot", "planner", "behaviour", "slip", "charge", "quantised", "odometry"];
+        let own = |key: &str| start.get(key).unwrap_or_else(|| if key == "room" { "own" } else { usual(key) });
         let differs = |key: &str| {
             let given = answer.get(key).unwrap_or_else(|| usual(key));
-            !may(key) && !given.is_empty() && start.get(key).unwrap_or_else(|| usual(key)) != given
+            // The page doesn't name the flat in every link.
+            let is_other_flat = key == "room" && answer.flat().is_some() && start.flat() != answer.flat();
+            let is_other = own(key) != given || is_other_flat;
+            !may(key) && !given.is_empty() && is_other
         };
         let ignored = fixed.into_iter().filter(|key| differs(key)).map(str::to_owned).collect();
         (start.keeping(stays).with(&Link::parse(&over.join("&"))), ignored)
@@ -194,6 +200,23 @@ pub(crate) fn needs_robot(field: &BlockLine) -> Result<(), LessonFault> {
     Err(LessonFault::new(field.line, "the link of \"in\" names no robot", "add e.g. \"&robot=roomba600\""))
 }
 
+/// Fails unless a link of runs names a room that is the same for everybody.
+pub(crate) fn needs_room(field: &BlockLine, or: &str) -> Result<(), LessonFault> {
+    let link = Link::parse(&field.value);
+    match link.get("room") {
+        Some("own") if link.flat().is_none() => {
+            let what = "the link of \"in\" has a room of your own, which others lack";
+            let mend = format!("use a room of the menu, or a generated flat by a copied link{or}");
+            Err(LessonFault::new(field.line, what, mend))
+        }
+        Some(_) => Ok(()),
+        None => {
+            let mend = format!("add e.g. \"room=living&\" in front{or}");
+            Err(LessonFault::new(field.line, "the link of \"in\" names no room", mend))
+        }
+    }
+}
+
 /// What a setting is if a link doesn't name it; "" for those that every goal names.
 fn usual(key: &str) -> &'static str {
     match key {
@@ -217,7 +240,7 @@ fn changes(field: &BlockLine) -> Result<Vec<String>, LessonFault> {
 }
 
 impl Need {
-    fn parse(field: &BlockLine) -> Result<Self, LessonFault> {
+    fn parse(field: &BlockLine, minutes: f64) -> Result<Self, LessonFault> {
         let wrong = |what: String| {
             let mend = format!("write e.g. \"median coverage >= 95 %\"; numbers are: {}", Number::names());
             LessonFault::new(field.line, what, mend)
@@ -242,6 +265,17 @@ impl Need {
         let value = decimal(bare);
         let value =
             value.ok_or_else(|| wrong(format!("\"{limit}\" isn't a number in the unit \"{}\"", number.unit())))?;
+        let can_be = match number {
+            Number::Coverage | Number::DirtLeft => Some((100.0, "a share is from 0 to 100 %".to_owned())),
+            Number::Time | Number::TimeTo90 | Number::TimeTo99 => {
+                Some((minutes, format!("the runs end after {} min; see \"minutes\"", short(minutes))))
+            }
+            Number::Distance | Number::Bumps | Number::Falls => Some((f64::INFINITY, "it is never below 0".to_owned())),
+            Number::ExcessDistance | Number::ExcessTime => None,
+        };
+        if let Some((_, why)) = can_be.filter(|(most, _)| !(0.0..=*most).contains(&value)) {
+            return Err(LessonFault::new(field.line, format!("\"{}\" decides nothing", field.value), why));
+        }
         Ok(Self { text: field.value.clone(), statistic, number, at_least, value })
     }
 
@@ -295,5 +329,38 @@ mod tests {
         );
         assert_eq!(settle("params", plan).0, "room=living&robot=roomba600&behaviour=bounce&slip=harsh&p.least=170");
         assert_eq!(settle("params", plan).1, ["planner"]);
+    }
+
+    #[test]
+    fn the_room_of_a_scene_was_held_against_pupils_who_had_set_up_the_task() {
+        let scene = "```scene\nid: den\ntitle: Den\n{}\n```\n";
+        let lines = "in: robot=roomba600&behaviour=bounce\nscene: den\nneed: median coverage >= 5";
+        let lesson = Lesson::parse(&format!("# T\n{scene}```goal\n{lines}\n```\n")).unwrap();
+        let goal = lesson.goals().next().unwrap();
+        let ignored = |link: &str| goal.settings(link).1;
+        assert!(ignored("room=own&robot=roomba600&planner=snake").is_empty());
+        assert_eq!(ignored("room=living&robot=roomba600&planner=snake"), ["room"]);
+    }
+
+    #[test]
+    fn a_generated_flat_is_a_room_like_any_other() {
+        let goal = goal("in: room=own&flat=7~area:30..40&robot=roomba600&behaviour=bounce");
+        let answer = "room=own&flat=7~area:30..40&robot=roomba600&planner=snake";
+        let settled = "room=own&robot=roomba600&planner=snake&flat=7~area:30..40";
+        let settle = |link: &str| {
+            let (link, ignored) = goal.settings(link);
+            (link.to_string(), ignored)
+        };
+        assert_eq!(settle(answer), (settled.to_owned(), vec![]));
+        let other = "room=own&flat=8&robot=roomba600&planner=snake";
+        assert_eq!(settle(other), (settled.to_owned(), vec!["room".to_owned()]));
+        let request = goal.request(answer, None, vec![1]);
+        let name = robovac_sim::experiment::plan_of(request.room.as_deref(), None).unwrap().name;
+        assert_eq!((name.as_str(), request.settings.as_str()), ("Flat 7", "robot=roomba600"));
+        let measure = "# T\n```measure\nin: room=own&flat=7&robot=roomba600\nrow: A | behaviour=bounce\nrow: B | room=living&behaviour=bounce\nshow: coverage\n```\n";
+        let lesson = Lesson::parse(measure).unwrap();
+        let crate::LessonBlock::Measure(table) = &lesson.blocks[0] else { panic!("{lesson:?}") };
+        let rooms: Vec<_> = (0..2).map(|row| table.request(row).unwrap().room.unwrap()).collect();
+        assert_eq!(rooms, ["flat=7", "living"]);
     }
 }

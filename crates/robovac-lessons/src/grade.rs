@@ -1,7 +1,11 @@
 //! Marking an answer: its runs are made again.
 
-use crate::{Answer, Goal, Lesson, LessonBlock, LessonScene, Verdict, answer::RunRecord};
-use robovac_core::program::Program;
+use crate::{Answer, Goal, Lesson, LessonBlock, LessonScene, Link, Verdict, answer::RunRecord};
+use robovac_core::{
+    floor_plan::{self, generate::FlatId},
+    program::Program,
+    registry::nearest,
+};
 use robovac_sim::{
     experiment::{Algorithm, Settings, plan_of},
     montecarlo::{RunOutcome, RunsRequest},
@@ -24,6 +28,8 @@ pub struct Job {
 pub struct GradedAnswer {
     /// Who handed it in, or the name of the file.
     pub name: String,
+    /// The name of the file, without its ending.
+    pub file: String,
     /// Whether all goals and quizzes are passed.
     pub passed: bool,
     /// What is odd, in words.
@@ -43,8 +49,17 @@ pub struct GoalGrade {
     pub verdict: Option<Verdict>,
     /// Why it can't be run; empty if it can.
     pub fault: String,
-    /// Seeds whose digest in the answer differs from that of the run made here.
-    pub misfits: Vec<u64>,
+    /// Runs of the answer that differ from those made here.
+    pub misfits: Vec<Misfit>,
+}
+
+/// A run of an answer that can't be had with its settings.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Misfit {
+    /// Its seed.
+    pub seed: u64,
+    /// What differs, by its name in the answer.
+    pub parts: Vec<&'static str>,
 }
 
 /// The mark for a quiz.
@@ -58,33 +73,43 @@ pub struct QuizGrade {
     pub rounds: u32,
 }
 
-/// Checks what a lesson opens and runs with the types of the simulator: every link, robot, algorithm and parameter. For
-/// tests, `robovac grade` and authors; the page says the same when a scene is opened. Errors name the link.
+/// Checks what a lesson opens and runs with the types of the simulator: every link, room, robot, algorithm and parameter. For
+/// tests, `robovac grade` and authors. Errors name the lines, one fault a line.
 pub fn check(lesson: &Lesson) -> Result<(), String> {
-    for text in lesson.links() {
-        let fail = |error: &dyn std::fmt::Display| format!("the link \"{text}\": {error}");
-        let link = crate::Link::parse(text);
+    let mut faults: Vec<String> = Vec::new();
+    for (line, text) in &lesson.links {
+        let link = Link::parse(text);
         let mut settings = Settings::new();
+        let mut fail = |error: &dyn std::fmt::Display| {
+            let fault = format!("line {line}: the link \"{text}\": {error}");
+            faults.push(fault);
+        };
         for (key, value) in link.pairs() {
-            settings.take_link(key, value).map_err(|error| fail(&error))?;
+            if let Err(error) = settings.take_link(key, value) {
+                fail(&error);
+            }
         }
-        let room = link.get("room").filter(|room| *room != "own");
-        if room.is_some_and(|room| robovac_core::floor_plan::room(room).is_none()) {
-            return Err(fail(&format!(
-                "there is no room \"{}\"; \"robovac rooms\" lists them",
-                room.unwrap_or_default()
-            )));
+        if let Some(flat) = link.flat() {
+            if let Err(error) = flat.parse::<FlatId>() {
+                fail(&error);
+            }
+        } else if let Some(room) = link.get("room").filter(|room| *room != "own" && floor_plan::room(room).is_none()) {
+            let rooms = floor_plan::ROOMS.iter().map(|room| room.id).collect::<Vec<_>>().join(", ");
+            let meant = nearest(room, &rooms);
+            let mend =
+                meant.map_or("\"robovac rooms\" lists them".to_owned(), |name| format!("did you mean \"{name}\"?"));
+            fail(&format!("there is no room \"{room}\"; {mend}"));
         }
     }
     for block in &lesson.blocks {
         let LessonBlock::Scene(LessonScene { title, scenario, .. }) = block else { continue };
-        if !scenario.is_empty() {
-            plan_of(None, Some(scenario)).map_err(|error| {
-                format!("the scene \"{title}\": {error}; paste a file that \"Save as…\" has written")
-            })?;
+        if !scenario.is_empty()
+            && let Err(error) = plan_of(None, Some(scenario))
+        {
+            faults.push(format!("the scene \"{title}\": {error}; paste a file that \"Save as…\" has written"));
         }
     }
-    Ok(())
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
 }
 
 impl Job {
@@ -174,16 +199,26 @@ impl GradedAnswer {
             && goals.iter().all(|goal| goal.verdict.as_ref().is_some_and(|verdict| verdict.passed))
             && quizzes.iter().all(|quiz| quiz.right >= quiz.rounds as usize);
         let name = if answer.name.is_empty() { file.to_owned() } else { answer.name.clone() };
-        Self { name, passed, remarks, goals, quizzes }
+        Self { name, file: file.to_owned(), passed, remarks, goals, quizzes }
     }
 }
 
-/// Seeds of which the answer claims another digest than the run has.
-fn misfits(claimed: &[RunRecord], runs: &[RunOutcome]) -> Vec<u64> {
-    let of = |seed: u64| runs.iter().find(|run| run.seed == seed).map(|run| RunRecord::of(run).digest);
-    claimed
-        .iter()
-        .filter(|claim| of(claim.seed).is_some_and(|digest| digest != claim.digest))
-        .map(|claim| claim.seed)
-        .collect()
+/// What the answer claims and the runs don't have.
+fn misfits(claimed: &[RunRecord], runs: &[RunOutcome]) -> Vec<Misfit> {
+    let of = |claim: &RunRecord| {
+        let made = RunRecord::of(runs.iter().find(|run| run.seed == claim.seed)?);
+        // Not to the bit: they were written and read as decimals.
+        let is_off = |a: f64, b: f64| (a - b).abs() > 1e-6 * b.abs().max(1.0);
+        let parts: Vec<&'static str> = [
+            ("digest", claim.digest != made.digest),
+            ("coverage_percent", is_off(claim.coverage_percent, made.coverage_percent)),
+            ("time_s", is_off(claim.time_s, made.time_s)),
+            ("distance_m", is_off(claim.distance_m, made.distance_m)),
+        ]
+        .into_iter()
+        .filter_map(|(name, differs)| differs.then_some(name))
+        .collect();
+        (!parts.is_empty()).then_some(Misfit { seed: claim.seed, parts })
+    };
+    claimed.iter().filter_map(of).collect()
 }

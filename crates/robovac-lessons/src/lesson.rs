@@ -1,6 +1,6 @@
 //! A lesson and its blocks.
 
-use crate::{Goal, Measure, Quiz};
+use crate::{Goal, LessonFault, Measure, Quiz};
 use serde::Serialize;
 
 /// A lesson.
@@ -25,6 +25,12 @@ pub struct Lesson {
     pub digest: String,
     /// Its content, in order.
     pub blocks: Vec<LessonBlock>,
+    /// All settings links that it opens or runs, each with its line.
+    #[serde(skip)]
+    pub links: Vec<(usize, String)>,
+    /// What its author may want otherwise, although it works.
+    #[serde(skip)]
+    pub notes: Vec<LessonFault>,
 }
 
 /// A part of a lesson.
@@ -116,22 +122,5 @@ impl Lesson {
             LessonBlock::Scene(scene) if scene.id == id && !scene.scenario.is_empty() => Some(scene.scenario.as_str()),
             _ => None,
         })
-    }
-
-    /// All settings links that it opens or runs, for tests: each must be one that the page takes.
-    pub fn links(&self) -> Vec<&str> {
-        let mut links = Vec::new();
-        for block in &self.blocks {
-            match block {
-                LessonBlock::Scene(LessonScene { link, .. }) | LessonBlock::Do { link, .. } => {
-                    links.push(link.as_str());
-                }
-                LessonBlock::Goal(goal) => links.push(&goal.start),
-                LessonBlock::Measure(measure) => links.extend(measure.rows.iter().map(|row| row.link.as_str())),
-                _ => {}
-            }
-        }
-        links.retain(|link| !link.is_empty());
-        links
     }
 }

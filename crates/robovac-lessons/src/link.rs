@@ -1,6 +1,9 @@
 //! A settings link as a list of pairs, and the runs that it stands for.
 
-use robovac_sim::{experiment::Algorithm, montecarlo::RunsRequest};
+use robovac_sim::{
+    experiment::{Algorithm, GENERATED},
+    montecarlo::RunsRequest,
+};
 
 /// Keys of the view, which change no run.
 const VIEW: [&str; 6] = ["speed", "show", "search", "tab", "lesson", "m"];
@@ -20,6 +23,11 @@ impl Link {
     /// The value of a key.
     pub fn get(&self, key: &str) -> Option<&str> {
         self.0.iter().rev().find(|(known, _)| known == key).map(|(_, value)| value.as_str())
+    }
+
+    /// The generated flat that is the room, if one is.
+    pub fn flat(&self) -> Option<&str> {
+        self.get("flat").filter(|_| self.get("room") == Some("own"))
     }
 
     /// Whether the user's own program drives or plans.
@@ -52,6 +60,7 @@ impl Link {
         let stays = |key: &str| match key {
             "planner" | "behaviour" => !algorithm,
             "cell" | "own" | "twin" => !replaces(key) && !replaces("robot"),
+            "flat" => !replaces(key) && !replaces("room"),
             _ => !(replaces(key) || algorithm && key.starts_with("p.")),
         };
         let all = || self.0.iter().filter(|(key, _)| stays(key)).chain(&over.0);
@@ -67,7 +76,7 @@ impl Link {
     /// Runs of `duration_s` seconds with the settings of the link. `scenario` is the room if the link names none.
     pub fn request(&self, scenario: Option<&str>, duration_s: f64, seeds: Vec<u64>) -> RunsRequest {
         let is_algorithm =
-            |key: &str| matches!(key, "planner" | "behaviour" | "room" | "seed") || key.starts_with("p.");
+            |key: &str| matches!(key, "planner" | "behaviour" | "room" | "flat" | "seed") || key.starts_with("p.");
         let settings: Vec<String> = self
             .pairs()
             .filter(|(key, _)| !is_algorithm(key) && !VIEW.contains(key))
@@ -76,13 +85,15 @@ impl Link {
         let (behaves, id) = self.algorithm().map_or((false, "boustrophedon"), |(key, id)| (key == "behaviour", id));
         let params = self.pairs().filter_map(|(key, value)| Some((key.strip_prefix("p.")?, value)));
         let params = params.fold(String::new(), |text, (id, value)| text + "~" + id + ":" + value);
-        let room = self.get("room").filter(|_| scenario.is_none()).unwrap_or("flat");
+        let room = self.flat().map(|flat| format!("{GENERATED}{flat}"));
+        let room = room.or_else(|| self.get("room").map(str::to_owned)).filter(|_| scenario.is_none());
+        let room = room.unwrap_or_else(|| "flat".to_owned());
         let plan_seed = self.get("seed").and_then(|seed| seed.parse().ok()).unwrap_or(1);
         let settings = settings.join("&");
         RunsRequest {
             id: 0,
             place: format!("{room} {} {settings} {} {plan_seed}", scenario.unwrap_or_default(), duration_s.to_bits()),
-            room: scenario.is_none().then(|| room.to_owned()),
+            room: scenario.is_none().then_some(room),
             scenario: scenario.map(str::to_owned),
             settings,
             duration_s,

@@ -1,6 +1,10 @@
 //! A table that fills itself from runs.
 
-use crate::{LessonFault, Link, Number, fields::BlockLines, goal::needs_robot};
+use crate::{
+    LessonFault, Link, Number,
+    fields::BlockLines,
+    goal::{needs_robot, needs_room},
+};
 use robovac_sim::montecarlo::{RunOutcome, RunsRequest, quantile};
 use serde::Serialize;
 
@@ -36,6 +40,7 @@ impl Measure {
     pub(crate) fn parse(fields: &mut BlockLines) -> Result<Self, LessonFault> {
         let base = fields.need("in", "room=living&robot=roomba600")?;
         needs_robot(&base)?;
+        needs_room(&base, "")?;
         let base = Link::parse(&base.value);
         let rows: Vec<MeasureRow> = fields
             .take_all("row")

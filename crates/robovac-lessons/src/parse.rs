@@ -6,6 +6,7 @@ use crate::{
     prose::{Prose, options, safe_html},
 };
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
+use robovac_core::registry::nearest;
 
 /// Fenced blocks that are more than text.
 const KINDS: [&str; 9] = ["lesson", "scene", "predict", "do", "goal", "hint", "code", "measure", "quiz"];
@@ -52,6 +53,9 @@ impl Lesson {
                     builder.block(kind, &rest, line(), &content)?;
                 }
                 other => {
+                    if let Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(ref info))) = other {
+                        is_meant_as_code(info, line())?;
+                    }
                     match other {
                         Event::Start(_) => builder.depth += 1,
                         Event::End(_) => builder.depth -= 1,
@@ -68,6 +72,9 @@ impl Lesson {
         }
         if lesson.id.is_empty() {
             lesson.id = plain(&lesson.title);
+            let what = format!("the lesson has no id, so answers are for \"{}\", after its title", lesson.id);
+            let mend = format!("put \"id: {}\" into a block \"lesson\", and later titles won't matter", lesson.id);
+            lesson.notes.push(LessonFault::new(1, what, mend));
         }
         lesson.digest = digest(text);
         unique(&lesson)?;
@@ -79,6 +86,20 @@ impl Lesson {
 fn kind_of(info: &str) -> Option<(&'static str, &str)> {
     let (first, rest) = info.trim().split_once(char::is_whitespace).unwrap_or((info.trim(), ""));
     KINDS.into_iter().find(|kind| *kind == first).map(|kind| (kind, rest.trim()))
+}
+
+/// Fails if the word behind a fence is one of ours with a slip of the pen: the block would be shown as a program.
+fn is_meant_as_code(info: &str, line: usize) -> Result<(), LessonFault> {
+    /// A language whose name is like one of ours.
+    const SCHEME: &str = "scheme";
+    let word = info.split_whitespace().next().unwrap_or_default().to_ascii_lowercase();
+    match nearest(&word, &KINDS.join(", ")).filter(|_| word != SCHEME) {
+        None => Ok(()),
+        Some(kind) => {
+            let what = format!("there is no block \"{}\"", info.trim());
+            Err(LessonFault::new(line, what, format!("did you mean \"{kind}\"?")))
+        }
+    }
 }
 
 /// A title as a name in links.
@@ -161,6 +182,7 @@ impl LessonBuilder<'_> {
             }
             _ => {
                 let mut fields = BlockLines::parse(kind, line, content)?;
+                self.lesson.links.extend(fields.links().into_iter().filter(|(_, link)| !link.is_empty()));
                 let block = self.of_fields(kind, &mut fields, rest)?;
                 fields.finish()?;
                 let Some(block) = block else { return Ok(()) };
@@ -199,7 +221,13 @@ impl LessonBuilder<'_> {
             "do" => LessonBlock::Do { label: fields.need("label", "Run it")?.value, link: fields.text("link") },
             "goal" => {
                 let id = self.next("goal", 0);
-                LessonBlock::Goal(Goal::parse(fields, id)?)
+                let goal = Goal::parse(fields, id)?;
+                if !fields.has_had("change") {
+                    let what = "the goal doesn't say what may be changed, so algorithm and cell may";
+                    let mend = "write e.g. \"change: algorithm, cell\", or \"change: program\"";
+                    self.lesson.notes.push(LessonFault::new(fields.line(), what, mend));
+                }
+                LessonBlock::Goal(goal)
             }
             "measure" => LessonBlock::Measure(Measure::parse(fields)?),
             _ => {
@@ -266,6 +294,15 @@ mod tests {
             ("mean coverage >= 5 %", "line 5: a condition begins with median, every or best, not \"mean\""),
             ("median speed >= 5", "line 5: there is no number \"speed\""),
             ("median coverage >= 5 m", "line 5: \"5 m\" isn't a number in the unit \"%\""),
+            (
+                "median coverage >= 120 %",
+                "line 5: \"median coverage >= 120 %\" decides nothing; a share is from 0 to 100 %",
+            ),
+            (
+                "median time to 90 % <= 21 min",
+                "line 5: \"median time to 90 % <= 21 min\" decides nothing; the runs end after 20 min",
+            ),
+            ("every bumps <= -1", "line 5: \"every bumps <= -1\" decides nothing; it is never below 0"),
         ] {
             let text = format!("# T\n\n```goal\nin: room=flat&robot=roomba600&behaviour=bounce\nneed: {needed}\n```\n");
             assert!(fault(&text).starts_with(told), "{}", fault(&text));
@@ -283,11 +320,31 @@ mod tests {
                 .starts_with("line 3: the link of \"in\" names no")
         );
         assert!(
+            fault("# T\n```measure\nin: room=own&map=x&robot=roomba600\nrow: A | planner=snake\nshow: coverage\n```")
+                .starts_with("line 3: the link of \"in\" has a room of your own")
+        );
+        assert_eq!(
+            fault("# T\n\n```predic\nquestion: a\n```"),
+            "line 3: there is no block \"predic\"; did you mean \"predict\"?"
+        );
+        assert!(fault("# T\n```Goal\n```").ends_with("did you mean \"goal\"?"));
+        assert!(
             fault("# T\n\n- a\n\n  ```goal\n  x: y\n  ```\n")
                 .starts_with("line 5: the block \"goal\" is inside a list")
         );
         assert!(fault("# T\n```quiz riddle\n```").starts_with("line 2: there is no quiz \"riddle\""));
         assert!(fault("# T\n```code c\n```").starts_with("line 2: there are no programs in \"c\""));
+    }
+
+    #[test]
+    fn what_is_in_order_but_may_be_meant_otherwise_is_noted() {
+        let text = "# My corners\n\n```goal\nin: room=flat&robot=roomba600&behaviour=bounce\nneed: median coverage >= 5 %\n```\n\
+            ```scheme\n(define a 1)\n```\n";
+        let notes: Vec<String> = Lesson::parse(text).unwrap().notes.iter().map(ToString::to_string).collect();
+        assert!(notes[0].starts_with("line 3: the goal doesn't say what may be changed"), "{notes:?}");
+        assert!(notes[1].contains("answers are for \"my-corners\"") && notes.len() == 2, "{notes:?}");
+        let text = "# T\n```lesson\nid: t\n```\n```goal\nin: room=flat&robot=roomba600&behaviour=bounce\nchange: cell\nneed: median coverage >= 5 %\n```\n";
+        assert_eq!(Lesson::parse(text).unwrap().notes, []);
     }
 
     #[test]

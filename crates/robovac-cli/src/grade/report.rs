@@ -8,11 +8,28 @@ fn cell(goal: &GoalGrade) -> String {
     let Some(verdict) = &goal.verdict else { return goal.fault.clone() };
     let needs: Vec<String> = verdict.needs.iter().map(|need| format!("{} ({})", value(need), need.text)).collect();
     let mark = if verdict.passed { "passed" } else { "missed" };
-    let misfits = match goal.misfits.len() {
-        0 => String::new(),
-        count => format!("; digests that don't fit: {count}"),
-    };
-    format!("{mark}: {}{misfits}", needs.join(", "))
+    format!("{mark}: {}", needs.join(", "))
+}
+
+/// Whether it is passed, and what of it is not as the answer claims.
+fn passed(answer: &GradedAnswer) -> String {
+    let mut counts = std::collections::BTreeMap::new();
+    for part in answer.goals.iter().flat_map(|goal| &goal.misfits).flat_map(|misfit| &misfit.parts) {
+        *counts.entry(*part).or_insert(0) += 1;
+    }
+    let misfits: Vec<String> = counts
+        .iter()
+        .map(|(part, count)| format!("{part} of {count} run{}", if *count == 1 { "" } else { "s" }))
+        .collect();
+    if misfits.is_empty() {
+        return yes(answer.passed).to_owned();
+    }
+    format!("{}, but not as claimed: {}", yes(answer.passed), misfits.join(", "))
+}
+
+/// Who, and in which file.
+fn who(answer: &GradedAnswer) -> String {
+    if answer.name == answer.file { answer.name.clone() } else { format!("{} ({})", answer.name, answer.file) }
 }
 
 fn value(need: &Judged) -> String {
@@ -46,8 +63,8 @@ pub fn table(lesson: &Lesson, answers: &[GradedAnswer]) -> String {
         let _ = writeln!(
             text,
             "| {} | {} | {} | {} |",
-            plain(&answer.name),
-            yes(answer.passed),
+            plain(&who(answer)),
+            passed(answer),
             cells(lesson, answer).join(" | "),
             plain(&answer.remarks.join("; "))
         );
@@ -59,8 +76,8 @@ pub fn table(lesson: &Lesson, answers: &[GradedAnswer]) -> String {
 
 /// One line for each condition and quiz of each answer.
 pub fn csv(answers: &[GradedAnswer]) -> String {
-    let mut text = "answer,part,condition,value,unit,passed,misfits,remark\n".to_owned();
-    let mut line = |cells: [&str; 8]| {
+    let mut text = "answer,part,condition,value,unit,passed,misfits,remark,file\n".to_owned();
+    let mut line = |cells: [&str; 9]| {
         let _ = writeln!(text, "{}", cells.map(quoted).join(","));
     };
     for answer in answers {
@@ -68,17 +85,37 @@ pub fn csv(answers: &[GradedAnswer]) -> String {
             let misfits = goal.misfits.len().to_string();
             for need in goal.verdict.iter().flat_map(|verdict| &verdict.needs) {
                 let value = need.value.map(|value| value.to_string()).unwrap_or_default();
-                line([&answer.name, &goal.id, &need.text, &value, need.unit, yes(need.passed), &misfits, ""]);
+                line([
+                    &answer.name,
+                    &goal.id,
+                    &need.text,
+                    &value,
+                    need.unit,
+                    yes(need.passed),
+                    &misfits,
+                    "",
+                    &answer.file,
+                ]);
             }
             if goal.verdict.is_none() {
-                line([&answer.name, &goal.id, "", "", "", "no", &misfits, &goal.fault]);
+                line([&answer.name, &goal.id, "", "", "", "no", &misfits, &goal.fault, &answer.file]);
             }
         }
         for quiz in &answer.quizzes {
             let (right, needed) = (quiz.right.to_string(), format!("at least {}", quiz.rounds));
-            line([&answer.name, &quiz.id, &needed, &right, "", yes(quiz.right >= quiz.rounds as usize), "0", ""]);
+            line([
+                &answer.name,
+                &quiz.id,
+                &needed,
+                &right,
+                "",
+                yes(quiz.right >= quiz.rounds as usize),
+                "0",
+                "",
+                &answer.file,
+            ]);
         }
-        line([&answer.name, "all", "", "", "", yes(answer.passed), "", &answer.remarks.join("; ")]);
+        line([&answer.name, "all", "", "", "", yes(answer.passed), "", &answer.remarks.join("; "), &answer.file]);
     }
     text
 }
@@ -95,8 +132,8 @@ pub fn html(lesson: &Lesson, answers: &[GradedAnswer]) -> String {
             rows,
             "<tr class=\"{}\"><th>{}</th><td>{}</td>{cells}<td>{}</td></tr>",
             yes(answer.passed),
-            escaped(&answer.name),
-            yes(answer.passed),
+            escaped(&who(answer)),
+            escaped(&passed(answer)),
             escaped(&answer.remarks.join("; "))
         );
     }

@@ -1,7 +1,7 @@
 //! Questions about numbers: medians, odometry, log odds, bytes.
 
 use super::{Question, Right};
-use crate::fixed::fixed;
+use crate::fixed;
 use rand::RngExt;
 use robovac_core::rng::Rng;
 
@@ -10,6 +10,11 @@ use robovac_core::rng::Rng;
 const COUNTS: f64 = 508.8;
 const WHEEL_M: f64 = 0.072;
 const BASE_M: f64 = 0.235;
+
+/// A number in a sentence, where a minus isn't a hyphen.
+fn fixed(value: f64, places: u32) -> String {
+    fixed::fixed(value, places).replace('-', "−")
+}
 
 fn question(text: String, example: &str, right: Right, because: String) -> Question {
     Question { text, room: Vec::new(), options: Vec::new(), example: example.to_owned(), right, because }
@@ -51,7 +56,7 @@ pub fn odometry(rng: &mut Rng) -> Question {
         fixed(angle.to_radians(), 3),
         fixed(angle, 1)
     );
-    question(text, "e.g. -42.5", Right::Number(angle, 0.02 * angle.abs() + 0.5), because)
+    question(text, "e.g. −42.5", Right::Number(angle, 0.02 * angle.abs() + 0.5), because)
 }
 
 /// The probability after some hits and misses.
@@ -66,7 +71,7 @@ pub fn log_odds(rng: &mut Rng) -> Question {
     );
     let [hit, miss, sum] = [hit, miss, sum].map(|odds| fixed(odds, 3));
     let because = format!(
-        "The log odds are {hits} × {hit} + {misses} × ({miss}) = {sum}; 1 / (1 + e^−{sum}) is {} %.",
+        "The log odds are {hits} × {hit} + {misses} × ({miss}) = {sum}; 1 / (1 + e^−({sum})) is {} %.",
         fixed(percent, 1)
     );
     question(text, "e.g. 84", Right::Number(percent, 1.0), because)

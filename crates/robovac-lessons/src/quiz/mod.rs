@@ -124,19 +124,25 @@ impl Quiz {
 }
 
 impl Question {
+    /// What to give instead of an answer that can't be read; `None` if it can.
+    pub fn wants(&self, answer: &str) -> Option<String> {
+        let (is_read, what) = match self.right {
+            Right::Option(_) => (true, ""),
+            Right::Number(..) => (number(answer).is_some(), "a number"),
+            Right::Bytes(_) => (bytes(answer).is_some_and(|bytes| !bytes.is_empty()), "bytes from 0 to 255"),
+        };
+        (!is_read).then(|| format!("Give {what}, {}.", self.example))
+    }
+
     /// Whether an answer is right: the number of an option from 0, a number, or bytes in decimal.
     pub fn is_right(&self, answer: &str) -> bool {
         let answer = answer.trim();
         match &self.right {
             Right::Option(index) => answer.parse() == Ok(*index),
             Right::Number(value, tolerance) => {
-                let bare = answer.trim_end_matches(|c: char| !c.is_ascii_digit()).replace(',', ".").replace('−', "-");
-                decimal(&bare).is_some_and(|number| (number - value).abs() <= *tolerance)
+                number(answer).is_some_and(|number| (number - value).abs() <= *tolerance)
             }
-            Right::Bytes(bytes) => {
-                let parts = answer.split(|c: char| !c.is_ascii_digit()).filter(|part| !part.is_empty());
-                parts.map(str::parse).collect::<Result<Vec<u8>, _>>().is_ok_and(|given| given == *bytes)
-            }
+            Right::Bytes(right) => bytes(answer).is_some_and(|given| given == *right),
         }
     }
 
@@ -153,6 +159,18 @@ impl Question {
     pub fn because(&self) -> &str {
         &self.because
     }
+}
+
+/// A number with or without its unit.
+fn number(answer: &str) -> Option<f64> {
+    let bare = answer.trim().trim_end_matches(|c: char| !c.is_ascii_digit());
+    decimal(&bare.replace(',', ".").replace('−', "-"))
+}
+
+/// Bytes in decimal, with anything between them.
+fn bytes(answer: &str) -> Option<Vec<u8>> {
+    let parts = answer.split(|c: char| !c.is_ascii_digit()).filter(|part| !part.is_empty());
+    parts.map(str::parse).collect::<Result<Vec<u8>, _>>().ok()
 }
 
 #[cfg(test)]
@@ -182,6 +200,18 @@ mod tests {
             let rights: Vec<String> = (0..40).map(|seed| kind.question(seed).right()).collect();
             assert!(rights.contains(&"0".to_owned()) && rights.contains(&"1".to_owned()), "{kind:?}: {rights:?}");
         }
+    }
+
+    #[test]
+    fn what_is_no_number_is_asked_for_again_and_is_not_wrong() {
+        let question = QuizKind::Odometry.question(3);
+        assert_eq!(question.wants("abc").unwrap(), "Give a number, e.g. −42.5.");
+        assert_eq!((question.wants("−4.5 °"), question.wants("17,5")), (None, None));
+        assert!(
+            QuizKind::Bytes.question(3).wants("wheels").is_some()
+                && QuizKind::Bytes.question(3).wants("145 0 300").is_some()
+        );
+        assert_eq!(QuizKind::Bytes.question(3).wants("145, 1, 2, 3, 4"), None);
     }
 
     #[test]

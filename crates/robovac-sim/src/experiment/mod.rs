@@ -18,5 +18,5 @@ pub use entrant::{BEHAVIOUR, Entrant, PLANNER};
 pub use planning::{MOST_SEARCH_CELLS, PlanAnswer, PlanRequest, Planned, RoomSetup};
 pub use settings::{CELL_SIZES, KEPT_PATH, SPEEDS, Settings, SettingsError};
 pub use shows::Shows;
-pub use trial::{TrialRequest, plan_of};
+pub use trial::{GENERATED, TrialRequest, plan_of};
 pub use twin_file::{TwinFigure, TwinFile, TwinFileError};

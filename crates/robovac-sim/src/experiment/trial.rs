@@ -4,12 +4,18 @@ use super::{Arena, Entrant, PlanOutcome};
 use crate::experiment::planning::{CELL_ROBOT, choose_robot};
 use coverage_planners::Observer;
 use robovac_core::{
-    floor_plan::{self, FloorPlan, SourceFile},
+    floor_plan::{
+        self, FloorPlan, SourceFile,
+        generate::{FlatId, FlatIdError},
+    },
     geometry::Pose,
     grid::Cell,
     robot::{CustomRobot, cell_robot},
 };
 use serde::{Deserialize, Serialize};
+
+/// What stands in front of the name of a generated flat, as in `flat=7`, where the id of a built-in room can stand.
+pub const GENERATED: &str = "flat=";
 
 /// A trial for a worker.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -74,9 +80,15 @@ impl TrialRequest {
 }
 
 /// The room with that id, or that of a scenario file. Errors are for users.
+///
+/// A generated flat is [`GENERATED`] with its name behind it.
 pub fn plan_of(room: Option<&str>, scenario: Option<&str>) -> Result<FloorPlan, String> {
     match (room, scenario) {
         (Some(id), _) => {
+            if let Some(flat) = id.strip_prefix(GENERATED) {
+                let flat: FlatId = flat.parse().map_err(|e: FlatIdError| e.to_string())?;
+                return Ok(flat.build());
+            }
             let room = floor_plan::room(id).ok_or_else(|| format!("there is no room \"{id}\""))?;
             Ok((room.build)())
         }
