@@ -15,8 +15,12 @@ const PIXEL: f64 = 0.025;
 /// White paper around the flat, pixels.
 const MARGIN: f64 = 40.0;
 
-/// A scan of a flat with a front door, turned by `degrees` on its sheet.
+/// A scan of a flat with an open front door, turned by `degrees` on its sheet.
 fn scan(flat: &FloorPlan, degrees: f64) -> GrayImage {
+    scan_with(flat, degrees, true)
+}
+
+fn scan_with(flat: &FloorPlan, degrees: f64, has_door: bool) -> GrayImage {
     let walls = flat.blocked();
     let [width, height] = [flat.width_m(), flat.height_m()].map(|metres| metres / PIXEL);
     let (sin, cos) = (-degrees).to_radians().sin_cos();
@@ -27,7 +31,7 @@ fn scan(flat: &FloorPlan, degrees: f64) -> GrayImage {
         let (x, y) = ((x * cos - y * sin + 0.5 * width) * PIXEL, (x * sin + y * cos + 0.5 * height) * PIXEL);
         let cell = Cell::new((x / flat.resolution).floor() as i32, (y / flat.resolution).floor() as i32);
         // The front door, through the left wall.
-        let is_door = x < 0.2 && (0.5..1.4).contains(&y);
+        let is_door = has_door && x < 0.2 && (0.5..1.4).contains(&y);
         Luma([if walls.is_set(cell) && !is_door { 45 } else { 228 }])
     })
 }
@@ -91,6 +95,52 @@ fn askew_scans_are_straightened_as_proposed() {
         // All the way round is where it was.
         session.turn_to(360.0).unwrap();
         assert_eq!(session.room().unwrap().plan, before);
+    }
+}
+
+/// An upright page frame with a title block, `gap` pixels from the walls of a scan.
+fn framed(mut image: GrayImage, gap: u32) -> GrayImage {
+    let is_wall = |&(_, _, pixel): &(u32, u32, &Luma<u8>)| pixel.0[0] < 128;
+    let walls = || image.enumerate_pixels().filter(is_wall);
+    let away = MARGIN as u32 - gap;
+    let (right, bottom) = (image.width() - 1 - away, image.height() - 1 - away);
+    assert!(walls().all(|(x, y, _)| x > away && y > away && x < right && y < bottom));
+    for (x, y, pixel) in image.enumerate_pixels_mut() {
+        let is_within = (away..=right).contains(&x) && (away..=bottom).contains(&y);
+        let is_edge = [x - x.min(away), y - y.min(away), right - x.min(right), bottom - y.min(bottom)].contains(&0)
+            || x == away + 1
+            || y == away + 1;
+        if is_within && is_edge {
+            *pixel = Luma([45]);
+        }
+    }
+    image
+}
+
+#[test]
+fn an_askew_flat_in_an_upright_page_frame_is_straightened_and_stays_what_is_indoors() {
+    for (seed, degrees) in [(1, 7.0), (4, 30.0)] {
+        let flat = random_flat(2, 2, seed);
+        let true_floor = floor(&flat);
+        let mut session = opened(&framed(scan_with(&flat, degrees, false), 24));
+        let askew = session.askew().unwrap_or(0.0);
+        assert!((askew - degrees).abs() < 0.25, "seed {seed}: {askew}° for {degrees}°");
+        session.turn_to(degrees).unwrap();
+        let twice = session.askew().unwrap();
+        let expected = (2.0 * degrees + 45.0).rem_euclid(90.0) - 45.0;
+        assert!((twice - expected).abs() < 0.25, "seed {seed}: {twice}° for {expected}°");
+        session.turn_to(-askew).unwrap();
+        assert_eq!(session.askew(), None, "seed {seed}: straight");
+        // slow: the turns and scales that a person may try.
+        for turn in [0.0, 20.0] {
+            session.turn_to(turn).unwrap();
+            for metre in [PIXEL, 5.0 * PIXEL] {
+                change(&mut session, |settings| settings.metre = Some(metre));
+                let found = session.floor_m2() * (PIXEL / metre).powi(2);
+                let share = found / true_floor;
+                assert!((share - 1.0).abs() < 0.15, "seed {seed}, turned by {turn}°, {metre} m a pixel: {share}");
+            }
+        }
     }
 }
 

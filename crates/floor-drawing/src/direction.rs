@@ -2,6 +2,7 @@
 
 use crate::{Drawing, Role};
 use robovac_core::{
+    geometry::Point,
     grid::{Cell, Grid},
     math::{atan2, cos, sin},
 };
@@ -16,8 +17,11 @@ const MOST_PIXELS: usize = 20_000;
 /// Least ratio of the best to the mean score of a picture.
 const LEAST_RATIO: f64 = 1.25;
 
+/// Most places of a stroke's side that are looked at.
+const MOST_PLACES: i32 = 16;
+
 /// Angle by which most walls of a drawing are askew, rad, above -45° to 45°, counter-clockwise; `None` if they have no
-/// common direction. Strokes count by their length.
+/// common direction. Strokes count by their length, as far as it `is_meant`.
 ///
 /// ```
 /// use floor_drawing::{Role, dominant_direction, read};
@@ -25,11 +29,11 @@ const LEAST_RATIO: f64 = 1.25;
 /// let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="320" height="220">
 ///     <path d="M50 50 L249 70 L239 169 L40 149 Z" fill="none" stroke="black"/></svg>"#;
 /// let drawing = read(&SourceFile { name: "room.svg".into(), bytes: svg.into() })?;
-/// let askew = dominant_direction(&drawing, &[Role::Wall]).unwrap();
+/// let askew = dominant_direction(&drawing, &[Role::Wall], |_| true).unwrap();
 /// assert!((askew.to_degrees() + 5.75).abs() < 0.1);
 /// # Ok::<(), floor_drawing::DrawingError>(())
 /// ```
-pub fn dominant_direction(drawing: &Drawing, roles: &[Role]) -> Option<f64> {
+pub fn dominant_direction(drawing: &Drawing, roles: &[Role], is_meant: impl Fn(Point) -> bool) -> Option<f64> {
     let is_wall = |layer: u32| roles.get(layer as usize) == Some(&Role::Wall);
     let mut lengths = vec![0.0; BINS];
     let mut sides = Vec::new();
@@ -38,7 +42,9 @@ pub fn dominant_direction(drawing: &Drawing, roles: &[Role]) -> Option<f64> {
         let closing = stroke.is_closed.then(|| corners.last().copied().zip(corners.first().copied())).flatten();
         for (a, b) in corners.windows(2).map(|pair| (pair[0], pair[1])).chain(closing) {
             let side = b - a;
-            let length = side.norm();
+            let place = |index: i32| a + side * ((f64::from(index) + 0.5) / f64::from(MOST_PLACES));
+            let meant = (0..MOST_PLACES).filter(|&index| is_meant(place(index))).count();
+            let length = side.norm() * meant as f64 / f64::from(MOST_PLACES);
             if length > 0.0 {
                 let angle = atan2(side.y, side.x).rem_euclid(FRAC_PI_2);
                 lengths[(angle / FRAC_PI_2 * BINS as f64) as usize % BINS] += length;
@@ -64,9 +70,10 @@ pub fn dominant_direction(drawing: &Drawing, roles: &[Role]) -> Option<f64> {
 }
 
 /// Angle by which the walls of a picture are askew, likewise: that at which their edges fall onto the fewest rows and
-/// columns (the projection profiles of Postl 1986).
-pub fn picture_direction(walls: &Grid<bool>) -> Option<f64> {
-    let is_edge = |cell: Cell| walls[cell] && cell.neighbours().into_iter().any(|next| walls.get(next) == Some(&false));
+/// columns (the projection profiles of Postl 1986). `is_meant` is asked about the pixels beside walls.
+pub fn picture_direction(walls: &Grid<bool>, is_meant: impl Fn(Cell) -> bool) -> Option<f64> {
+    let is_beside = |next: Cell| walls.get(next) == Some(&false) && is_meant(next);
+    let is_edge = |cell: Cell| walls[cell] && cell.neighbours().into_iter().any(is_beside);
     let edges: Vec<Cell> = walls.iter().map(|(cell, _)| cell).filter(|&cell| is_edge(cell)).collect();
     let step = edges.len().div_ceil(MOST_PIXELS).max(1);
     // Not every nth in a row of pixels: that beats with their raster.
@@ -126,7 +133,7 @@ mod tests {
                 let cell = Cell::new((x / 3.0).floor() as i32, (y / 3.0).floor() as i32);
                 picture.values_mut()[index] = flat.is_set(cell);
             }
-            let found = picture_direction(&picture).unwrap().to_degrees();
+            let found = picture_direction(&picture, |_| true).unwrap().to_degrees();
             assert!((found - degrees).abs() < 0.15, "seed {seed}: {found} for {degrees}");
         }
     }
@@ -138,9 +145,9 @@ mod tests {
             let from = disc.cell(index).centre(1.0).coords.add_scalar(-100.0).norm();
             disc.values_mut()[index] = (60.0..64.0).contains(&from);
         }
-        assert_eq!(picture_direction(&disc), None);
+        assert_eq!(picture_direction(&disc, |_| true), None);
         let circle = "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nWALL\n10\n0\n20\n0\n40\n5\n0\nENDSEC\n0\nEOF\n";
         let drawing = crate::read(&SourceFile { name: "round.dxf".into(), bytes: circle.into() }).unwrap();
-        assert_eq!(dominant_direction(&drawing, &[Role::Wall]), None);
+        assert_eq!(dominant_direction(&drawing, &[Role::Wall], |_| true), None);
     }
 }

@@ -15,6 +15,7 @@ use robovac_core::{
     floor_plan::{FloorPlan, Object, Sketch, SourceFile},
     geometry::{MetricPath, Point, Pose, Vector, contains},
     grid::Cell,
+    math::{cos, sin},
     robot::{self, OwnRobot, RobotModel},
 };
 use std::ops::ControlFlow;
@@ -37,7 +38,7 @@ pub struct DrawingSession {
     fault: String,
     /// The place that the fault is about, in the turned file.
     mark: Option<FaultMark>,
-    /// Angle by which the walls of the unturned file are askew, degrees; found when it is asked for.
+    /// Angle by which the walls of the unturned file are askew, degrees.
     askew: Option<f64>,
     version: u32,
     space: Option<ConfigurationSpace>,
@@ -83,7 +84,6 @@ impl DrawingSession {
             driven: None,
             hand: DrawingHand::default(),
         };
-        board.askew = board.direction();
         board.trace();
         Ok(board)
     }
@@ -136,15 +136,31 @@ impl DrawingSession {
         (askew.abs() >= STRAIGHT).then_some(askew)
     }
 
+    /// Measured on the walls round the floor, where there is some: a page frame that is left out can lie at another angle.
     fn direction(&self) -> Option<f64> {
-        let angle = match &self.source {
-            DrawingSource::Drawing { drawing, .. } => dominant_direction(drawing, &self.settings.roles),
-            DrawingSource::Image { cells, .. } if self.settings.method != ShadeMethod::Map => {
-                picture_direction(&cells.map(|cell| !cell.is_free()))
-            }
-            DrawingSource::Image { .. } | DrawingSource::Map { .. } => None,
+        let floor = self.room.as_ref().map(|room| room.plan.occupancy.map(|cell| cell.is_free()));
+        // In the turned file.
+        let is_by_floor = |point: Point| {
+            let (Some(room), Some(floor)) = (&self.room, &floor) else { return true };
+            let cell = room.plan.cell_at(((point.coords - room.corner) * room.metre).into());
+            cell.block().any(|near| floor.is_set(near))
         };
-        Some(angle?.to_degrees() - self.settings.turn)
+        let turn = self.settings.turn.to_radians();
+        let angle = match &self.source {
+            DrawingSource::Drawing { drawing, .. } => {
+                dominant_direction(drawing, &self.settings.roles, is_by_floor)? - turn
+            }
+            DrawingSource::Image { cells, .. } if self.settings.method != ShadeMethod::Map => {
+                let (sin, cos) = (sin(turn), cos(turn));
+                let walls = cells.map(|cell| !cell.is_free());
+                picture_direction(&walls, |pixel| {
+                    let at = pixel.centre(1.0);
+                    is_by_floor(Point::new(at.x * cos - at.y * sin, at.x * sin + at.y * cos))
+                })?
+            }
+            DrawingSource::Image { .. } | DrawingSource::Map { .. } => return None,
+        };
+        Some(angle.to_degrees())
     }
 
     /// Turns the file to `degrees` from how it was, and the part with it.
@@ -187,13 +203,6 @@ impl DrawingSession {
             // What was pointed at lies somewhere else now.
             self.hand = DrawingHand::default();
         }
-        if before.roles != now.roles {
-            self.askew = match &self.source {
-                DrawingSource::Drawing { .. } => self.direction(),
-                _ => self.askew,
-            };
-        }
-        let now = &self.settings;
         let room =
             |s: &FloorPlanSettings| (s.metre, s.roles.clone(), s.gap, s.resolution, s.part.clone(), s.turn, s.shades());
         if room(&before) != room(now) {
@@ -220,8 +229,12 @@ impl DrawingSession {
         self.version += 1;
         self.fault.clear();
         self.mark = None;
-        let settings = &self.settings;
-        let Some(metre) = settings.metre else { return };
+        self.trace_room();
+        self.askew = self.direction();
+    }
+
+    fn trace_room(&mut self) {
+        let Some(metre) = self.settings.metre else { return };
         let traced = self.traced(metre);
         match traced {
             Ok(traced) => {
