@@ -11,8 +11,8 @@ let toastTimer;
 /** The text of anything that was thrown. @param {unknown} error */
 export const textOf = (error) => (error instanceof Error ? error.message : String(error));
 
-/** Errors of Rust begin small, to stand behind others. @param {string} text */
-export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+/** Errors of Rust begin small, to stand behind others. Names of files stay as they are. @param {string} text */
+export const sentence = (text) => (/^\S+\.\w+\s/.test(text) ? text : text.charAt(0).toUpperCase() + text.slice(1));
 
 /** Shows an error until it is dismissed or something else succeeds. @param {string} text */
 export function complain(text) {

@@ -405,6 +405,8 @@ units: Array<UnitView>,
 has_cells: boolean,
 /** A size that is unusual for a room, in words, until it is confirmed; empty otherwise. */
 asks: string,
+/** The scales of a plan on paper that would give a usual size, while the size is asked about. */
+papers: Array<UnitView>,
 /** Angle by which the walls are askew, degrees; `None` if they are straight or have no common direction. */
 askew: number | null,
 /** Layers of a drawing. */
@@ -1527,7 +1529,9 @@ objects: number,
 /** Gaps that were closed. */
 gaps: number,
 /** Floor round the building that is left out, m². */
-around_m2: number, };
+around_m2: number,
+/** Floor that a robot can't get to, m²; 0 if it is hardly any. */
+cut_off_m2: number, };
 
 /** A line of traffic. */
 export type Traffic = {

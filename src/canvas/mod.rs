@@ -250,6 +250,8 @@ impl Canvas {
         context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0)?;
         context.draw_image_with_offscreen_canvas(&self.above.canvas, 0.0, 0.0)?;
         context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
+        // Beneath the robot.
+        scale_bar::draw(context, viewport, palette)?;
         draw_objects(as_layer(context), scene, viewport, palette, DrawPass::Live)?;
         draw_life(context, scene, viewport, palette)?;
 
@@ -290,7 +292,7 @@ impl Canvas {
             context.set_stroke_style_str(palette.accent);
             context.stroke_rect(corner.x - 0.5 * side, corner.y - 0.5 * side, side, side);
         }
-        scale_bar::draw(context, viewport, palette)
+        Ok(())
     }
 }
 

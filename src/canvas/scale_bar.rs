@@ -4,17 +4,20 @@ use robovac_app::{Palette, Viewport};
 use wasm_bindgen::JsValue;
 use web_sys::CanvasRenderingContext2d;
 
-/// Width of the canvas below which there is no room for it between legend and zoom, CSS pixels.
-const LEAST_WIDTH: f64 = 626.0;
+/// Width of the canvas below which there is no room for it between legend and zoom, CSS pixels. It stands above the zoom
+/// then, if the canvas is at least so large.
+const BESIDE_ZOOM: f64 = 626.0;
+const LEAST: [f64; 2] = [240.0, 160.0];
 
 /// Draws one of a round length.
 pub fn draw(context: &CanvasRenderingContext2d, viewport: &Viewport, palette: &Palette) -> Result<(), JsValue> {
-    if viewport.size.x < LEAST_WIDTH {
+    if viewport.size.x < LEAST[0] || viewport.size.y < LEAST[1] {
         return Ok(());
     }
+    let [to_right, to_bottom] = if viewport.size.x < BESIDE_ZOOM { [20.0, 72.0] } else { [204.0, 24.0] };
     let lengths = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
     let metres = lengths.into_iter().find(|m| m * viewport.scale >= 48.0).unwrap_or(100.0);
-    let (length, right, bottom) = (metres * viewport.scale, viewport.size.x - 204.0, viewport.size.y - 24.0);
+    let (length, right, bottom) = (metres * viewport.scale, viewport.size.x - to_right, viewport.size.y - to_bottom);
     // With a background, in case the room lies behind it.
     context.set_fill_style_str(palette.outside);
     context.set_global_alpha(0.8);

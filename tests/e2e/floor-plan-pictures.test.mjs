@@ -98,8 +98,7 @@ test("WebP is read, an unusual size is asked about, and other files are told how
   assert.ok(await app.bring(await photograph(page, "flat.webp", "image/webp", 0)));
   await page.locator("#floor-plan-pixel").fill("50");
   await page.keyboard.press("Tab");
-  await page.locator("#floor-plan-asks").waitFor();
-  assert.match(await page.locator("#floor-plan-asks-text").textContent(), /260\.0 × 210\.0 m\. Is that its size\?/);
+  await app.poll(() => page.locator("#floor-plan-asks-text").textContent(), (text) => /260\.0 × 210\.0 m\. Is that its size\?/.test(text ?? ""));
   await page.locator("#floor-plan-asks-yes").click();
   await page.locator("#floor-plan-asks").waitFor({ state: "hidden" });
   const before = await floor(app);
@@ -116,4 +115,51 @@ test("WebP is read, an unusual size is asked about, and other files are told how
     if (!/damaged/.test(message)) for (const format of ["DXF", "SVG", "GeoJSON", "PNG", "JPEG", "WebP", "PGM", "YAML", "text", "JSON"]) assert.ok(message.includes(format), `${format}: ${message}`);
     assert.equal(await floor(app), before, "what was open stays");
   }
+});
+
+test("before a room is used it is told what a robot can't get to, which scale a plan on paper has, and how large it would be", async (t) => {
+  const { page, app, screenshot } = await openApp(t);
+  // Two rooms with the usual symbol of a door between them: a leaf and an arc.
+  const wall = (x, y, width, height) => `<rect x="${x}" y="${y}" width="${width}" height="${height}"/>`;
+  const walls = [wall(0, 0, 400, 10), wall(0, 290, 400, 10), wall(0, 0, 10, 300), wall(390, 0, 10, 300), wall(195, 0, 10, 110), wall(195, 200, 10, 100)].join("");
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="440" height="340" viewBox="-20 -20 440 340"><rect x="-20" y="-20" width="440" height="340" fill="#fff"/>${walls}<path d="M200 110 A90 90 0 0 0 110 200 H200" fill="none" stroke="#333" stroke-width="3"/></svg>`;
+  const bytes = await page.evaluate(async (svg) => {
+    const image = new Image();
+    image.src = `data:image/svg+xml,${encodeURIComponent(svg)}`;
+    await image.decode();
+    const canvas = new OffscreenCanvas(440, 340);
+    canvas.getContext("2d").drawImage(image, 0, 0);
+    return [...new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())];
+  }, svg);
+  assert.ok(await app.bring({ name: "door.png", bytes: Buffer.from(bytes) }));
+  await page.locator("#floor-plan-pixel").fill("1");
+  await page.keyboard.press("Tab");
+  await page.locator("#floor-plan-cut").waitFor();
+  const cut = Number(/can't get to ([\d.]+) m² of this floor: .*door.*Erase/.exec(await page.locator("#floor-plan-cut-text").textContent())?.[1]);
+  assert.ok(cut > 4 && cut < 5.5, `half of 1.85 x 2.8 m twice: ${cut}`);
+  await screenshot("floor-plan-cut-off");
+  await page.setViewportSize({ width: 390, height: 844 });
+  await screenshot("floor-plan-cut-off-phone");
+  await page.setViewportSize({ width: 1440, height: 900 });
+  // 22 x 17 m would be a usual size, but not 4,000 m².
+  await page.locator("#floor-plan-pixel").fill("13");
+  await page.keyboard.press("Tab");
+  await app.poll(() => page.locator("#floor-plan-asks-text").textContent(), (text) => /m, with \d+ m² of floor\. Is that its size\?$/.test(text ?? ""));
+  const paper = '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297"><path id="walls" d="M30 40 H210 V160 H30 Z M110 40 V100" fill="none" stroke="black"/></svg>';
+  assert.ok(await app.bring(anyFile("paper.svg", paper)));
+  assert.match(await result(app), /^Whole drawing: 180 × 120 mm\. Choose its size first\.$/);
+  await screenshot("floor-plan-paper");
+  await page.locator("#floor-plan-asks-papers").getByRole("button", { name: "1:50", exact: true }).click();
+  await page.locator("#floor-plan-asks").waitFor({ state: "hidden" });
+  const area = await app.poll(() => floor(app), (area) => area > 0);
+  assert.ok(Math.abs(area / 54 - 1) < 0.05, `9 x 6 m: ${area}`);
+  // The name of a file stays as it is.
+  await page.evaluate(() => {
+    const files = new DataTransfer();
+    files.items.add(new File([new Uint8Array(65 * 2 ** 20)], "huge.dxf"));
+    const field = document.getElementById("files");
+    field.files = files.files;
+    field.dispatchEvent(new Event("change", { bubbles: true }));
+  });
+  await app.says(/^huge\.dxf is larger than 64 MB/);
 });

@@ -137,6 +137,7 @@ test("placing works by touch on a phone", async (t) => {
   await app.tool("place");
   await page.locator("#kinds [data-kind=table]").tap();
   await page.locator("#kinds [data-kind=table][aria-pressed=true]").waitFor();
+  assert.equal(await page.locator("#selection").isVisible(), false, "over the floor only while something is selected");
   await page.touchscreen.tap(...(await app.spot(0.5, 0.55)));
   await app.settled();
   assert.deepEqual(await names(page), ["Leg 1", "Leg 2", "Leg 3", "Leg 4"]);
@@ -147,4 +148,44 @@ test("placing works by touch on a phone", async (t) => {
   await page.locator("#selection").getByRole("button", { name: "Delete" }).tap();
   await app.settled();
   assert.equal((await names(page)).length, 3);
+});
+
+test("who is placed outside the room is told in plain words that nobody was", async (t) => {
+  const { page, app } = await openApp(t, { address: ROOM });
+  await app.pause();
+  await placing(app, "person");
+  await page.mouse.click(...(await app.spot(0.02, 0.5)));
+  await app.says(/^Nobody was placed: that is outside the room\. Click on free floor\.$/);
+  assert.deepEqual(await names(page), []);
+  await page.mouse.click(...(await app.spot(0.5, 0.5)));
+  await app.settled();
+  assert.deepEqual([await names(page), await app.message()], [["Person"], ""]);
+});
+
+test("the scale bar is there on every screen, beneath the robot", async (t) => {
+  for (const viewport of [{ width: 1440, height: 900 }, { width: 1000, height: 640 }, { width: 844, height: 390 }, { width: 390, height: 844 }]) {
+    const { page, app, screenshot } = await openApp(t, { address: ROOM, viewport });
+    await app.pause();
+    // The room is small then, and no line but the bar's is at the lower right.
+    await page.locator("#floor").focus();
+    for (let times = 0; times < 5; times += 1) await page.keyboard.press("-");
+    const longest = () =>
+      page.evaluate(() => {
+        const floor = document.getElementById("floor");
+        const copy = Object.assign(document.createElement("canvas"), { width: floor.width, height: floor.height });
+        const context = copy.getContext("2d");
+        context.drawImage(floor, 0, 0);
+        const ratio = floor.width / floor.clientWidth;
+        const [left, top] = [Math.round(floor.width / 3), Math.round(floor.height - 90 * ratio)];
+        const { data, width, height } = context.getImageData(left, top, floor.width - left, floor.height - top);
+        let longest = 0;
+        for (let y = 0; y < height; y += 1) {
+          let run = 0;
+          for (let x = 0; x < width; x += 1) longest = Math.max(longest, (run = data[4 * (y * width + x)] < 130 ? run + 1 : 0));
+        }
+        return longest / ratio;
+      });
+    await app.poll(longest, (length) => length >= 40 && length <= 140);
+    await screenshot(`scale-bar-${viewport.width}`);
+  }
 });

@@ -20,7 +20,16 @@ test("an own robot is built in a form that loses nothing, and survives a reload"
   await page.locator("#own-tool").fill("0.6");
   await page.locator("#own-use").click();
   await page.getByText("The tool reaches 0.300 m from the robot's centre, but its body only 0.250 m").waitFor();
+  // The message names the field, and leaves the button in sight on a low screen.
+  assert.equal(await page.getByLabel("Tool width").inputValue(), "0.6");
+  await page.setViewportSize({ width: 1000, height: 640 });
+  const { y, height } = await page.locator("#own-use").boundingBox();
+  assert.ok(y + height <= 640, `the button ends at ${y + height}`);
+  await screenshot("own-robot-refused");
+  await page.setViewportSize({ width: 1440, height: 900 });
   await page.locator("#own-tool").fill("0.25");
+  const [wide, high] = await page.locator(".own-tool").evaluate((node) => [node.getBBox().width, node.getBBox().height]);
+  assert.ok(wide > 3 * high, `a strip: ${wide} x ${high}`);
   await screenshot("own-robot");
   await page.locator("#own-use").click();
   await page.locator("#own-robot").waitFor({ state: "hidden" });

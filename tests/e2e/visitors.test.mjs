@@ -117,6 +117,34 @@ test("own rooms are a list: new by size, renamed, duplicated, deleted and brough
   await app.poll(() => app.reachableArea(), (now) => now === area);
 });
 
+test("undo in an own room to which one comes back takes its last wall away", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty&speed=1" });
+  await app.pause();
+  const whole = await app.reachableArea();
+  await app.tool("wall");
+  await app.drag([0.4, 0.3], [0.4, 0.6]);
+  await app.settled();
+  const one = await app.reachableArea();
+  await app.drag([0.6, 0.3], [0.6, 0.6]);
+  await app.settled();
+  const two = await app.reachableArea();
+  assert.ok(two < one && one < whole, `${two} < ${one} < ${whole}`);
+  await app.linked("map");
+  const own = await app.room();
+  await app.choose("room", "maze");
+  await app.linked("room", (room) => room === "maze");
+  const name = await page.locator("#room optgroup[label='Your rooms'] option").first().textContent();
+  await page.locator("#room").selectOption({ label: name });
+  await app.poll(() => app.reachableArea(), (area) => area === two);
+  await app.press("Undo");
+  await app.poll(() => app.reachableArea(), (area) => area === one);
+  assert.notEqual(await app.room(), "Maze", own);
+  await app.press("Undo");
+  await app.poll(() => app.reachableArea(), (area) => area === whole);
+  await app.press("Redo");
+  await app.poll(() => app.reachableArea(), (area) => area === one);
+});
+
 test("back and forward go through tabs and rooms, and the run goes on", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty" });
   await app.linked("planner");

@@ -187,6 +187,55 @@ fn unusual_sizes_are_asked_about_until_they_are_confirmed() {
     assert_ne!(session.view().asks, "", "another size is asked about again");
 }
 
+#[test]
+fn an_improbable_floor_is_asked_about_though_its_sides_are_usual() {
+    let flat = random_flat(2, 2, 1);
+    let mut session = opened(&scan_with(&flat, 0.0, false));
+    assert_eq!(session.view().asks, "");
+    for (metre, floor) in [(4.0 * PIXEL, 500.0..1e9), (0.28 * PIXEL, 0.0..5.0)] {
+        change(&mut session, |settings| settings.metre = Some(metre));
+        assert!(floor.contains(&session.floor_m2()), "{}", session.floor_m2());
+        let asks = session.view().asks;
+        assert!(asks.ends_with(" m² of floor"), "{metre}: {asks}");
+    }
+    // A part may be as small as it is.
+    change(&mut session, |settings| settings.part = DrawingPart::Room { at: [MARGIN + 40.0, MARGIN + 40.0] });
+    assert_eq!(session.view().asks, "");
+}
+
+/// A flat of two rooms on a scan, with a door of that many pixels whose leaf and arc, `line` pixels wide, are drawn in one of
+/// four ways, as on usual plans.
+fn with_door_arc(door: i32, line: f64, way: u32) -> GrayImage {
+    let (left, right) = (way.is_multiple_of(2), way < 2);
+    GrayImage::from_fn(320, 240, |x, y| {
+        let (x, y) = (x as i32 - 160, y as i32 - 120);
+        let is_outer = x.abs() <= 130 && y.abs() <= 90 && (x.abs() > 124 || y.abs() > 84);
+        let is_between = x.abs() <= 3 && y.abs() <= 90 && !(0..door).contains(&y);
+        // From the hinge.
+        let (dx, dy) = (f64::from(if left { -x } else { x }), f64::from(if right { y } else { door - y }));
+        let away = dx.hypot(dy);
+        let is_arc = dx >= 0.0 && dy >= 0.0 && (away - f64::from(door)).abs() <= 0.5 * line;
+        let is_leaf = (0.0..=f64::from(door)).contains(&dx) && dy.abs() <= 0.5 * line;
+        Luma([if is_outer || is_between || is_arc || is_leaf { 45 } else { 228 }])
+    })
+}
+
+#[test]
+fn floor_behind_the_arc_of_a_door_is_told_before_the_room_is_used() {
+    for (door, line, way) in [(24, 1.5, 0), (30, 2.5, 1), (36, 2.0, 2), (44, 3.0, 3)] {
+        let session = opened(&with_door_arc(door, line, way));
+        let room = session.view().room.unwrap();
+        let half = 120.0 * 168.0 * PIXEL * PIXEL;
+        assert!((room.cut_off_m2 / half - 1.0).abs() < 0.2, "{door} pixels, {way}: {} of {half} m²", room.cut_off_m2);
+    }
+    // An open door of the same width is none.
+    let mut open = with_door_arc(36, 1.0, 0);
+    for y in 120..156 {
+        (120..164).for_each(|x| open.put_pixel(x, y, Luma([228])));
+    }
+    assert_eq!(opened(&open).view().room.unwrap().cut_off_m2, 0.0);
+}
+
 /// A rectangle of 4 x 3 m, askew by 7 degrees, in millimetres, as a closed polyline; `door` leaves a gap.
 fn askew_room(door: bool) -> SourceFile {
     let (sin, cos) = 7.0_f64.to_radians().sin_cos();
@@ -248,11 +297,13 @@ fn plans_on_paper_offer_its_scales() {
     let ignored = session.view().layers.into_iter().find(|layer| layer.role == floor_drawing::Role::Ignored);
     assert_eq!(ignored.unwrap().name, "background");
     assert!(session.view().asks.contains("mm"), "a doll's house: {}", session.view().asks);
+    let papers: Vec<String> = session.view().papers.into_iter().map(|paper| paper.name).collect();
+    assert_eq!(papers, ["1:50", "1:100", "1:200"], "offered beside the question");
     let paper = session.view().units.into_iter().find(|unit| unit.name == "on paper, 1:100").unwrap();
     change(&mut session, |settings| settings.metre = Some(paper.metre));
     let room = session.view().room.unwrap();
     assert!((room.floor_m2 - 120.0).abs() < 4.0, "12 x 10 m: {}", room.floor_m2);
-    assert_eq!(session.view().asks, "");
+    assert_eq!((session.view().asks.as_str(), session.view().papers.len()), ("", 0));
     // A scanned sheet.
     let sheet = GrayImage::from_fn(424, 300, |x, y| Luma([if x % 100 < 4 || y % 100 < 4 { 0 } else { 255 }]));
     let names: Vec<String> = opened(&sheet).view().units.into_iter().map(|unit| unit.name).collect();

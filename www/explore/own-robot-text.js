@@ -63,8 +63,8 @@ export function writeOwn(own) {
   if (corners) parts.push(`corners:${corners.flat().join("_")}`);
   if (own.cleansAll) parts.push("tool:body");
   else {
-    if (own.tool) parts.push(`tool:${figure(own.tool, "Strip width")}`);
-    if (own.at.some(Boolean)) parts.push(`at:${own.at.map((text) => (text ? figure(text, "Strip") : 0)).join("_")}`);
+    if (own.tool) parts.push(`tool:${figure(own.tool, "Tool width")}`);
+    if (own.at.some(Boolean)) parts.push(`at:${own.at.map((text) => (text ? figure(text, "Tool") : 0)).join("_")}`);
   }
   if (own.speed) parts.push(`speed:${figure(own.speed, "Speed")}`);
   if (own.turn) parts.push(`turn:${figure(own.turn, "Turns at")}`);

@@ -38,7 +38,7 @@ function build(app) {
   const [first, second] = [number({ id: "own-first", min: "0" }), number({ id: "own-second", min: "0" })];
   const corners = make("input", { type: "text", id: "own-corners", autocomplete: "off", spellcheck: false });
   const cleans = make("select", { id: "own-cleans" });
-  fill(cleans, [["strip", "A strip"], ["body", "All under its body"]]);
+  fill(cleans, [["strip", "With a tool"], ["body", "All under its body"]]);
   const [tool, ahead, aside] = [number({ id: "own-tool" }), number({ id: "own-ahead" }), number({ id: "own-aside" })];
   const wheels = make("select", { id: "own-wheels" });
   fill(wheels, [["differential", "Two wheels"], ["omnidirectional", "Any direction"]]);
@@ -47,22 +47,21 @@ function build(app) {
 
   const svg = draw("svg", { viewBox: `-${SVG_SIZE / 2} -${SVG_SIZE / 2} ${SVG_SIZE} ${SVG_SIZE}`, role: "img", "aria-label": "The robot from above, driving up" });
   const outline = draw("path", { class: "own-body" }, svg);
-  const strip = draw("circle", { class: "own-tool" }, svg);
+  const strip = draw("rect", { class: "own-tool", rx: "1.5", height: "5" }, svg);
   draw("path", { class: "own-ahead", d: "M0,-9L4,-2L-4,-2Z" }, svg);
   const fault = make("p", { className: "fault", role: "alert", hidden: true });
   const [fields1, fields2, fieldCorners] = [field("Width", first, "m"), field("Length", second, "m"), field("Corners: x y; x y; …", corners)];
   fieldCorners.dataset.tip = "x ahead and y to the left of the middle between the wheels, in metres; corners separated by semicolons.";
-  const [fieldTool, fieldAhead, fieldAside] = [field("Strip width", tool, "m"), field("Strip ahead", ahead, "m"), field("Strip to the left", aside, "m")];
+  const [fieldTool, fieldAhead, fieldAside] = [field("Tool width", tool, "m"), field("Tool ahead", ahead, "m"), field("Tool to the left", aside, "m")];
   const form = make(
     "form",
     { method: "dialog", noValidate: true },
     make("header", {}, make("h2", { id: "own-title" }, "Own robot")),
-    make("div", { className: "own-look" }, svg, make("div", {}, field("Figures of", model), field("Shape", shape), fields1, fields2, fieldCorners)),
+    make("div", { className: "own-look" }, svg, make("div", {}, field("Based on", model), field("Shape", shape), fields1, fields2, fieldCorners)),
     make("div", { className: "own-fields" }, field("Cleans", cleans), fieldTool, fieldAhead, fieldAside, field("Moves", wheels), field("Speed", speed, "m/s"), field("Turns at", turn, "°/s")),
     make("p", { className: "note" }, "Empty fields are the model's. Battery, power and noise are the model's, too; sensors sit at the edge of your shape."),
     sensors,
-    fault,
-    make("div", { className: "row" }, make("button", { type: "button", id: "own-cancel", onclick: () => dialog.close() }, "Cancel"), make("button", { type: "submit", className: "primary", id: "own-use" }, "Use this robot")),
+    make("div", { className: "own-foot" }, fault, make("div", { className: "row" }, make("button", { type: "button", id: "own-cancel", onclick: () => dialog.close() }, "Cancel"), make("button", { type: "submit", className: "primary", id: "own-use" }, "Use this robot"))),
   );
   const dialog = make("dialog", { id: "own-robot", "aria-labelledby": "own-title" }, form);
   document.body.append(dialog);
@@ -133,7 +132,9 @@ function build(app) {
     const r = (radius * scale).toFixed(2);
     outline.setAttribute("d", radius ? `M${r},0A${r},${r} 0 1 1 -${r},0A${r},${r} 0 1 1 ${r},0Z` : points?.length ? `M${points.map(at).join("L")}Z` : "");
     const [cx = "0", cy = "0"] = at(middle).split(",");
-    for (const [name, value] of Object.entries({ cx, cy, r: String(Math.max(0, half * scale)) })) strip.setAttribute(name, value);
+    // As a brush is: wide, and short along the way.
+    const side = Math.max(0, half * scale);
+    for (const [name, value] of Object.entries({ x: Number(cx) - side, y: Number(cy) - 2.5, width: 2 * side })) strip.setAttribute(name, String(value));
     outline.classList.toggle("cleans", own.cleansAll);
   };
   const listSensors = (/** @type {string[]} */ without) => {

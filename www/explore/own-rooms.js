@@ -97,6 +97,11 @@ export function pairOf(app) {
 async function show(app, id, name, scenario) {
   const bytes = new TextEncoder().encode(scenario);
   if (!(await app.takeFiles([{ name: `the room "${name}"`, bytes }]))) return false;
+  // Undo takes back what was changed in it, not the way through the rooms.
+  for (const [lineage, one] of [...ids].reverse()) {
+    if (one === id) app.act((p) => p.resume_room(lineage));
+    if (app.playground.room_lineage() === lineage) break;
+  }
   ids.set(app.playground.room_lineage(), id);
   stored.set(id, app.playground.room_version());
   void repack(id, scenario);

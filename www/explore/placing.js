@@ -30,7 +30,8 @@ export async function startPlacing(app) {
     const { tool, objects, placing, selected } = view;
     setHidden(byId("kinds"), tool !== "place");
     for (const node of kinds) setAttribute(node, "aria-pressed", String(node.dataset.kind === placing));
-    setHidden(byId("selection"), objects.length === 0 || (selected < 0 && tool !== "place"));
+    // Over the floor only while it serves. By keyboard, N selects the next object.
+    setHidden(byId("selection"), selected < 0);
     if (changed(menu, "names", objects.join())) {
       names = numbered(objects);
       fill(menu, [["", "Nothing selected"], ...names.map((name, index) => /** @type {[string, string]} */ ([String(index), name]))]);

@@ -1,6 +1,6 @@
 // @ts-check
 // Facts about the file and the resulting room.
-import { button, byId, setAttribute, setHidden, setText } from "../dom.js";
+import { button, byId, changed, make, setAttribute, setHidden, setText } from "../dom.js";
 
 /** @typedef {import("./types").FloorPlanView} FloorPlanView */
 
@@ -13,7 +13,12 @@ export function startFacts(it) {
   });
   button("floor-plan-asks-yes").addEventListener("click", () => void it.set({ confirmed: it.view?.settings.metre ?? null }));
   button("floor-plan-asks-scale").addEventListener("click", () => button("floor-plan-scale").click());
-  return show;
+  const papers = byId("floor-plan-asks-papers");
+  return (view) => {
+    show(view);
+    if (!changed(papers, "papers", JSON.stringify(view?.papers))) return;
+    papers.replaceChildren(...(view?.papers ?? []).map(({ name, metre, size }) => make("button", { type: "button", title: size, onclick: () => void it.set({ metre }) }, name)));
+  };
 }
 
 /** @param {FloorPlanView | undefined} view */
@@ -31,8 +36,18 @@ function show(view) {
   setText(byId("floor-plan-result"), view ? result(view) : "Choose or drop a file to see it here with its size.");
   button("floor-plan-use").disabled = !view?.room;
   showDoors(view);
+  showCut(view);
   setHidden(byId("floor-plan-asks"), !view?.asks);
   if (view?.asks) setText(byId("floor-plan-asks-text"), `This floor plan is ${view.asks}. Is that its size?`);
+}
+
+/** Floor that a robot can't get to. @param {FloorPlanView | undefined} view */
+function showCut(view) {
+  const cut = view?.asks || view?.doors ? 0 : (view?.room?.cut_off_m2 ?? 0);
+  setHidden(byId("floor-plan-cut"), !cut);
+  if (!view || !cut) return;
+  const mend = view.kind === "drawing" ? "Make the layer in its way Ignored" : view.kind === "image" ? "Read the walls in another way" : "Widen the way";
+  setText(byId("floor-plan-cut-text"), `A robot as wide as a Roomba can't get to ${cut.toFixed(1)} m² of this floor: a line, an arc of a door or a narrow door is in its way. ${mend}, or use this room and rub the way free with Erase.`);
 }
 
 /** Doors that the room reaches through. @param {FloorPlanView | undefined} view */
@@ -54,7 +69,9 @@ function facts({ kind, size, strokes, layers, room, left_out }) {
 }
 
 /** @param {FloorPlanView} view */
-function result({ room, settings, fault }) {
+function result({ room, settings, fault, asks, size }) {
+  // There is floor round it by which the room would be larger than the drawing.
+  if (asks.endsWith(" mm")) return `Whole drawing: ${size}. Choose its size first.`;
   if (!room) return settings.metre === null ? "Choose the drawing's unit first." : fault || "No room yet.";
   const { width_m, height_m, floor_m2, cells, objects, gaps, around_m2 } = room;
   const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, gaps && `${gaps} ${gaps === 1 ? "gap" : "gaps"} closed`, around_m2 > 0 && `${around_m2.toFixed(1)} m² round the building left out`].filter(Boolean);

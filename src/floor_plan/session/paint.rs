@@ -52,6 +52,8 @@ pub(super) struct FloorPlanPainter {
     /// Lines of each layer of the drawing, on the sheet.
     lines: Vec<Path2d>,
     room: Option<((u32, bool), OffscreenLayer)>,
+    /// The hatched floor that a robot can't get to, if there is some.
+    cut: Option<OffscreenLayer>,
     /// The image that the room is traced from.
     image: Option<OffscreenLayer>,
     slice: Option<(OffscreenLayer, f64)>,
@@ -71,6 +73,7 @@ impl FloorPlanPainter {
             context,
             lines: Vec::new(),
             room: None,
+            cut: None,
             image: None,
             slice: None,
             picture,
@@ -200,6 +203,7 @@ impl FloorPlanPainter {
         {
             let is_seen_through = self.sees_through(session);
             self.room = Some((key, room_picture(room, palette, is_seen_through)?));
+            self.cut = session.cut_off().map(|(cut, _)| hatched(cut)).transpose()?;
         }
         self.picture.clear(self.canvas.width(), self.canvas.height());
         let context = &self.picture.context;
@@ -212,6 +216,9 @@ impl FloorPlanPainter {
             let view = room_view(session, room, viewport);
             if let Some((_, picture)) = &self.room {
                 stretch(context, &view, picture, room.plan.resolution)?;
+            }
+            if let Some(cut) = &self.cut {
+                stretch(context, &view, cut, room.plan.resolution)?;
             }
             if let Some(metre) = session.settings().metre {
                 grid(context, viewport, metre / session.sheet().scale, palette);
@@ -276,6 +283,18 @@ fn room_picture(room: &Traced, palette: &Palette, is_seen_through: bool) -> Resu
         Occupancy::Occupied => occupied,
         Occupancy::Unknown => unknown,
     })
+}
+
+/// Okabe and Ito's reddish purple in stripes, as in www/floor-plan/floor-plan.css.
+fn hatched(cut: &Grid<bool>) -> Result<OffscreenLayer, JsValue> {
+    // About 50 stripes across, of two cells at least.
+    let stripe = (cut.width().max(cut.height()) / 100).max(2) as i32;
+    let mut stripes = cut.clone();
+    for index in 0..cut.len() {
+        let cell = cut.cell(index);
+        stripes[cell] &= (cell.x + cell.y).rem_euclid(2 * stripe) < stripe;
+    }
+    cell_picture(&stripes, |&is_stripe| if is_stripe { [204, 121, 167, 215] } else { [0; 4] })
 }
 
 /// Draws a picture of cells, each `cell` metres wide; one unit of the context is a CSS pixel.

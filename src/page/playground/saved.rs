@@ -48,6 +48,11 @@ impl Playground {
         self.session.room_lineage()
     }
 
+    /// Goes on with the changes of a room that is opened again, if it is as it was left.
+    pub fn resume_room(&mut self, lineage: u32) {
+        self.session.resume_room(lineage);
+    }
+
     /// Renames the room, which is then an own one.
     pub fn rename_room(&mut self, name: &str) {
         self.session.rename_room(name);

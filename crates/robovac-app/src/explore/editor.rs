@@ -93,6 +93,20 @@ impl Editor {
         self.now.lineage
     }
 
+    /// Goes on with the changes of a room that is opened again, as it was left: they are undone next, not the rooms in
+    /// between. Returns whether it is that room.
+    pub fn resume(&mut self, lineage: u32) -> bool {
+        let is_left = |state: &EditorState| {
+            let (before, now) = (&state.plan, &self.now.plan);
+            state.lineage == lineage && before.occupancy == now.occupancy && before.objects == now.objects
+        };
+        let Some(index) = self.undo.iter().rposition(is_left) else { return false };
+        self.undo.truncate(index);
+        self.redo.clear();
+        self.now.lineage = lineage;
+        true
+    }
+
     /// Renames the room, which is then an own one.
     pub fn rename(&mut self, name: &str) {
         name.clone_into(&mut Arc::make_mut(&mut self.now.plan).name);
@@ -277,6 +291,24 @@ mod tests {
         assert_eq!((editor.plan().name.as_str(), editor.room()), ("test", Some("empty")));
         assert!(editor.redo());
         assert_eq!(editor.plan().name, "Loft");
+    }
+
+    #[test]
+    fn undo_in_a_room_that_is_opened_again_takes_its_own_changes_back() {
+        let mut editor = editor();
+        for x in [0.5, 0.9] {
+            editor.begin(Brush::Wall, Point::new(x, 0.5));
+            editor.end();
+        }
+        let (own, lineage) = (editor.plan().as_ref().clone(), editor.lineage());
+        editor.replace(self::editor().plan().as_ref().clone(), Some("maze"), None);
+        editor.replace(FloorPlan { name: "Loft".into(), ..own.clone() }, None, None);
+        assert!(editor.resume(lineage) && editor.lineage() == lineage);
+        assert!(editor.undo());
+        assert_eq!((walls(&editor), editor.room()), (1, None), "the last wall is gone, and it's still the own room");
+        // Another state than the one that was left has no changes to take back.
+        editor.replace(own, None, None);
+        assert!(!editor.resume(lineage));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::objects::{PlaceableKind, handles, moved, object_at, reshaped, scaled, turned};
 use crate::explore::Session;
 use robovac_core::{
-    floor_plan::Object,
+    floor_plan::{FloorPlan, Object},
     geometry::{Point, Vector},
     math,
 };
@@ -111,6 +111,9 @@ impl ObjectTool {
         let mut objects = self.in_hand(session);
         let Some(Drag { from, to, what }) = self.drag.take() else { return };
         match (what, objects.pop()) {
+            (Dragged::New, Some(Object::Mover { .. })) if !is_floor(session.plan(), from) => {
+                session.refuse_mover(from);
+            }
             (Dragged::New, Some(last)) => {
                 objects.push(last);
                 let is_placed = session.add_objects(objects);
@@ -189,6 +192,11 @@ impl ObjectTool {
         // It stays selected if the edit wasn't possible, too.
         self.select(session, Some(index));
     }
+}
+
+/// Whether something can stand there.
+fn is_floor(plan: &FloorPlan, at: Point) -> bool {
+    plan.occupancy.get(plan.cell_at(at)).is_some_and(|cell| cell.is_free())
 }
 
 impl Default for ObjectTool {

@@ -6,6 +6,7 @@
 mod body;
 mod coarse;
 mod colour;
+mod cut;
 mod doors;
 mod export;
 mod hand;
@@ -20,6 +21,7 @@ mod view;
 pub use body::{BodyChoice, BodyError};
 pub use coarse::coarse;
 pub use colour::seen_on;
+pub use cut::cut_off;
 pub use doors::Doors;
 pub use hand::{DrawingHand, DrawingTool};
 pub use overlay::{overlays, sweep_dxf};

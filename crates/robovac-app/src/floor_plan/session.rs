@@ -1,6 +1,6 @@
 //! State of the Floor plan tab: loaded file, settings, and the resulting room.
 
-use super::{Doors, DrawingHand, DrawingPart, DrawingSource, FloorPlanSettings, Sheet};
+use super::{Doors, DrawingHand, DrawingPart, DrawingSource, FloorPlanSettings, Sheet, cut_off};
 use crate::{Import, ImportError, ScenarioChoices};
 use coverage_planners::{
     metrics::DriveMetrics,
@@ -14,7 +14,7 @@ use robovac_core::{
     cspace::{ConfigurationSpace, Outline},
     floor_plan::{FloorPlan, Object, Sketch, SourceFile},
     geometry::{MetricPath, Point, Pose, Vector, contains},
-    grid::Cell,
+    grid::{Cell, Grid},
     math::{cos, sin},
     robot::{self, OwnRobot, RobotModel},
 };
@@ -34,6 +34,8 @@ pub struct DrawingSession {
     room: Option<Traced>,
     /// Free floor of the room, m².
     floor: f64,
+    /// Floor of the room that a robot can't get to, with its area, m².
+    cut: Option<(Grid<bool>, f64)>,
     doors: Option<Doors>,
     fault: String,
     /// The place that the fault is about, in the turned file.
@@ -74,6 +76,7 @@ impl DrawingSession {
             sheet,
             room: None,
             floor: 0.0,
+            cut: None,
             doors: None,
             fault: String::new(),
             mark: None,
@@ -111,6 +114,11 @@ impl DrawingSession {
     /// Free floor of the room, m².
     pub fn floor_m2(&self) -> f64 {
         self.floor
+    }
+
+    /// Floor of the room that a robot can't get to, with its area, m².
+    pub fn cut_off(&self) -> Option<&(Grid<bool>, f64)> {
+        self.cut.as_ref()
     }
 
     /// Open doors through which a chosen room extends.
@@ -225,7 +233,7 @@ impl DrawingSession {
 
     /// Traces the room again.
     fn trace(&mut self) {
-        (self.room, self.doors, self.space, self.sweep) = (None, None, None, None);
+        (self.room, self.cut, self.doors, self.space, self.sweep) = (None, None, None, None, None);
         self.version += 1;
         self.fault.clear();
         self.mark = None;
@@ -238,7 +246,9 @@ impl DrawingSession {
         let traced = self.traced(metre);
         match traced {
             Ok(traced) => {
-                self.floor = free_floor(&traced.plan);
+                let free = free_cells(&traced.plan);
+                self.floor = free.count() as f64 * traced.plan.resolution * traced.plan.resolution;
+                self.cut = cut_off(&traced.plan, &free);
                 self.room = Some(traced);
             }
             Err(error) => {
@@ -438,8 +448,13 @@ pub fn warm_up() {
     let _ = sweep(&plan, &setup, &mut |_| ControlFlow::Continue(()));
 }
 
-/// Floor without objects, m²; by the centres of the cells.
+/// Floor without objects, m².
 fn free_floor(plan: &FloorPlan) -> f64 {
+    free_cells(plan).count() as f64 * plan.resolution * plan.resolution
+}
+
+/// Floor without objects, by the centres of the cells.
+fn free_cells(plan: &FloorPlan) -> Grid<bool> {
     let mut free = plan.occupancy.map(|cell| cell.is_free());
     let mut take = |low: Point, high: Point, holds: &dyn Fn(Point) -> bool| {
         let (low, high) = (plan.cell_at(low), plan.cell_at(high));
@@ -466,7 +481,7 @@ fn free_floor(plan: &FloorPlan) -> f64 {
             _ => {}
         }
     }
-    free.count() as f64 * plan.resolution * plan.resolution
+    free
 }
 
 /// A map whose cells are `metre` wide, with its start at the same place in the picture.

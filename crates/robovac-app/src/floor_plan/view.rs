@@ -1,6 +1,9 @@
 //! View model of the Floor plan tab, as one plain object.
 
-use super::{Doors, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, paper_units, size_in_words};
+use super::{
+    Doors, DrawingPart, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, paper_units,
+    size_in_words,
+};
 use crate::amount::amount;
 use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
 use floor_drawing::Role;
@@ -9,6 +12,8 @@ use serde::Serialize;
 
 /// Lengths of a floor plan's longer side, m, that nobody is asked about (ours): from a closet to a house.
 const USUAL: [f64; 2] = [2.0, 60.0];
+/// Floors of flats and houses, m², likewise, where the file doesn't state its unit.
+const USUAL_FLOOR: [f64; 2] = [5.0, 500.0];
 
 fn is_usual(longer_side: f64) -> bool {
     (USUAL[0]..=USUAL[1]).contains(&longer_side)
@@ -37,6 +42,8 @@ pub struct DrawingView {
     pub has_cells: bool,
     /// A size that is unusual for a room, in words, until it is confirmed; empty otherwise.
     pub asks: String,
+    /// The scales of a plan on paper that would give a usual size, while the size is asked about.
+    pub papers: Vec<UnitView>,
     /// Angle by which the walls are askew, degrees; `None` if they are straight or have no common direction.
     pub askew: Option<f64>,
     /// Layers of a drawing.
@@ -134,6 +141,8 @@ pub struct TracedRoomView {
     pub gaps: usize,
     /// Floor round the building that is left out, m².
     pub around_m2: f64,
+    /// Floor that a robot can't get to, m²; 0 if it is hardly any.
+    pub cut_off_m2: f64,
 }
 
 /// Results of a sweep.
@@ -173,6 +182,13 @@ impl DrawingSession {
     pub fn view(&self) -> DrawingView {
         let (source, settings) = (self.source(), self.settings());
         let (_, size) = source.extent();
+        let asks = self.asks().unwrap_or_default();
+        let papers = || paper_units(source).into_iter().filter(|(_, metre)| is_usual(size.max() * metre));
+        let unit_view = |(name, metre): (String, f64)| UnitView {
+            name,
+            metre,
+            size: size_in_words(size.x * metre, size.y * metre),
+        };
         let drawing = source.drawing();
         let outline = self.outline();
         let mut view = DrawingView {
@@ -189,13 +205,17 @@ impl DrawingSession {
                 .iter()
                 .filter(|_| drawing.is_some())
                 .map(|unit| (unit.name.to_owned(), unit.metre))
-                .chain(paper_units(source).into_iter().filter(|(_, metre)| is_usual(size.max() * metre)))
-                .map(|(name, metre)| UnitView { name, metre, size: size_in_words(size.x * metre, size.y * metre) })
+                .chain(papers())
+                .map(unit_view)
                 .collect(),
             has_cells: drawing.is_some()
                 || matches!(source, DrawingSource::Image { .. })
                     && settings.metre.is_some_and(|metre| settings.has_fine_pixels(metre)),
-            asks: self.asks().unwrap_or_default(),
+            papers: papers()
+                .filter(|_| !asks.is_empty())
+                .map(|(name, metre)| unit_view((name.replace("on paper, ", "").replace(" sheet,", ""), metre)))
+                .collect(),
+            asks,
             askew: self.askew(),
             layers: drawing.map_or(Vec::new(), |drawing| {
                 let with_role = drawing.layers.iter().zip(&settings.roles);
@@ -236,7 +256,17 @@ impl DrawingSession {
         let is_tiny = width.max(height) < USUAL[0];
         let room = self.room().filter(|_| !is_tiny).map(|room| (room.plan.width_m(), room.plan.height_m()));
         let (width, height) = room.unwrap_or((width, height));
-        (!is_usual(width.max(height))).then(|| size_in_words(width, height))
+        let size = size_in_words(width, height);
+        if !is_usual(width.max(height)) {
+            return Some(size);
+        }
+        // A part can be small.
+        let is_stated = self.source().drawing().is_some_and(|drawing| drawing.metre.is_some());
+        let floor = self.floor_m2();
+        let is_odd = room.is_some()
+            && settings.part == DrawingPart::Indoors
+            && !(USUAL_FLOOR[0]..=USUAL_FLOOR[1]).contains(&floor);
+        (is_odd && !is_stated).then(|| format!("{size}, with {floor:.0} m² of floor"))
     }
 
     fn room_view(&self) -> Option<TracedRoomView> {
@@ -251,6 +281,7 @@ impl DrawingSession {
             objects: plan.objects.len(),
             gaps: room.gaps.len(),
             around_m2: room.around_m2,
+            cut_off_m2: self.cut_off().map_or(0.0, |(_, area)| *area),
         })
     }
 }
@@ -280,6 +311,9 @@ fn description(view: &DrawingView) -> String {
                 if count > 0 {
                     say(amount(count as i64, what));
                 }
+            }
+            if room.cut_off_m2 > 0.0 {
+                say(format!("a robot can't get to {:.1} square metres of it", room.cut_off_m2));
             }
             if room.around_m2 > 0.0 {
                 say(format!("{:.1} square metres round the building are left out", room.around_m2));

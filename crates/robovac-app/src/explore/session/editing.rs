@@ -81,6 +81,11 @@ impl Session {
         self.editor.lineage()
     }
 
+    /// Goes on with the changes of a room that is opened again.
+    pub fn resume_room(&mut self, lineage: u32) {
+        self.editor.resume(lineage);
+    }
+
     /// Renames the room, which is then an own one.
     pub fn rename_room(&mut self, name: &str) {
         self.editor.rename(name);

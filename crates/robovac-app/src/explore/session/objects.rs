@@ -1,7 +1,10 @@
 //! Objects in the session's room.
 
 use super::{Session, sentence};
-use robovac_core::floor_plan::{FloorPlan, Object};
+use robovac_core::{
+    floor_plan::{FloorPlan, Object},
+    geometry::Point,
+};
 
 impl Session {
     /// Adds objects to the room, as one change; returns whether they fit, and reports an error if not.
@@ -9,6 +12,13 @@ impl Session {
         let mut all = self.plan().objects.clone();
         all.extend(objects);
         self.take_objects(all)
+    }
+
+    /// Says why nobody is placed at a point without floor.
+    pub(in crate::explore) fn refuse_mover(&mut self, at: Point) {
+        let is_wall = self.plan().occupancy.contains(self.plan().cell_at(at));
+        let place = if is_wall { "there is no floor there" } else { "that is outside the room" };
+        self.say("error", format!("Nobody was placed: {place}. Click on free floor."));
     }
 
     /// Replaces an object; returns whether the new one fits.
