@@ -16,6 +16,10 @@ test("an own robot is built in a form that loses nothing, and survives a reload"
   await page.locator("#own-corners").fill("0.2 -0.15; 0.2 0.15; -0.1 0.15; -0.2 0; -0.1");
   await page.locator("#own-use").click();
   await page.getByText('Corner 5, "-0.1", is not two numbers').waitFor();
+  // A picture of nothing was drawn with NaN.
+  await page.locator("#own-cleans").selectOption({ index: 1 });
+  await page.locator("#own-corners").fill("1.84");
+  await page.locator("#own-cleans").selectOption({ index: 0 });
   await page.locator("#own-corners").fill("0.2 -0.15; 0.2 0.15; -0.1 0.15; -0.2 0; -0.1 -0.15");
   await page.locator("#own-tool").fill("0.6");
   await page.locator("#own-use").click();

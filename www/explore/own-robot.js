@@ -116,8 +116,10 @@ function build(app) {
     if (!base) return;
     const own = values();
     const unit = base.radius_m;
-    const middle = own.at.map(Number);
-    const half = own.cleansAll ? 0 : (Number(own.tool) || base.tool_width_m) / 2;
+    // What isn't a number is told when the robot is to be used.
+    const size = (/** @type {string} */ text) => (Number.isFinite(Number(text)) ? Number(text) : 0);
+    const middle = own.at.map(size);
+    const half = own.cleansAll ? 0 : (size(own.tool) || base.tool_width_m) / 2;
     /** @type {number[][] | undefined} */
     let points;
     try {
@@ -125,8 +127,8 @@ function build(app) {
     } catch {
       // It is told when the robot is to be used.
     }
-    const radius = own.shape === "circle" ? Number(own.first) / 2 || 0 : own.shape === "model" && base.body.length === 0 ? unit : 0;
-    const reach = Math.max(radius, Math.hypot(...middle) + half, ...(points ?? []).map(([x = 0, y = 0]) => Math.hypot(x, y)));
+    const radius = own.shape === "circle" ? size(own.first) / 2 : own.shape === "model" && base.body.length === 0 ? unit : 0;
+    const reach = Math.max(0.1 * unit, radius, Math.hypot(...middle) + half, ...(points ?? []).map(([x = 0, y = 0]) => Math.hypot(x, y)));
     const scale = (0.45 * SVG_SIZE) / reach;
     const at = (/** @type {number[]} */ [x = 0, y = 0]) => `${(-y * scale).toFixed(2)},${(-x * scale).toFixed(2)}`;
     const r = (radius * scale).toFixed(2);
