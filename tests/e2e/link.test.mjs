@@ -49,6 +49,12 @@ test("a drawn room survives a reload, and its link brings it elsewhere", async (
   await page.reload();
   await app.until("playing");
   assert.equal(await app.reachableArea(), drawn);
+  // What was done before can still be undone, and done again.
+  await page.locator("#undo:enabled").click();
+  await app.poll(() => app.room(), (room) => room === "Empty room");
+  assert.equal(await app.reachableArea(), before);
+  await page.locator("#redo").click();
+  await app.poll(() => app.reachableArea(), (area) => area === drawn);
   const elsewhere = await page.context().browser().newContext();
   const other = new App(await elsewhere.newPage());
   await other.page.goto(address);

@@ -4,6 +4,7 @@ import { toast } from "../messages.js";
 import { aboutRoom, settingsOf } from "../settings-link.js";
 import { flatOf, openFlat } from "./flat.js";
 import { pack, unpack } from "./pack.js";
+import { forgetPast, keepPast, recall } from "./room-past.js";
 
 /**
  * @typedef {import("../main.js").App} App
@@ -66,6 +67,7 @@ export function put({ id, name }, scenario) {
 
 /** @param {string} id */
 export function remove(id) {
+  forgetPast(id);
   try {
     localStorage.removeItem(keyOf(id));
     localStorage.setItem(LIST, JSON.stringify(list().filter((room) => room.id !== id)));
@@ -172,12 +174,15 @@ export function keep(app, link) {
   // A generated flat is its name, unless something else has to be kept with it.
   if (flatOf(app) && settingsOf(link).get("path") !== "kept") return aboutRoom(link, pairOf(app));
   let id = ids.get(lineage);
+  const isNew = !id;
   if (!id) ids.set(lineage, (id = newId()));
+  recall(app, lineage, isNew ? "" : id);
   const version = playground.room_version();
   if (stored.get(id) !== version) {
     stored.set(id, version);
     const name = list().find((room) => room.id === id)?.name ?? freeName(view.room.title, id);
     const scenario = renamed(playground.scenario_json(), name);
+    keepPast(id, isNew ? playground.room_began_as() : scenarioOf(id), scenario);
     put({ id, name }, scenario);
     packed.delete(id);
     void repack(id, scenario);

@@ -1,6 +1,7 @@
 //! The session as a link, as a file and for other tabs, and back.
 
 use super::{Playground, json};
+use robovac_core::floor_plan;
 use robovac_playground::wire::{map_file, message, to_js};
 use wasm_bindgen::prelude::*;
 
@@ -51,6 +52,24 @@ impl Playground {
     /// Goes on with the changes of a room that is opened again, if it is as it was left.
     pub fn resume_room(&mut self, lineage: u32) {
         self.session.resume_room(lineage);
+    }
+
+    /// Id of the built-in room that this one was made of, as far as it can be undone.
+    pub fn room_began_as(&self) -> Option<String> {
+        self.session.began_as().map(str::to_owned)
+    }
+
+    /// Adds an older state of the room, read by `read_map`, to what can be undone, before all that is known of it.
+    pub fn recall_map(&mut self, read: &JsValue) -> Result<(), JsValue> {
+        self.session.recall_room(map_file::import_from_js(read)?.plan, None);
+        Ok(())
+    }
+
+    /// The same with the built-in room that it was made of.
+    pub fn recall_room(&mut self, id: &str) {
+        if let Some(room) = floor_plan::room(id) {
+            self.session.recall_room((room.build)(), Some(room.id));
+        }
     }
 
     /// Renames the room, which is then an own one.

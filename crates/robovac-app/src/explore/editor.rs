@@ -107,6 +107,18 @@ impl Editor {
         true
     }
 
+    /// Id of the built-in room that this one was made of, as far as it can be undone.
+    pub fn began_as(&self) -> Option<&'static str> {
+        self.undo.iter().find(|state| state.lineage == self.now.lineage)?.room
+    }
+
+    /// Adds an older state of the room to what can be undone, before all that is known of it; `id` if it is built in.
+    pub fn recall(&mut self, plan: FloorPlan, id: Option<&'static str>) {
+        let EditorState { start, lineage, .. } = self.now;
+        let known = self.undo.iter().position(|state| state.lineage == lineage).unwrap_or(self.undo.len());
+        self.undo.insert(known, EditorState { plan: Arc::new(plan), room: id, start, lineage });
+    }
+
     /// Renames the room, which is then an own one.
     pub fn rename(&mut self, name: &str) {
         name.clone_into(&mut Arc::make_mut(&mut self.now.plan).name);
@@ -309,6 +321,32 @@ mod tests {
         // Another state than the one that was left has no changes to take back.
         editor.replace(own, None, None);
         assert!(!editor.resume(lineage));
+    }
+
+    #[test]
+    fn what_is_recalled_is_undone_after_what_was_done_since() {
+        let (mut editor, room) = (editor(), editor().plan().as_ref().clone());
+        for x in [0.5, 0.7] {
+            editor.begin(Brush::Wall, Point::new(x, 0.5));
+            editor.end();
+        }
+        let (two, mut later) = (editor.plan().as_ref().clone(), self::editor());
+        assert!(editor.undo());
+        let one = editor.plan().as_ref().clone();
+        // As after a reload: the room is there, and nothing else.
+        later.replace(two, None, None);
+        later.begin(Brush::Wall, Point::new(0.9, 0.5));
+        later.end();
+        later.recall(one, None);
+        assert_eq!(later.began_as(), None);
+        later.recall(room, Some("empty"));
+        assert_eq!(later.began_as(), Some("empty"));
+        for expected in [(2, None), (1, None), (0, Some("empty"))] {
+            assert!(later.undo());
+            assert_eq!((walls(&later), later.room()), expected);
+        }
+        assert!(later.redo() && later.redo() && later.redo());
+        assert_eq!(walls(&later), 3);
     }
 
     #[test]

@@ -266,6 +266,8 @@ fn hands_chargers_and_cables_obey_orders() {
     program.order("lift");
     program.wait_for("the wheels drop", |state| state["mode"] == "Passive" && state["lifted"] == true);
     program.order("drop");
+    // The line and the orders are two ways in: neither waits for the other.
+    program.wait_for("it stands", |state| state["lifted"] == false);
     terminal.send(&[131]);
     program.wait_for("Safe again", |state| state["mode"] == "Safe");
     program.order("plug");

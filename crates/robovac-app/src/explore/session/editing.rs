@@ -2,7 +2,10 @@
 
 use super::{Session, rounded, sentence};
 use crate::explore::Brush;
-use robovac_core::geometry::{Point, Pose};
+use robovac_core::{
+    floor_plan::FloorPlan,
+    geometry::{Point, Pose},
+};
 use robovac_sim::experiment::planning::RoomSetup;
 
 impl Session {
@@ -84,6 +87,16 @@ impl Session {
     /// Goes on with the changes of a room that is opened again.
     pub fn resume_room(&mut self, lineage: u32) {
         self.editor.resume(lineage);
+    }
+
+    /// Id of the built-in room that this one was made of, as far as it can be undone.
+    pub fn began_as(&self) -> Option<&'static str> {
+        self.editor.began_as()
+    }
+
+    /// Adds an older state of the room to what can be undone, before all that is known of it; `id` if it is built in.
+    pub fn recall_room(&mut self, plan: FloorPlan, id: Option<&'static str>) {
+        self.editor.recall(plan, id);
     }
 
     /// Renames the room, which is then an own one.

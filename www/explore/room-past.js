@@ -1,0 +1,76 @@
+// @ts-check
+// Earlier states of own rooms, kept in this browser: their changes can be undone after a reload.
+
+/** @typedef {import("../main.js").App} App */
+
+/** Most states of a room, and letters of all of them. */
+const MOST = { states: 20, letters: 200_000 };
+
+/** Lineages whose past was recalled, or is known. @type {Set<number>} */
+const recalled = new Set();
+
+/** @param {string} id */
+const keyOf = (id) => `own-room-${id}-past`;
+
+/** The oldest first: scenarios, or the id of the built-in room that it began with. @param {string} id @returns {string[]} */
+function read(id) {
+  try {
+    const past = JSON.parse(localStorage.getItem(keyOf(id)) ?? "[]");
+    return Array.isArray(past) ? past.filter((state) => typeof state === "string") : [];
+  } catch {
+    return [];
+  }
+}
+
+/** What a scenario says of the room alone. @param {string} scenario */
+function room(scenario) {
+  try {
+    const { width, height, resolution, rows, objects = [] } = JSON.parse(scenario);
+    return JSON.stringify([width, height, resolution, rows, objects]);
+  } catch {
+    return scenario;
+  }
+}
+
+/** The room was `before`, if it was, and is another one now. @param {string} id @param {string | null | undefined} before @param {string} now */
+export function keepPast(id, before, now) {
+  if (!before) return;
+  const past = read(id);
+  // What is undone isn't the past any more.
+  if (past.length > 0 && room(past[past.length - 1] ?? "") === room(now)) past.pop();
+  else if (room(before) !== room(now)) past.push(before);
+  while (past.length > MOST.states || past.reduce((sum, { length }) => sum + length, 0) > MOST.letters) past.shift();
+  try {
+    localStorage.setItem(keyOf(id), JSON.stringify(past));
+  } catch {
+    forgetPast(id);
+  }
+}
+
+/** @param {string} id */
+export function forgetPast(id) {
+  try {
+    localStorage.removeItem(keyOf(id));
+  } catch {
+    // Without storage there is nothing to forget.
+  }
+}
+
+/** Once for each lineage, lets the changes of the shown room be undone that were made before the page was loaded. @param {App} app @param {number} lineage @param {string} id Empty for a new room. */
+export function recall(app, lineage, id) {
+  if (recalled.has(lineage)) return;
+  recalled.add(lineage);
+  const past = id ? read(id) : [];
+  if (past.length > 0) void bringBack(app, lineage, past).catch((error) => console.warn(error));
+}
+
+/** @param {App} app @param {number} lineage @param {string[]} past */
+async function bringBack(app, lineage, past) {
+  const { readMap } = await import("../workers.js");
+  for (const state of past.reverse()) {
+    const map = state.startsWith("{") ? await readMap([{ name: "room.json", bytes: new TextEncoder().encode(state) }]) : undefined;
+    // Another room may have been chosen meanwhile.
+    if (app.playground.room_lineage() !== lineage) return;
+    app.act((p) => (map ? p.recall_map(map) : p.recall_room(state)));
+  }
+}
