@@ -39,7 +39,17 @@ test("a drawn room survives a reload, and its link brings it elsewhere", async (
   const { page, app } = await openApp(t, { address: "#room=empty&speed=4", viewport: { width: 1366, height: 768 } });
   const before = await app.reachableArea();
   await app.tool("wall");
-  await app.drag([0.5, 0.1], [0.5, 0.6]);
+  // One stroke, which is kept twice before it ends.
+  const kept = () => page.evaluate(() => Object.entries(localStorage).find(([key]) => /^own-room-\w+$/.test(key))?.[1] ?? "");
+  await page.mouse.move(...(await app.spot(0.5, 0.1)));
+  await page.mouse.down();
+  for (const y of [0.3, 0.45]) {
+    const last = await kept();
+    await page.mouse.move(...(await app.spot(0.5, y)), { steps: 4 });
+    await app.poll(kept, (now) => now !== last);
+  }
+  await page.mouse.move(...(await app.spot(0.5, 0.6)), { steps: 4 });
+  await page.mouse.up();
   await app.settled();
   const drawn = await app.reachableArea();
   assert.ok(drawn < before, `${drawn} of ${before} m²`);

@@ -109,7 +109,7 @@ function line(it, row, metrics, rows, rooms) {
   const name = make("th", { scope: "row" }, swatch(planner?.mark), open);
   if (row.missing > 0 && rooms > 1) name.append(make("span", { className: "status" }, `${rooms - row.missing} of ${rooms} rooms`));
   if (row.failure) name.append(make("span", { className: "failure", "data-tip": row.failure, tabIndex: 0 }, "failed"));
-  if (row.leaves_floor) name.append(make("span", { className: "status", "data-tip": "It leaves out floor that others clean, and costs less for it: only its coverage can be the best.", tabIndex: 0 }, "not all floor"));
+  if (row.leaves_floor) name.append(" ", make("span", { className: "status", "data-tip": "It leaves out floor that others clean, and costs less for it: only its coverage can be the best.", tabIndex: 0 }, "not all floor"));
   const cells = metrics.map((metric, column) => {
     const spread = row.values[column];
     if (!spread) return make("td", {}, "–");

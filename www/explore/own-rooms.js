@@ -4,7 +4,7 @@ import { toast } from "../messages.js";
 import { aboutRoom, settingsOf } from "../settings-link.js";
 import { flatOf, openFlat } from "./flat.js";
 import { pack, unpack } from "./pack.js";
-import { forgetPast, keepPast, recall } from "./room-past.js";
+import { forgetPast, keepPast, recall, settlePast } from "./room-past.js";
 
 /**
  * @typedef {import("../main.js").App} App
@@ -186,7 +186,7 @@ export function keep(app, link) {
     put({ id, name }, scenario);
     packed.delete(id);
     void repack(id, scenario);
-  }
+  } else settlePast(id, scenarioOf(id));
   const map = packed.get(id);
   return aboutRoom(link, `kept=${id}${map ? `&map=${map}` : ""}`);
 }

@@ -9,6 +9,10 @@ const MOST = { states: 20, letters: 200_000 };
 /** Lineages whose past was recalled, or is known. @type {Set<number>} */
 const recalled = new Set();
 
+/** A stroke is one change, however often it is kept meanwhile: the room before it. @type {{ id: string, before: string } | undefined} */
+let held;
+const isDrawing = () => document.getElementById("floor")?.matches(":active") === true;
+
 /** @param {string} id */
 const keyOf = (id) => `own-room-${id}-past`;
 
@@ -34,7 +38,15 @@ function room(scenario) {
 
 /** The room was `before`, if it was, and is another one now. @param {string} id @param {string | null | undefined} before @param {string} now */
 export function keepPast(id, before, now) {
-  if (!before) return;
+  if (held?.id !== id) held = before ? { id, before } : undefined;
+  if (held && !isDrawing()) settlePast(id, now);
+}
+
+/** The stroke has ended, if there was one: the room is now another. @param {string} id @param {string | null} now */
+export function settlePast(id, now) {
+  if (isDrawing() || held?.id !== id || !now) return;
+  const { before } = held;
+  held = undefined;
   const past = read(id);
   // What is undone isn't the past any more.
   if (past.length > 0 && room(past[past.length - 1] ?? "") === room(now)) past.pop();
