@@ -66,7 +66,7 @@ export async function startLater(app) {
       () => import("./ending.js").then(({ startEnding }) => startEnding(app)),
     ),
     later(
-      ({ message, tool, search, state }) => message !== "" || tool === "place" || search.text !== "" || state === "finished" || document.getElementById("game") !== null,
+      ({ tool, search, state }) => !byId("message").hidden || tool === "place" || search.text !== "" || state === "finished" || document.getElementById("game") !== null,
       () => import("./clear.js").then(({ startClear }) => startClear(app)),
     ),
     later(

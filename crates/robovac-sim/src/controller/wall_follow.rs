@@ -85,7 +85,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         },
         ParamSpec {
             id: "rounds",
-            label: "Rounds of furniture",
+            label: "Rounds around furniture",
             help: "Rounds around a free-standing obstacle before it leaves; 0 for no limit.",
             kind: ParamKind::Number { min: 0.0, max: 10.0, step: 1.0, default: 1.0, unit: "" },
         },
