@@ -16,16 +16,16 @@ const SHOWN = [
   { id: "film", title: "Film of the run (WebM)", note: "The run so far, in at most 12 seconds", needs_path: false },
 ];
 
-/** @type {Promise<(app: import("./main.js").App) => void> | undefined} */
+/** @type {Promise<(app: import("./main.js").App, why: string) => void> | undefined} */
 let made;
 
-/** @param {import("./main.js").App} app @param {string} [kind] The one to be proposed. */
-export async function openSave(app, kind) {
+/** @param {import("./main.js").App} app @param {string} [kind] The one to be proposed. @param {string} [why] What happened, if the user didn't ask for this. */
+export async function openSave(app, kind, why = "") {
   made ??= build().catch((error) => {
     made = undefined;
     throw error;
   });
-  (await made)(app);
+  (await made)(app, why);
   const proposed = kind && document.querySelector(`input[name=kind][value=${kind}]`);
   if (!(proposed instanceof HTMLInputElement)) return;
   proposed.click();
@@ -80,7 +80,7 @@ async function build() {
     if (event.target === dialog) dialog.close();
   });
 
-  return (/** @type {import("./main.js").App} */ app) => {
+  return (/** @type {import("./main.js").App} */ app, /** @type {string} */ why) => {
     const path = app.playground.corners();
     formats.forEach(({ needs_path }, i) => {
       const radio = /** @type {HTMLInputElement} */ (kinds[i]?.querySelector("input"));
@@ -88,7 +88,8 @@ async function build() {
       if (radio.disabled && radio.checked) radio.checked = false;
     });
     if (!chosen()) /** @type {HTMLInputElement} */ (kinds[0]?.querySelector("input")).checked = true;
-    complaint.hidden = true;
+    complaint.textContent = why;
+    complaint.hidden = !why;
     form.onsubmit = (event) => {
       try {
         if (["run_mcap", "film"].includes(chosen()) && app.view.run_end_s === 0) throw "There is no run yet: press play first.";

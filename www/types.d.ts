@@ -941,8 +941,8 @@ gap: number | null,
 /** The same in steps + 2 x quarter turns, as in comparisons; `None` until it is proven, or if the walk misses
  * cells. */
 above_bound: number | null,
-/** Least length, m, and time, s, of any path that sweeps as much; `None` until it is computed. */
-least: [number, number] | null,
+/** Its exact coverage, and what any path needs that sweeps as much; `None` until it is computed. */
+least: SweepBound | null,
 /** Steps that a quarter turn counts as in `gap`. */
 turn_weight: number | null,
 /** Whether that is the robot's time for one. */

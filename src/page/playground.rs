@@ -214,10 +214,10 @@ impl Playground {
         self.viewport.resize(width, height, ratio);
     }
 
-    /// Keeps the uppermost `height` CSS pixels of the canvas free of the room, for a message. Whether nothing else floats over it
-    /// is `is_cleared`.
-    pub fn keep_clear(&mut self, height: f64, is_cleared: bool) {
-        self.viewport.keep_clear(height, is_cleared);
+    /// Keeps the uppermost `height` CSS pixels of the canvas free of the room, for a message. If no tools float over it, `foot` is the
+    /// height of what does at its bottom.
+    pub fn keep_clear(&mut self, height: f64, foot: Option<f64>) {
+        self.viewport.keep_clear(height, foot);
     }
 
     /// Dark or light colours.

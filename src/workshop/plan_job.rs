@@ -75,16 +75,16 @@ pub fn smooth(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
     Ok(path.map_or(JsValue::UNDEFINED, |path| trajectory_to_js(&path.trajectory).into()))
 }
 
-/// Least length, m, and time, s, of any path that sweeps as much as a plan for that request; `undefined` for a robot that fills
-/// a cell, and if the request leaves the room out.
+/// The share of the floor that a plan for that request sweeps, measured exactly, and the least length, m, and time, s, of any path
+/// that sweeps as much; `undefined` for a robot that fills a cell, and if the request leaves the room out.
 #[wasm_bindgen]
 pub fn least(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
     let Some((room, _)) = laid_out(request)? else { return Ok(JsValue::UNDEFINED) };
     let line = room.line(&path_from_js(path)).map_err(|e| e.to_string())?;
     let drive = DriveMetrics::of(&room.floor, &room.robot, &line);
     let excess = MetricExcess::of(&room.floor, &room.robot, &line, &drive);
-    Ok(excess.map_or(JsValue::UNDEFINED, |MetricExcess { bound, .. }| {
-        Float64Array::from([bound.length_m, bound.duration_s].as_slice()).into()
+    Ok(excess.map_or(JsValue::UNDEFINED, |MetricExcess { swept, bound, .. }| {
+        Float64Array::from([swept, bound.length_m, bound.duration_s].as_slice()).into()
     }))
 }
 

@@ -73,8 +73,8 @@ function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls, dirt_left,
     const late = `> ${clock(60 * minutes)}`;
     const time = make("td", { className: best && median_s !== null && median_s === best.times[i] ? "best" : "" }, median_s === null ? late : clock(median_s));
     if (median_s === null) time.dataset.tip = `Fewer than half of the runs reached ${goal} % within ${minutes} minutes, so there is no median.`;
-    if (low_s !== null) time.append(make("small", {}, `${clock(low_s)}–${high_s === null ? late : clock(high_s)}`));
-    return [time, make("td", {}, `${percent(reached / runs, 0)} %`, make("small", {}, `${reached} of ${runs}`))];
+    if (low_s !== null) time.append(make("small", {}, `${clock(low_s)}${high_s === null ? ` to ${late}` : `–${clock(high_s)}`}`));
+    return [time, make("td", {}, `${Math.min(Math.round((100 * reached) / runs), reached < runs ? 99 : 100)} %`, make("small", {}, `${reached} of ${runs}`))];
   });
   const end = spread(coverage, percent);
   if (best && coverage.median === best.coverage) end.className = "best";

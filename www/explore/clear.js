@@ -18,12 +18,14 @@ export function startClear(app) {
     return node?.checkVisibility() ? node.getBoundingClientRect().bottom - stage.getBoundingClientRect().top + gap : 0;
   };
 
+  const above = (/** @type {Element} */ node) => (node.checkVisibility() ? stage.getBoundingClientRect().bottom - node.getBoundingClientRect().top + GAP : 0);
+
   return ({ search: { film, text } }) => {
     told = film === null && !text ? 0 : Math.max(told, below("search-box"));
     palette = Math.max(palette, below("kinds"));
     const next = Math.max(told, palette, below("message"), below("ending"), below("game"), below("tools", 2));
-    // Beside a lesson on a phone.
-    const isCleared = stage.checkVisibility() && !byId("tools").checkVisibility();
-    if (changed(stage, "clear", `${next} ${isCleared}`)) app.playground.keep_clear(next, isCleared);
+    // In a frame, on the full screen, beside a lesson on a phone.
+    const foot = stage.checkVisibility() && !byId("tools").checkVisibility() ? above(byId("legend")) : undefined;
+    if (changed(stage, "clear", `${next} ${foot}`)) app.playground.keep_clear(next, foot);
   };
 }

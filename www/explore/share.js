@@ -18,10 +18,8 @@ export async function copyLink(app) {
     const map = await pack(app.playground.scenario_json()).catch(() => "");
     if (!map || map.length > MOST_PACKED) {
       const why = map ? `takes ${Math.ceil(map.length / 1000)} KB in a link, more than the ${MOST_PACKED / 1000} KB that other programs are sure to pass on` : "can't be put into a link by this browser";
-      complain(`No link was copied: this room ${why}. Save it as a scenario file and send that.`);
       const { openSave } = await import("../save.js");
-      await openSave(app);
-      return;
+      return openSave(app, undefined, `No link was copied: this room ${why}. Save it as a scenario file and send that.`);
     }
     hash = aboutRoom(hash, `map=${map}`);
   }

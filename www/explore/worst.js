@@ -91,5 +91,5 @@ function excessOf({ plan, state }) {
   if (!plan || state === "planning") return null;
   if (plan.above_bound !== null) return Math.max(0, plan.above_bound);
   const isWalk = plan.steps > 0;
-  return isWalk || !plan.least ? null : Math.max(0, plan.duration_s / plan.least[1] - 1);
+  return isWalk || !plan.least ? null : Math.max(0, plan.duration_s / plan.least.duration_s - 1);
 }

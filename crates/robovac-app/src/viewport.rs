@@ -28,8 +28,8 @@ pub struct Viewport {
     fitted: bool,
     /// Whether no tools float over the canvas.
     is_bare: bool,
-    /// Whether the tools that float over it are hidden for now.
-    is_cleared: bool,
+    /// Height of what floats at its bottom while the tools that float over it are hidden, CSS pixels.
+    cleared: Option<f64>,
     /// Height of the page's message at the top that must not hide the room, CSS pixels.
     told: f64,
 }
@@ -54,7 +54,7 @@ impl Viewport {
             room: Vector::new(room_width, room_height),
             fitted: true,
             is_bare: false,
-            is_cleared: false,
+            cleared: None,
             told: 0.0,
         };
         view.fit();
@@ -77,13 +77,13 @@ impl Viewport {
         self.fitted = true;
     }
 
-    /// Keeps the uppermost `told` CSS pixels free when the whole room is shown; `is_cleared` says whether the tools that float
-    /// over it are hidden for now.
-    pub fn keep_clear(&mut self, told: f64, is_cleared: bool) {
-        if (told - self.told).abs() < 0.5 && is_cleared == self.is_cleared {
+    /// Keeps the uppermost `told` CSS pixels free when the whole room is shown. While the tools that float over it are hidden, it is
+    /// `cleared` but for so many at the bottom.
+    pub fn keep_clear(&mut self, told: f64, cleared: Option<f64>) {
+        if (told - self.told).abs() < 0.5 && cleared == self.cleared {
             return;
         }
-        (self.told, self.is_cleared) = (told, is_cleared);
+        (self.told, self.cleared) = (told, cleared);
         if self.fitted {
             self.fit();
         }
@@ -160,7 +160,11 @@ impl Viewport {
         let (sideways, down) = (shrink(self.size.x, 480.0), shrink(self.size.y, 260.0));
         let [left, top, right, bottom] = MARGINS;
         let scaled = [left * sideways, top * down, right * sideways, bottom * down];
-        let [left, top, right, bottom] = if self.is_cleared { [BARE_MARGIN; 4] } else { scaled };
+        let [left, top, right, bottom] = self.cleared.map_or(scaled, |foot| {
+            // What is too low for a room and its foot shows the room.
+            let foot = if foot < 0.2 * self.size.y { foot } else { 0.0 };
+            [BARE_MARGIN, BARE_MARGIN, BARE_MARGIN, foot.max(BARE_MARGIN)]
+        });
         // At least two fifths of the canvas are left to the room.
         [left, top.max(self.told.min(0.6 * self.size.y - bottom)), right, bottom]
     }
@@ -203,16 +207,16 @@ mod tests {
     fn what_is_told_hides_nothing_of_a_room_that_is_shown_whole() {
         let mut view = view();
         let before = view;
-        view.keep_clear(130.0, false);
+        view.keep_clear(130.0, None);
         assert!(view.to_screen(Point::new(0.0, 6.0)).y >= 130.0 - 1e-9);
-        view.keep_clear(0.0, false);
+        view.keep_clear(0.0, None);
         assert_eq!(view.scale, before.scale);
         // Never more than three fifths of the canvas, and not when zoomed in.
-        view.keep_clear(5000.0, false);
+        view.keep_clear(5000.0, None);
         assert!(view.scale > 0.0 && view.to_screen(Point::new(0.0, 6.0)).y < 420.0);
         view.zoom_at(300.0, 200.0, 2.0);
         let zoomed = view;
-        view.keep_clear(100.0, false);
+        view.keep_clear(100.0, None);
         assert_eq!((view.scale, view.origin), (zoomed.scale, zoomed.origin));
     }
 
@@ -265,9 +269,13 @@ mod tests {
         view.resize(390.0, 190.0, 1.0);
         view.fit();
         let before = view.scale;
-        view.keep_clear(0.0, true);
+        view.keep_clear(0.0, Some(0.0));
         assert!(view.scale > 1.4 * before && view.scale * 6.0 <= 190.0, "{before} {}", view.scale);
-        view.keep_clear(40.0, true);
+        view.keep_clear(40.0, Some(0.0));
         assert!(view.scale * 6.0 <= 150.0, "{}", view.scale);
+        // The legend hid the lowest lane on the full screen.
+        view.resize(900.0, 700.0, 1.0);
+        view.keep_clear(0.0, Some(44.0));
+        assert!(view.to_screen(Point::new(0.0, 0.0)).y <= 656.1);
     }
 }

@@ -1,7 +1,7 @@
 //! Planning, which happens in a worker.
 
 use super::Playground;
-use coverage_planners::{ProgressReport, TraceStep};
+use coverage_planners::{ProgressReport, TraceStep, metrics::SweepBound};
 use js_sys::Array;
 use robovac_playground::wire::{
     frames::frames_from_js, proof::proof_from_js, request, trajectory::trajectory_from_js, walk,
@@ -63,9 +63,10 @@ impl Playground {
         self.session.plan_smoothed(id, trajectory_from_js(knots));
     }
 
-    /// The worker has proven bounds of its plan: its cost and the least, and the least length, m, and time, s.
+    /// The worker has proven bounds of its plan: its cost and the least; and its exact coverage with the least length, m, and time, s.
     pub fn plan_proven(&mut self, id: u32, proof: Option<Vec<f64>>, least: Option<Vec<f64>>) {
-        let least = least.and_then(|least| least.try_into().ok());
+        let least = least.and_then(|least| <[f64; 3]>::try_from(least).ok());
+        let least = least.map(|[coverage, length_m, duration_s]| SweepBound { coverage, length_m, duration_s });
         self.session.plan_proven(id, proof_from_js(proof), least);
     }
 

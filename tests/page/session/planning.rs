@@ -1,7 +1,7 @@
 //! Plans that come, are kept, are cancelled or are refused.
 
 use super::opened;
-use coverage_planners::{CoveragePath, ProgressReport, Proof};
+use coverage_planners::{CoveragePath, ProgressReport, Proof, metrics::SweepBound};
 use robovac_app::explore::{Session, SessionState};
 use robovac_core::{floor_plan::SourceFile, geometry::Pose, grid::Cell};
 use robovac_sim::experiment::planning::PlanAnswer;
@@ -63,7 +63,11 @@ fn gap_is_shown_while_planning_and_afterwards() {
     // As plans are compared is another number.
     let compared = |session: &Session| session.view().plan.unwrap().above_bound;
     assert_eq!(compared(&session), None);
-    session.plan_proven(request.id, Some(Proof { cost: 120, bound: 100 }), Some([3.0, 9.0]));
+    session.plan_proven(
+        request.id,
+        Some(Proof { cost: 120, bound: 100 }),
+        Some(SweepBound { coverage: 0.99, length_m: 3.0, duration_s: 9.0 }),
+    );
     assert_eq!((shown(&session), compared(&session)), (Some(0.1), Some(0.2)));
     // Of another plan it says nothing.
     session.plan_now(|| 0.0);

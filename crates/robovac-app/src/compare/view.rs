@@ -84,6 +84,7 @@ impl<'a> ComparisonView<'a> {
     /// The snapshot of `comparison`.
     pub fn new(comparison: &'a Comparison) -> Self {
         let (done, total) = comparison.count();
+        let mut marks = Mark::of_all();
         let entrants = comparison.entrants().iter().enumerate().map(|(index, entrant)| {
             let (state, progress, message) = match comparison.progress(index) {
                 TrialProgress::Out => ("out", 0.0, ""),
@@ -93,11 +94,16 @@ impl<'a> ComparisonView<'a> {
             };
             let (algorithm, copy) = (entrant.algorithm, comparison.copy_number(index));
             let title = comparison.title(entrant);
+            let mut mark = Mark::of(algorithm);
+            if copy > 1 {
+                mark = mark.copied(&marks);
+                marks.push(mark);
+            }
             EntrantView {
                 id: algorithm.id(),
                 kind: algorithm.kind(),
                 title: if copy > 1 { format!("{title} ({copy})") } else { title },
-                mark: Mark::of(algorithm).copied(copy),
+                mark,
                 copy,
                 chosen: comparison.is_chosen(index),
                 params: &entrant.params,

@@ -3,7 +3,7 @@
 //! It equals the planner's result for the opening scene: `tests/opening.rs` compares the two, and writes the file again
 //! when it is run with `UPDATE=1`.
 
-use coverage_planners::Proof;
+use coverage_planners::{Proof, metrics::SweepBound};
 use robovac_core::grid::{Cell, Direction};
 
 /// The walk, see [`to_runs`].
@@ -12,8 +12,8 @@ pub const WALK: &str = include_str!("opening.txt");
 /// Its proof, in steps + 2 x quarter turns.
 pub const PROOF: Proof = Proof { cost: 4618, bound: 4037 };
 
-/// Least length, m, and time, s, of any path that sweeps as much, see [`MetricExcess`](coverage_planners::metrics::MetricExcess).
-pub const LEAST: [f64; 2] = [273.42, 932.94];
+/// What any path needs that sweeps as much, see [`MetricExcess`](coverage_planners::metrics::MetricExcess).
+pub const LEAST: SweepBound = SweepBound { coverage: 0.9856, length_m: 273.42, duration_s: 932.94 };
 
 const LETTERS: [(char, Direction); 4] =
     [('R', Direction::Right), ('U', Direction::Up), ('L', Direction::Left), ('D', Direction::Down)];

@@ -1,7 +1,7 @@
 //! View model of the page's numbers and texts: one snapshot per frame.
 
 use crate::explore::SessionState;
-use coverage_planners::metrics::{DriveMetrics, WalkMetrics};
+use coverage_planners::metrics::{DriveMetrics, SweepBound, WalkMetrics};
 use robovac_core::{
     program::{ProgramKind, ProgramLanguage},
     registry::Params,
@@ -295,8 +295,8 @@ pub struct PlanView {
     /// The same in steps + 2 x quarter turns, as in comparisons; `None` until it is proven, or if the walk misses
     /// cells.
     pub above_bound: Option<f64>,
-    /// Least length, m, and time, s, of any path that sweeps as much; `None` until it is computed.
-    pub least: Option<[f64; 2]>,
+    /// Its exact coverage, and what any path needs that sweeps as much; `None` until it is computed.
+    pub least: Option<SweepBound>,
     /// Steps that a quarter turn counts as in `gap`.
     pub turn_weight: Option<f64>,
     /// Whether that is the robot's time for one.

@@ -3,7 +3,8 @@
 use super::{Planning, Session, sentence};
 use crate::explore::{PlanSearch, SessionState, Showing, opening};
 use coverage_planners::{
-    CoveragePath, Film, FilmFrame, PlanError, PlannerInfo, ProgressReport, Proof, smooth::SmoothSetup,
+    CoveragePath, Film, FilmFrame, PlanError, PlannerInfo, ProgressReport, Proof, metrics::SweepBound,
+    smooth::SmoothSetup,
 };
 use robovac_core::{coverage::FloorError, floor_plan, geometry::Point, trajectory::Trajectory};
 use robovac_sim::{
@@ -121,9 +122,9 @@ impl Session {
         }
     }
 
-    /// What was proven of a request's plan after planning: its cost in the weights of comparisons, and least length, m, and
-    /// time, s, of any path that sweeps as much.
-    pub fn plan_proven(&mut self, id: u32, proof: Option<Proof>, least: Option<[f64; 2]>) {
+    /// What was proven of a request's plan after planning: its cost in the weights of comparisons; and its exact
+    /// coverage, with what any path needs that sweeps as much.
+    pub fn plan_proven(&mut self, id: u32, proof: Option<Proof>, least: Option<SweepBound>) {
         if id == self.requests
             && let Some(planned) = &mut self.planned
         {

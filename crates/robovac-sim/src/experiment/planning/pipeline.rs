@@ -86,8 +86,8 @@ pub struct Planned {
     pub proof: Option<Proof>,
     /// Its proof in steps + 2 x quarter turns, the weights of comparisons, once available.
     pub compared: Option<Proof>,
-    /// Least length, m, and time, s, of any path that sweeps as much, once available.
-    pub least: Option<[f64; 2]>,
+    /// Its exact coverage, and what any path needs that sweeps as much, once available.
+    pub least: Option<SweepBound>,
     /// Share of the search after which the user ended it, if so.
     pub kept_at: Option<f64>,
 }
