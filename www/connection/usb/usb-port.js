@@ -106,9 +106,8 @@ export class UsbPort extends AdapterPort {
     };
     const waiting = Array.from({ length: transfers }, ask);
     try {
-      for (let next = waiting.shift(); next && !this.isOver; next = waiting.shift()) {
+      for (let next = waiting.shift(); next; next = waiting.shift()) {
         const { status, data } = await next;
-        if (this.isOver) return;
         if (status === "stall") await this.#device.clearHalt("in", endpointNumber);
         if (data?.byteLength) arrived(bytesOf(data));
         waiting.push(ask());
@@ -121,7 +120,7 @@ export class UsbPort extends AdapterPort {
   /** @param {Uint8Array} data @param {number} packetSize */
   #received(data, packetSize) {
     const bytes = this.#chip.unpack ? this.#chip.unpack(data, packetSize, this.events.onerror) : data;
-    if (bytes.length) this.events.onbytes(bytes);
+    if (bytes.length) this.arrived(bytes);
   }
 }
 
