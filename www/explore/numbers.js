@@ -8,11 +8,9 @@ import { clock, count, isClock, metres, percent, shareAbove, shown, smallLength,
  * @typedef {import("../types").PlanView} Plan
  * @typedef {{ plan?: (p: Plan) => string, run?: (v: View) => string, when?: (v: View) => boolean }} Texts
  * @typedef {{ label: string, tip: string | ((v: View) => string) } & Texts} Line
- * @typedef {{ metric: string, label?: string, more?: string, plan?: (p: Plan) => number | null, beyond?: (p: Plan) => string, run?: (v: View) => number, when?: (v: View) => boolean }} MetricLine
+ * @typedef {{ metric: string, label?: string, more?: string | ((v: View) => string), plan?: (p: Plan) => number | null, beyond?: (p: Plan) => string, run?: (v: View) => number, when?: (v: View) => boolean }} MetricLine
  * A metric of the tables, which says what it is called, how it is shown and what it means.
  */
-
-const EXACTLY = "The floor is measured on lines 4 mm apart here, more exactly than Coverage.";
 
 /** @type {(Line | MetricLine)[]} */
 const RUN = [
@@ -29,8 +27,8 @@ const RUN = [
 /** @type {(Line | MetricLine)[]} */
 const PLAN = [
   { label: "Cells visited", when: isWalk, tip: "Cells of the planning grid that the plan visits, out of those reachable from the start.", plan: (p) => `${count(p.visited_cells)} of ${count(p.reachable_cells)}` },
-  { metric: "excess_length", more: EXACTLY, plan: (p) => above(p.length_m, p.least?.length_m), beyond: (p) => (p.least ? ` over ${metres(p.least.length_m)} m${exactly(p.least)}` : "") },
-  { metric: "excess_time", more: EXACTLY, plan: (p) => above(p.duration_s, p.least?.duration_s), beyond: (p) => (p.least ? ` over ${clock(p.least.duration_s)}${exactly(p.least)}` : "") },
+  { metric: "excess_length", more: exactly, plan: (p) => above(p.length_m, p.least?.length_m), beyond: (p) => (p.least ? ` over ${metres(p.least.length_m)} m` : "") },
+  { metric: "excess_time", more: exactly, plan: (p) => above(p.duration_s, p.least?.duration_s), beyond: (p) => (p.least ? ` over ${clock(p.least.duration_s)}` : "") },
   { metric: "steps", when: isWalk, plan: (p) => p.steps },
   { metric: "revisits", when: isWalk, plan: (p) => p.revisits },
   { metric: "turns", when: isWalk, plan: (p) => p.turns },
@@ -45,9 +43,9 @@ function isWalk({ plan }) {
   return !plan || plan.reachable_cells > 0 || plan.length_m === 0;
 }
 
-/** The floor that a minimum is for. @param {import("../types").SweepBound} least */
-function exactly({ coverage }) {
-  return `, for ${percent(coverage)} % of the floor`;
+/** The floor that a minimum is for. @param {View} view */
+function exactly({ plan }) {
+  return plan?.least ? `This plan sweeps ${percent(plan.least.coverage)} %, measured on lines 4 mm apart, more exactly than Coverage.` : "";
 }
 
 /** Percent above the least, if that is known. @param {number} value @param {number | undefined} least */
@@ -73,7 +71,7 @@ function lineOf({ metric: id, label, more, plan, beyond, run, when }, metrics) {
   };
   return {
     label: label ?? metric.label,
-    tip: more ? `${metric.definition} ${more}` : metric.definition,
+    tip: typeof more === "function" ? (v) => `${metric.definition} ${more(v)}`.trim() : [metric.definition, more ?? ""].join(" ").trim(),
     plan: plan && ((p) => text(plan(p)) + (beyond?.(p) ?? "")),
     run: run && ((v) => text(run(v))),
     when,

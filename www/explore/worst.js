@@ -59,6 +59,7 @@ export function startWorst(app, card) {
       isReady = true;
       const excess = Number(value);
       toBeat = value !== "" && excess >= 0 ? excess / 100 : null;
+      app.act((p) => p.set_tool("wall"));
       show();
     },
     update(view) {
