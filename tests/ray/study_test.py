@@ -1,4 +1,5 @@
-"""A study on a Ray cluster of two nodes, one of which is killed while it works: the results are those of one machine.
+"""A study on a Ray cluster of two nodes, which is interrupted, goes on, and loses a node by a kill: the results are those of one
+machine.
 
     ./dev python
     python3 -m venv target/ray && target/ray/bin/pip install -r tests/ray/requirements.txt target/wheels/robovac-*.whl
@@ -38,6 +39,25 @@ def main(program):
         worker = cluster.add_node(num_cpus=1)
         ray.init(address=cluster.address, log_to_driver=False)
         assert ray.cluster_resources()["CPU"] == 2, ray.cluster_resources()
+
+        def interrupt(done, runs, left_s):
+            assert runs == 1000 and left_s > 0
+            if done >= 100:
+                raise KeyboardInterrupt
+
+        try:
+            study.run(STUDY, many, engine="ray", program=program, progress=interrupt)
+            raise AssertionError("it wasn't interrupted")
+        except KeyboardInterrupt:
+            pass
+        shards = Path(f"{many}.shards")
+        kept = len(list(shards.glob("*.jsonl")))
+        assert 2 <= kept < 20, kept
+        # Its tasks have ended, too.
+        late = time.monotonic() + 60
+        while ray.available_resources().get("CPU", 0) < 2:
+            assert time.monotonic() < late, ray.available_resources()
+            time.sleep(0.1)
         failed = []
 
         def work():
@@ -49,8 +69,7 @@ def main(program):
         # With a runtime of its own, as the test goes on meanwhile.
         thread = threading.Thread(target=work)
         thread.start()
-        shards = Path(f"{many}.shards")
-        while len(list(shards.glob("*.jsonl"))) < 3 and thread.is_alive():
+        while len(list(shards.glob("*.jsonl"))) < kept + 3 and thread.is_alive():
             time.sleep(0.01)
         left = len(list(shards.glob("*.jsonl")))
         cluster.remove_node(worker, allow_graceful=False)
