@@ -2,12 +2,13 @@
 
 use js_sys::Reflect;
 use robovac_app::{
-    connection::StartPlace,
+    CatalogueEntry,
+    connection::{self, StartPlace},
     explore::{Session, SessionSnapshot},
 };
 use robovac_core::geometry::Pose;
 use robovac_playground::wire::{message, request, to_js, walk};
-use robovac_sim::experiment::planning::PlanAnswer;
+use robovac_sim::experiment::{Algorithm, planning::PlanAnswer};
 use wasm_bindgen::prelude::*;
 
 /// A mirror of the playground's room and settings.
@@ -30,6 +31,13 @@ impl SessionMirror {
     /// Version of its room, for `Playground.snapshot`; `undefined` at first.
     pub fn room_version(&self) -> Option<f64> {
         self.followed.as_ref().map(|followed| followed.room_version as f64)
+    }
+
+    /// Behaviours that can drive a connected robot, in the form of the catalogue.
+    #[wasm_bindgen(unchecked_return_type = "rust.CatalogueEntry[]")]
+    pub fn behaviours() -> Result<JsValue, JsValue> {
+        let entries = connection::behaviours().map(|info| CatalogueEntry::new(Algorithm::Behaviour(info)));
+        to_js(&entries.collect::<Vec<_>>())
     }
 
     /// Why a connected robot can't ride the path of `snapshot`, as a sentence for users; empty if it can.

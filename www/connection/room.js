@@ -19,7 +19,8 @@ export function startRoom({ playground, catalogue }) {
   let chosenThere;
   let algorithm = "";
   let refusal = "";
-  const all = [...catalogue.behaviours.filter(({ manual }) => !manual), ...catalogue.planners];
+  // Explore's catalogue lacks those that keep a map.
+  const all = [...SessionMirror.behaviours(), ...catalogue.planners];
   /** The path that Explore drives, in place of an algorithm. */
   const path = { .../** @type {import("../types").CatalogueEntry} */ (catalogue.planners[0]), id: PATH, title: "Path from Floor plan" };
 

@@ -2,6 +2,7 @@
 
 use crate::amount::amount;
 use robovac_core::geometry::{Pose, difference};
+use robovac_sim::controller::{BEHAVIOURS, BehaviourInfo};
 use std::fmt;
 
 /// Largest distance from the start, m and rad, that counts as being there: less than can be seen, since experiments that
@@ -9,6 +10,12 @@ use std::fmt;
 const AT: [f64; 2] = [0.001, 0.0035];
 /// Largest distance from the start at which programs begin without asking, m and rad.
 const NEAR: [f64; 2] = [0.15, 0.35];
+
+/// Behaviours that can drive a connected robot: those that need neither a laser scanner nor a person. Unlike in Explore, they
+/// may keep a map.
+pub fn behaviours() -> impl Iterator<Item = &'static BehaviourInfo> {
+    BEHAVIOURS.iter().copied().filter(|info| !info.claims.manual && !info.claims.needs_laser)
+}
 
 /// A robot's place relative to the start that programs assume.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
