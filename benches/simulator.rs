@@ -28,6 +28,7 @@ fn simulator(criterion: &mut Criterion) {
     let slipping = Conditions { slip: SlipLevel::Typical, ..Conditions::default() };
     let cases = vec![
         ("in the furnished flat", opening_run()),
+        ("there by the bumper alone", bouncing(&flat, "roomba600", noisy(NoiseLevel::Off)).map(Run::without_sight)),
         ("there by the sensors", bouncing(&flat, "roomba600", noisy(NoiseLevel::Off))),
         ("there by sensors with typical noise", bouncing(&flat, "roomba600", noisy(NoiseLevel::Typical))),
         ("there by sensors with harsh noise", bouncing(&flat, "roomba600", noisy(NoiseLevel::Harsh))),
