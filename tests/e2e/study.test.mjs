@@ -48,6 +48,8 @@ test("a study's file opens in Compare, and its rooms and conditions can be chose
   assert.equal(await page.locator("#view-study").getAttribute("aria-pressed"), "true");
   const names = await page.locator("#study-table tbody th").allTextContents();
   assert.deepEqual(names.map((name) => name.replace(/12 runs$/, "")).sort(), ["Bounce", "Improved snake (patience:3)", "Spiral"]);
+  const count = page.locator("#study-table tbody th small").first();
+  assert.equal(await count.evaluate((small) => getComputedStyle(small).display), "block", "the number of runs stands below the name");
   assert.match(await app.text("#study-note"), /^36 of 72 runs\. /);
   assert.equal(await page.locator("#study-plot .curve").count(), 3);
   const coverage = () => page.locator("#study-table tbody tr").first().locator("td").nth(4).textContent();
