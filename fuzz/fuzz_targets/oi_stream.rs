@@ -3,7 +3,7 @@
 
 use libfuzzer_sys::fuzz_target;
 use robovac_link::sensors::{to_readings, to_sensors};
-use roomba_oi::{Answer, StreamFrame, Readings, Said, StreamEvent, StreamParser};
+use roomba_oi::{AnswerReader, StreamFrame, Readings, Said, StreamEvent, StreamParser};
 
 /// Digest of a frame's values.
 fn values(frame: &StreamFrame<'_>) -> Vec<(u8, u16)> {
@@ -43,7 +43,7 @@ fuzz_target!(|input: (u8, &[u8])| {
     // The first byte says how many packets were asked for.
     if let Some((&count, rest)) = bytes.split_first() {
         let (ids, answered) = rest.split_at(rest.len().min(count.into()));
-        if let Ok(mut answer) = Answer::to(ids) {
+        if let Ok(mut answer) = AnswerReader::to(ids) {
             answer.feed(answered);
             let _ = answer.apply(&mut readings);
         }
