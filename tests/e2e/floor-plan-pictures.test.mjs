@@ -119,15 +119,15 @@ test("WebP is read, an unusual size is asked about, and other files are told how
 
 test("before a room is used it is told what a robot can't get to, which scale a plan on paper has, and how large it would be", async (t) => {
   const { page, app, screenshot } = await openApp(t);
-  // Two rooms with the usual symbol of a door between them: a leaf and an arc.
+  // Two rooms with the usual symbol of a door between them, a leaf and an arc, on a sheet as wide as A4.
   const wall = (x, y, width, height) => `<rect x="${x}" y="${y}" width="${width}" height="${height}"/>`;
   const walls = [wall(0, 0, 400, 10), wall(0, 290, 400, 10), wall(0, 0, 10, 300), wall(390, 0, 10, 300), wall(195, 0, 10, 110), wall(195, 200, 10, 100)].join("");
-  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="440" height="340" viewBox="-20 -20 440 340"><rect x="-20" y="-20" width="440" height="340" fill="#fff"/>${walls}<path d="M200 110 A90 90 0 0 0 110 200 H200" fill="none" stroke="#333" stroke-width="3"/></svg>`;
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="481" height="340" viewBox="-20 -20 481 340"><rect x="-20" y="-20" width="481" height="340" fill="#fff"/>${walls}<path d="M200 110 A90 90 0 0 0 110 200 H200" fill="none" stroke="#333" stroke-width="3"/></svg>`;
   const bytes = await page.evaluate(async (svg) => {
     const image = new Image();
     image.src = `data:image/svg+xml,${encodeURIComponent(svg)}`;
     await image.decode();
-    const canvas = new OffscreenCanvas(440, 340);
+    const canvas = new OffscreenCanvas(481, 340);
     canvas.getContext("2d").drawImage(image, 0, 0);
     return [...new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())];
   }, svg);
@@ -135,16 +135,24 @@ test("before a room is used it is told what a robot can't get to, which scale a 
   await page.locator("#floor-plan-pixel").fill("1");
   await page.keyboard.press("Tab");
   await page.locator("#floor-plan-cut").waitFor();
-  const cut = Number(/can't get to ([\d.]+) m² of this floor: .*door.*Erase/.exec(await page.locator("#floor-plan-cut-text").textContent())?.[1]);
+  const cut = Number(/can't get to ([\d.]+) m² of this floor\. If furniture stands there, all is well\. .*door.*Erase/.exec(await page.locator("#floor-plan-cut-text").textContent())?.[1]);
   assert.ok(cut > 4 && cut < 5.5, `half of 1.85 x 2.8 m twice: ${cut}`);
+  const [, all, reached] = /([\d.]+) m² of floor, ([\d.]+) m² of it reachable/.exec(await result(app)) ?? [];
+  assert.ok(Math.abs(Number(all) - Number(reached) - cut) < 0.11, `${all} - ${reached} m²`);
+  assert.equal(await page.locator("#floor-plan-mark-key").innerText(), "out of reach");
   await screenshot("floor-plan-cut-off");
   await page.setViewportSize({ width: 390, height: 844 });
   await screenshot("floor-plan-cut-off-phone");
   await page.setViewportSize({ width: 1440, height: 900 });
-  // 22 x 17 m would be a usual size, but not 4,000 m².
+  // 52 x 39 m would be a usual size, but not 2,000 m².
   await page.locator("#floor-plan-pixel").fill("13");
   await page.keyboard.press("Tab");
   await app.poll(() => page.locator("#floor-plan-asks-text").textContent(), (text) => /m, with \d+ m² of floor\. Is that its size\?$/.test(text ?? ""));
+  // However many scales are offered, the question is hardly higher than its text.
+  assert.ok((await page.locator("#floor-plan-asks-papers button").count()) >= 5);
+  const { height } = await page.locator("#floor-plan-asks").boundingBox();
+  assert.ok(height < 85, `${height} px`);
+  await screenshot("floor-plan-papers");
   const paper = '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297"><path id="walls" d="M30 40 H210 V160 H30 Z M110 40 V100" fill="none" stroke="black"/></svg>';
   assert.ok(await app.bring(anyFile("paper.svg", paper)));
   assert.match(await result(app), /^Whole drawing: 180 × 120 mm\. Choose its size first\.$/);

@@ -476,8 +476,13 @@ test("fits a phone, with sheets under the drawing", async (t) => {
   }
   // A tool makes way for the drawing.
   await page.locator("button[data-sheet=floor-plan-setup]").tap();
-  await page.getByRole("button", { name: "This room", exact: true }).tap();
+  await page.getByRole("button", { name: "Scale by two points" }).tap();
   await page.locator("#floor-plan-setup").waitFor({ state: "hidden" });
+  // The drawing begins 66 pixels below the top.
+  await page.locator("#floor-plan-hint", { hasText: /^Tap two points/ }).waitFor();
+  const [hint, stage] = await page.evaluate(() => ["hint", "stage"].map((name) => document.getElementById(`floor-plan-${name}`).getBoundingClientRect().toJSON()));
+  assert.ok(hint.bottom - stage.top < 66, `${hint.bottom - stage.top} px`);
+  await screenshot("floor-plan-phone-hint");
 });
 
 test("one screen on a laptop, in words too", async (t) => {

@@ -2,6 +2,7 @@
 // The live map: its canvas, pointers and keys, and its description.
 import { LiveMap } from "../../workshop.js";
 import { byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
+import { clock } from "../format.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { fitSize, startHands, startZoom } from "../shared/pan-zoom.js";
 
@@ -79,14 +80,9 @@ function showNumbers(map, view, isThere) {
   const share = map.coverage();
   setText(byId("connection-swept"), !isThere ? "–" : share === undefined ? map.swept_m2().toFixed(1) : (100 * share).toFixed(1));
   setText(byId("connection-swept-unit"), share === undefined ? "m²" : "%");
-  setText(byId("connection-time"), view.ride ? lasted(Math.floor(view.ride.time_s)) : "–");
+  setText(byId("connection-time"), view.ride ? clock(Math.floor(view.ride.time_s)) : "–");
+  setText(byId("connection-time-unit"), !view.ride ? "" : view.ride.time_s < 3600 ? "min" : "h");
   setText(byId("connection-distance"), isThere ? view.distance_m.toFixed(1) : "–");
-}
-
-/** @param {number} seconds */
-function lasted(seconds) {
-  const [h, m, s] = [Math.floor(seconds / 3600), Math.floor(seconds / 60) % 60, seconds % 60];
-  return h > 0 ? `${h} h ${m} min` : m > 0 ? `${m} min ${s} s` : `${s} s`;
 }
 
 /** A hand can lift the virtual robot from the map. @param {ConnectionTab} it @param {HTMLCanvasElement} canvas @param {LiveMap} map */

@@ -6,7 +6,13 @@ import { startHands, startZoom } from "../shared/pan-zoom.js";
 /** @typedef {import("./tab.js").FloorPlanTab} FloorPlanTab */
 
 /** @type {Record<string, string>} */
-const HINTS = {
+const HINTS = matchMedia("(hover: none)").matches ? {
+  // One line each, above the plan.
+  scale: "Tap two points whose distance you know.",
+  rectangle: "Drag over the part to clean.",
+  polygon: "Tap the corners; a double tap closes the polygon.",
+  room: "Tap the room to clean.",
+} : {
   scale: "Click two points whose distance you know. Keyboard: arrows move the crosshair, Enter sets a point, Escape ends.",
   rectangle: "Drag over the part to clean, or click two corners. Keyboard: arrows and Enter.",
   polygon: "Click the corners; Enter or a double click closes the polygon, Escape cancels it. Keyboard: arrows and Enter, twice to close.",

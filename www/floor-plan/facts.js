@@ -37,17 +37,26 @@ function show(view) {
   button("floor-plan-use").disabled = !view?.room;
   showDoors(view);
   showCut(view);
+  showKey(view);
   setHidden(byId("floor-plan-asks"), !view?.asks);
   if (view?.asks) setText(byId("floor-plan-asks-text"), `This floor plan is ${view.asks}. Is that its size?`);
 }
 
-/** Floor that a robot can't get to. @param {FloorPlanView | undefined} view */
+/** Floor that a robot can't get to: the inside of furniture, or a fault; which of them, only its owner knows. @param {FloorPlanView | undefined} view */
 function showCut(view) {
   const cut = view?.asks || view?.doors ? 0 : (view?.room?.cut_off_m2 ?? 0);
   setHidden(byId("floor-plan-cut"), !cut);
   if (!view || !cut) return;
-  const mend = view.kind === "drawing" ? "Make the layer in its way Ignored" : view.kind === "image" ? "Read the walls in another way" : "Widen the way";
-  setText(byId("floor-plan-cut-text"), `A robot as wide as a Roomba can't get to ${cut.toFixed(1)} m² of this floor: a line, an arc of a door or a narrow door is in its way. ${mend}, or use this room and rub the way free with Erase.`);
+  const mend = view.kind === "drawing" ? "make its layer Ignored" : view.kind === "image" ? "read the walls in another way" : "widen the way";
+  setText(byId("floor-plan-cut-text"), `A robot as wide as a Roomba can't get to ${cut.toFixed(1)} m² of this floor. If furniture stands there, all is well. Otherwise a line, an arc of a door or a narrow door is in its way: ${mend}, or use this room and rub the way free with Erase.`);
+}
+
+/** What is marked in the picture. @param {FloorPlanView | undefined} view */
+function showKey(view) {
+  const [isCut, hasGaps] = [(view?.room?.cut_off_m2 ?? 0) > 0, (view?.room?.gaps ?? 0) > 0];
+  setHidden(byId("floor-plan-mark-key"), !isCut && !hasGaps);
+  setHidden(byId("floor-plan-cut-key"), !isCut);
+  setHidden(byId("floor-plan-gap-key"), !hasGaps);
 }
 
 /** Doors that the room reaches through. @param {FloorPlanView | undefined} view */
@@ -73,7 +82,8 @@ function result({ room, settings, fault, asks, size }) {
   // There is floor round it by which the room would be larger than the drawing.
   if (asks.endsWith(" mm")) return `Whole drawing: ${size}. Choose its size first.`;
   if (!room) return settings.metre === null ? "Choose the drawing's unit first." : fault || "No room yet.";
-  const { width_m, height_m, floor_m2, cells, objects, gaps, around_m2 } = room;
+  const { width_m, height_m, floor_m2, cells, objects, gaps, around_m2, cut_off_m2 } = room;
+  const reach = cut_off_m2 > 0 ? `, ${(floor_m2 - cut_off_m2).toFixed(1)} m² of it reachable` : "";
   const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, gaps && `${gaps} ${gaps === 1 ? "gap" : "gaps"} closed`, around_m2 > 0 && `${around_m2.toFixed(1)} m² round the building left out`].filter(Boolean);
-  return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, walls included`, `${floor_m2.toFixed(1)} m² of floor`, `${cells[0]} × ${cells[1]} cells`, ...more].join(" · ");
+  return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, walls included`, `${floor_m2.toFixed(1)} m² of floor${reach}`, `${cells[0]} × ${cells[1]} cells`, ...more].join(" · ");
 }
