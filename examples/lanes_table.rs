@@ -2,8 +2,9 @@
 //! [SECONDS [COVERAGE [CLEARANCE [ROOM...]]]]`.
 //!
 //! For a Roomba 600: bounds, `boustrophedon`, `near_optimal` and lanes, searched for so many seconds (30) for a share of the floor
-//! (99 %), that many millimetres off obstacles (3); and lanes searched for 0.3 % more, which rounded corners may leave out. Seconds
-//! are those of the processor on Linux, as other programs may run. A room is the id of a built-in one, or the seed of a random flat.
+//! (99 %), that many millimetres off obstacles (3); and lanes searched for 0.3 % more, which rounded corners may leave out.
+//! Seconds are those of the processor on Linux, as other programs may run. A room is the id of a built-in one, the seed of a random
+//! flat, or a map file: a text map, or an image with 5 cm a pixel.
 
 mod processor_clock;
 
@@ -16,15 +17,26 @@ use coverage_planners::{
 use processor_clock::Clock;
 use robovac_core::{
     coverage::{PlanningGrid, ReachableFloor},
-    floor_plan::{generate::random_flat, room},
+    floor_plan::{FloorPlan, SourceFile, generate::random_flat, load, room},
     robot::{RobotModel, model},
 };
-use std::{error::Error, ops::ControlFlow};
+use std::{error::Error, fs, ops::ControlFlow};
 
 const ROOMS: [&str; 8] = ["flat", "room12ft", "bedroom", "living", "hotel", "office", "warehouse", "hall20"];
 
 /// More floor that is planned for where corners are rounded, as `robovac lanes --smooth` does.
 const LEFT_OUT: f64 = 0.003;
+
+/// A room by its id, seed or file.
+fn plan_of(name: &str) -> Result<FloorPlan, Box<dyn Error>> {
+    if let Ok(seed) = name.parse() {
+        return Ok(random_flat(1 + (seed % 3) as u32, 1 + (seed % 2) as u32, seed));
+    }
+    match room(name) {
+        Some(room) => Ok((room.build)()),
+        None => Ok(load(&[SourceFile { name: name.into(), bytes: fs::read(name)? }])?),
+    }
+}
 
 /// A row: length in metres, time in seconds and coverage, 0 to 1, with their excess over the bound for that coverage.
 fn row(name: &str, floor: &ReachableFloor, robot: &RobotModel, [length, duration, coverage]: [f64; 3]) -> String {
@@ -93,11 +105,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let chosen: Vec<&str> = arguments.iter().skip(3).map(String::as_str).collect();
     let robot = model("roomba600").ok_or("no such robot")?;
     for name in if chosen.is_empty() { &ROOMS[..] } else { &chosen[..] } {
-        let plan = match name.parse() {
-            Ok(seed) => random_flat(1 + (seed % 3) as u32, 1 + (seed % 2) as u32, seed),
-            Err(_) => (room(name).ok_or("no such room")?.build)(),
-        };
-        let floor = ReachableFloor::new(&plan, robot, None)?;
+        let floor = ReachableFloor::new(&plan_of(name)?, robot, None)?;
         let bound = MetricBound::new(&floor, robot, setup.coverage);
         println!(
             "\n**{name}**, {:.1} m², bound {:.1} m and {:.2} min\n",
