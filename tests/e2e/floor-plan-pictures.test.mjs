@@ -106,6 +106,7 @@ test("WebP is read, an unusual size is asked about, and other files are told how
   for (const [file, remedy] of [
     [anyFile("plan.pdf", "%PDF-1.7\n"), /plan\.pdf.*PDF document: export its page as SVG/],
     [{ name: "plan.heic", bytes: heic }, /plan\.heic.*HEIC photograph: export it as JPEG/],
+    [anyFile("plan.docx", "PK\u0003\u0004[Content_Types].xml word/document.xml"), /plan\.docx.*Word document: save the picture in it as PNG/],
     [anyFile("plan.zip", "PK\u0003\u0004"), /plan\.zip.*ZIP archive: unpack it/],
     [{ name: "cut.jpg", bytes: Buffer.from([0xff, 0xd8, 0xff, 0xe0]) }, /cut\.jpg.*damaged/],
   ]) {

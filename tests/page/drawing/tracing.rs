@@ -36,6 +36,24 @@ fn a_room_with_furniture_is_traced_exactly() {
 }
 
 #[test]
+fn furniture_whose_sides_are_single_lines_is_no_floor() {
+    let flat = drawn(&entities(FLAT)).unwrap();
+    let (start, rest) = FLAT.split_once("0 LWPOLYLINE 8 FURN").unwrap();
+    let leg = rest.split_once("0 CIRCLE").unwrap().1;
+    let sides = "0 LINE 8 FURN 10 2000 20 2000 11 3000 21 2000 0 LINE 8 FURN 10 3000 20 3000 11 3000 21 2000 \
+        0 LINE 8 FURN 10 2000 20 3000 11 3000 21 3000 0 LINE 8 FURN 10 2000 20 2000 11 2000 21 3000";
+    let lines = drawn(&entities(&format!("{start} {sides} 0 CIRCLE {leg}"))).unwrap();
+    for region in [DrawingRegion::Indoors, DrawingRegion::Whole, DrawingRegion::Room(Point::new(1500.0, 3500.0))] {
+        let [one, other] = [&flat, &lines].map(|drawing| traced(drawing, 0.9, region.clone()).unwrap().plan);
+        assert_eq!(one.occupancy, other.occupancy, "{}", to_ascii(&other));
+        let tables = other.objects.iter().filter(|object| matches!(object, Object::Furniture { .. }));
+        assert_eq!((tables.count(), other.objects.len()), (1, one.objects.len()));
+    }
+    let message = traced(&lines, 0.9, DrawingRegion::Room(Point::new(2500.0, 2500.0))).unwrap_err().to_string();
+    assert!(message.contains("there is an obstacle"), "{message}");
+}
+
+#[test]
 fn an_open_room_leaks_where_its_door_is() {
     let flat = drawn(&entities(FLAT)).unwrap();
     let message = traced(&flat, 0.0, DrawingRegion::Room(Point::new(1500.0, 3500.0))).unwrap_err().to_string();

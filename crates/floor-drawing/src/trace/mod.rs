@@ -3,6 +3,7 @@
 mod frame;
 mod gaps;
 mod openings;
+mod outlines;
 mod page;
 mod raster;
 mod region;
@@ -38,7 +39,8 @@ const FIRST_LOOK: i32 = 512;
 ///
 /// Strokes of walls stop the robot, and so do open ones of obstacles: every cell that they cross is occupied. A closed
 /// wall only encloses floor. A closed obstacle is solid: a piece of furniture, or a leg if it is a circle, with its
-/// exact outline; beyond the limits of a room, the cells that it covers.
+/// exact outline; beyond the limits of a room, the cells that it covers. So are open ones that are joined end to end round
+/// no more than a piece of furniture.
 ///
 /// Of a whole drawing, floor is the area that can't be reached from outside, if walls enclose any; otherwise the
 /// bounding box. Openings between free ends of walls are closed by lines. Where a room is chosen, and where the whole
@@ -60,7 +62,9 @@ const FIRST_LOOK: i32 = 512;
 /// # Ok::<(), floor_drawing::DrawingError>(())
 /// ```
 pub fn trace(drawing: &Drawing, how: &Tracing) -> Result<Traced, DrawingError> {
-    RoomTracer::new(drawing, how).and_then(|tracer| tracer.run()).map_err(|flaw| bad(&drawing.name, "", flaw))
+    RoomTracer::new(&outlines::joined(drawing, how), how)
+        .and_then(|tracer| tracer.run())
+        .map_err(|flaw| bad(&drawing.name, "", flaw))
 }
 
 /// Traces a room from a picture, whose unit is a pixel: cells with a pixel that isn't floor are walls. `how.roles` has no

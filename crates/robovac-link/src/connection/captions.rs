@@ -254,7 +254,7 @@ impl ConnectionView {
 
     /// How long the robot stays awake, if relevant.
     fn clock_words(&self) -> String {
-        let clock = |seconds: f64| format!("{}:{:02}", seconds as u64 / 60, seconds as u64 % 60);
+        let clock = |seconds: f64| format!("{}:{:02} min", seconds as u64 / 60, seconds as u64 % 60);
         match (self.sleeps_in_s, self.awake_s) {
             (Some(left), _) if left < SOON_ASLEEP_S => {
                 format!("Falls asleep in {}; then only its Clean button wakes it.", clock(left))

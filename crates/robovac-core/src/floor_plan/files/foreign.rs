@@ -45,6 +45,14 @@ const MAGIC: &[(&[u8], ForeignFile)] = &[
     (b"<", ForeignFile { kind: "a web page or an unknown kind of XML", remedy: "choose the drawing itself" }),
 ];
 
+/// Names of files within documents, which are ZIP archives, and which no archive of floor plans has.
+const DOCUMENTS: &[(&[u8], &str)] = &[
+    (b"word/document.xml", "a Word document"),
+    (b"ppt/presentation.xml", "a PowerPoint presentation"),
+    (b"xl/workbook.xml", "an Excel workbook"),
+    (b"vnd.oasis.opendocument", "an OpenDocument file"),
+];
+
 /// Brands of HEIF files: those of cameras, and of AVIF.
 const HEIC: [&[u8]; 6] = [b"heic", b"heix", b"hevc", b"mif1", b"msf1", b"heim"];
 
@@ -79,6 +87,12 @@ pub fn foreign(bytes: &[u8]) -> Option<ForeignFile> {
             ForeignFile { kind: "a sound or a film", remedy: "choose a picture of the floor plan" }
         });
     }
+    if bytes.starts_with(b"PK\x03\x04") {
+        let has = |name: &[u8]| bytes.windows(name.len()).any(|part| part == name);
+        if let Some(&(_, kind)) = DOCUMENTS.iter().find(|(name, _)| has(name)) {
+            return Some(ForeignFile { kind, remedy: "save the picture in it as PNG and choose that" });
+        }
+    }
     MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic)).map(|&(_, foreign)| foreign)
 }
 
@@ -95,6 +109,10 @@ mod tests {
         let heic = foreign(b"\0\0\0\x18ftypmif1").unwrap();
         assert!(heic.remedy.contains("JPEG"));
         assert!(foreign(b"PK\x03\x04").unwrap().remedy.contains("unpack"));
+        for (name, kind) in DOCUMENTS {
+            let found = foreign(&[b"PK\x03\x04[Content_Types].xml".as_slice(), name, b"..."].concat()).unwrap();
+            assert!(found.kind == *kind && found.remedy.contains("PNG"), "{found:?}");
+        }
     }
 
     #[test]
