@@ -22,9 +22,11 @@ const STILL: (f64, f64) = (0.004, 0.004);
 /// Least number of points of a scan that can contradict a pose, and the share that agrees below which they do.
 const TELLING: usize = 15;
 const MISFIT: f64 = 0.45;
-/// Share of agreeing points below which a scan contradicts the map, and number of such scans in a row after which the robot
-/// must be elsewhere; and scans for which only one place must be possible before it is there.
+/// Share of agreeing points below which a scan contradicts the map, unless that share of those with a surface near agree, as
+/// in a room that is new; and number of such scans in a row after which the robot must be elsewhere; and scans for which
+/// only one place must be possible before it is there.
 const CONTRADICTS: f64 = 0.2;
+const NEW: f64 = 0.6;
 const MISFITS: u32 = 25;
 const SURE: u32 = 50;
 /// Motion by which a scan tells whether the body is held, m, the information that it needs along the way, 1/m², and the share of the wheels' motion below which it is.
@@ -156,7 +158,8 @@ impl Mapper {
             fit = better;
         }
         self.ekf.learn_axes(&walls);
-        let contradicts = fit.points >= TELLING && fit.share() < CONTRADICTS;
+        let is_new = fit.agreeing as f64 >= NEW * fit.met as f64;
+        let contradicts = fit.points >= TELLING && fit.share() < CONTRADICTS && !is_new;
         *misfits = if contradicts { *misfits + 1 } else { 0 };
         if *misfits >= MISFITS {
             // It was carried elsewhere.
