@@ -62,7 +62,7 @@ export class AdapterPort {
     sent.catch((error) => this.lose(this.said(error))).finally(() => this.#writes.shift());
   }
 
-  /** Sends what was written and closes, or gives up after a second: a dead adapter may never answer. */
+  /** Sends what was written and closes; gives up each of the two after a second, as a dead adapter may never answer. */
   async close() {
     this.isOver = true;
     await within(CLOSE_MS, this.#silence()).catch(() => {});
