@@ -22,7 +22,7 @@ const PLACES: i32 = 32;
 /// Drop-offs are assumed to have right-angled corners, of any direction and anywhere ahead; straight edges are no
 /// worse. A corner is first detected by one of the sensors, possibly late by a side sensor. From there to the moment
 /// when a wheel gets over the edge the robot has a certain way, in which it must react and brake. Without cliff sensors
-/// it is the cruise speed. So DVR-1 drives ahead with 0.273 m/s instead of the printed 0.30, as its cliff sensors sit
+/// it is the cruise speed. So DVR-1 drives ahead with 0.277 m/s instead of the printed 0.30, as its cliff sensors sit
 /// where we drew them (see its model) and its wheels brake by 0.8 m/s², both our figures.
 pub(crate) fn safe_speed(robot: &RobotModel) -> f64 {
     let half_base = 0.5 * robot.wheel_base;
