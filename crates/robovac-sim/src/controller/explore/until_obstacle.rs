@@ -2,7 +2,7 @@
 //!
 //! Krapinec 2025 drops chance: the robot drives forward until it detects an obstacle in its path, then rotates in one
 //! direction until none is in front of it. The thesis' Image 7.1 (lost) shows a room in which that goes round for ever;
-//! `tests/behaviours/exploring.rs` has such a room, in which the motion becomes periodic.
+//! `tests/algorithms/behaviours/exploring.rs` has such a room, in which the motion becomes periodic.
 //!
 //! # Where the thesis is silent
 //!
