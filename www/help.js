@@ -1,7 +1,7 @@
 // @ts-check
 // The text of the dialog Help, loaded when that is first opened.
 import { Playground } from "../page.js";
-import { make } from "./dom.js";
+import { make, setText } from "./dom.js";
 import { explainers } from "./explainer.js";
 import { text } from "./parts.js";
 
@@ -17,6 +17,7 @@ export async function fillHelp(into) {
     told = undefined;
     throw error;
   }
+  void tellOffline(into.querySelector("#offline"));
   const [{ planners, behaviours }, sources] = [Playground.catalogue(), await explainers()];
   into.querySelector("#authors")?.replaceChildren(
     ...[...planners, ...behaviours].flatMap(({ id, title }) => {
@@ -25,4 +26,14 @@ export async function fillHelp(into) {
       return [make("li", {}, make("b", {}, title), ": ", link ? make("a", { href: link, target: "_blank", rel: "noopener" }, source) : source)];
     }),
   );
+}
+
+/** Says whether the page works without a network, now and once it does. @param {Element | null} status */
+async function tellOffline(status) {
+  if (!status || !("serviceWorker" in navigator)) return;
+  const { serviceWorker } = navigator;
+  if (!serviceWorker.controller && (await serviceWorker.getRegistration())) setText(status, "The page is being kept for use offline…");
+  // Never, while it is served for development.
+  await serviceWorker.ready;
+  setText(status, "The page works offline: all of it is kept in this browser.");
 }

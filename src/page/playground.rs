@@ -15,7 +15,7 @@ use robovac_app::{
     explore::{Catalogue, FloorTool, ObjectTool, PageView, RobotEntry, Session},
     export::RunBag,
 };
-use robovac_core::{floor_plan::Object, grid::Cell};
+use robovac_core::{floor_plan::Object, geometry::Vector, grid::Cell};
 use robovac_playground::{
     canvas::Canvas,
     wire::{clock, to_js},
@@ -214,10 +214,10 @@ impl Playground {
         self.viewport.resize(width, height, ratio);
     }
 
-    /// Keeps the uppermost `height` CSS pixels of the canvas free of the room, for a message. If no tools float over it, `foot` is the
-    /// height of what does at its bottom.
-    pub fn keep_clear(&mut self, height: f64, foot: Option<f64>) {
-        self.viewport.keep_clear(height, foot);
+    /// Keeps the uppermost `height` CSS pixels of the canvas free of the room, for a message, and its lower right corner of `right` x
+    /// `low`. If no tools float over it, `foot` is the height of what does at its bottom.
+    pub fn keep_clear(&mut self, height: f64, foot: Option<f64>, right: f64, low: f64) {
+        self.viewport.keep_clear(height, foot, Vector::new(right, low));
     }
 
     /// Dark or light colours.

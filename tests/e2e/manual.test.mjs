@@ -94,6 +94,28 @@ test("what is blocked is shown with the reason", async (t) => {
   await page.keyboard.up("ArrowDown");
 });
 
+for (const [device, options] of [["laptop", { viewport: { width: 1440, height: 900 } }], ["phone", { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true }]]) {
+  test(`on a ${device} the joystick and its notes lie beside the room`, async (t) => {
+    const { page, app, screenshot } = await openApp(t, { ...options, address: "#room=flat&behaviour=manual" });
+    await page.locator("#pad").waitFor();
+    /** How many colours the canvas has under them: one, where there is no room. */
+    const colours = () =>
+      page.evaluate(() => {
+        const floor = document.getElementById("floor");
+        const [stage, at] = [floor, document.getElementById("manual")].map((node) => node.getBoundingClientRect());
+        const ratio = floor.width / stage.width;
+        const box = [at.left - stage.left, at.top - stage.top, at.width, at.height].map((length) => Math.round(length * ratio));
+        const { data } = floor.getContext("2d").getImageData(...box);
+        return new Set(new Uint32Array(data.buffer)).size;
+      });
+    await app.poll(colours, (count) => count === 1, "nothing under them");
+    await screenshot(`manual-${device}`);
+    // Other tools have all of the floor.
+    await app.tool("wall");
+    await page.locator("#manual").waitFor({ state: "hidden" });
+  });
+}
+
 test("a gamepad drives, and its dead zone doesn't", async (t) => {
   const { page, app } = await openApp(t, {
     address: ROOM,

@@ -31,6 +31,9 @@ test("after one visit everything works with the network cut: opening, every tab,
   // The browser looks for a new worker in vain.
   const { page, app, server } = await openApp(t, { ...WITH_WORKER, allow: [/sw\.js/, /fetching the script/] });
   await kept(page);
+  await page.keyboard.press("?");
+  await page.getByText("The page works offline").waitFor();
+  await page.keyboard.press("Escape");
   await server.close();
   await page.reload();
   await app.until("playing");

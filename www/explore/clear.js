@@ -1,9 +1,11 @@
 // @ts-check
-// What is told over the floor never lies on the room, when all of that is shown: the room gives way.
+// Messages over the floor never lie on the room, when all of that is shown, nor does the joystick: the room gives way.
 import { byId, changed } from "../dom.js";
 
 /** Pixels between the text and the room. */
 const GAP = 10;
+/** Height of a note above the joystick, pixels: the room doesn't move whenever one comes or goes. */
+const NOTE = 48;
 
 /** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */
 export function startClear(app) {
@@ -17,8 +19,16 @@ export function startClear(app) {
     const node = document.getElementById(id);
     return node?.checkVisibility() ? node.getBoundingClientRect().bottom - stage.getBoundingClientRect().top + gap : 0;
   };
-
   const above = (/** @type {Element} */ node) => (node.checkVisibility() ? stage.getBoundingClientRect().bottom - node.getBoundingClientRect().top + GAP : 0);
+
+  /** Width and height of the lower right corner that the joystick takes. @returns {[number, number]} */
+  const corner = () => {
+    const [manual, pad] = [byId("manual"), byId("pad")];
+    if (!manual.checkVisibility()) return [0, 0];
+    const { right, bottom } = stage.getBoundingClientRect();
+    const notes = byId("manual-note").checkVisibility() ? 2 : 1;
+    return [right - manual.getBoundingClientRect().left + GAP, bottom - pad.getBoundingClientRect().top + notes * NOTE];
+  };
 
   return ({ search: { film, text } }) => {
     told = film === null && !text ? 0 : Math.max(told, below("search-box"));
@@ -26,6 +36,7 @@ export function startClear(app) {
     const next = Math.max(told, palette, below("message"), below("ending"), below("game"), below("tools", 2));
     // In a frame, on the full screen, beside a lesson on a phone.
     const foot = stage.checkVisibility() && !byId("tools").checkVisibility() ? above(byId("legend")) : undefined;
-    if (changed(stage, "clear", `${next} ${foot}`)) app.playground.keep_clear(next, foot);
+    const [right, low] = corner();
+    if (changed(stage, "clear", `${next} ${foot} ${right} ${low}`)) app.playground.keep_clear(next, foot, right, low);
   };
 }

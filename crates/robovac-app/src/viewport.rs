@@ -32,6 +32,8 @@ pub struct Viewport {
     cleared: Option<f64>,
     /// Height of the page's message at the top that must not hide the room, CSS pixels.
     told: f64,
+    /// Width and height of its lower right corner that must not hide the room either, CSS pixels.
+    corner: Vector,
 }
 
 impl Viewport {
@@ -56,6 +58,7 @@ impl Viewport {
             is_bare: false,
             cleared: None,
             told: 0.0,
+            corner: Vector::zeros(),
         };
         view.fit();
         view
@@ -69,21 +72,30 @@ impl Viewport {
     /// Shows all of the room again.
     pub fn fit(&mut self) {
         let [left, top, right, bottom] = self.margins();
-        let free = Vector::new(self.size.x - left - right, self.size.y - top - bottom);
-        let scale = (free.x / self.room.x).min(free.y / self.room.y);
-        self.scale = scale.clamp(*SCALES.start(), *SCALES.end());
-        let middle = Vector::new(left + 0.5 * free.x, top + 0.5 * free.y);
-        self.origin = middle + 0.5 * self.scale * Vector::new(-self.room.x, self.room.y);
+        let mut view = self.between([left, top, right, bottom]);
+        let (size, corner) = (self.size, self.corner);
+        let end = view.to_screen(Point::new(self.room.x, 0.0));
+        if end.x > size.x - corner.x && end.y > size.y - corner.y {
+            // Left of the corner or above it, whichever shows the room larger, but two fifths of the canvas are left to the room.
+            let most = Vector::new(0.6 * size.x - left, 0.6 * size.y - top);
+            let beside = self.between([left, top, right.max(corner.x.min(most.x)), bottom]);
+            let above = self.between([left, top, right, bottom.max(corner.y.min(most.y))]);
+            let (fits_beside, fits_above) = (corner.x <= most.x, corner.y <= most.y);
+            let is_above = if fits_beside == fits_above { above.scale > beside.scale } else { fits_above };
+            view = if is_above { above } else { beside };
+        }
+        *self = view;
         self.fitted = true;
     }
 
-    /// Keeps the uppermost `told` CSS pixels free when the whole room is shown. While the tools that float over it are hidden, it is
-    /// `cleared` but for so many at the bottom.
-    pub fn keep_clear(&mut self, told: f64, cleared: Option<f64>) {
-        if (told - self.told).abs() < 0.5 && cleared == self.cleared {
+    /// Keeps the uppermost `told` CSS pixels free when the whole room is shown, and the lower right `corner`. While the tools that
+    /// float over it are hidden, it is `cleared` but for so many at the bottom.
+    pub fn keep_clear(&mut self, told: f64, cleared: Option<f64>, corner: Vector) {
+        let is_same = (told - self.told).abs() < 0.5 && (corner - self.corner).amax() < 0.5;
+        if is_same && cleared == self.cleared {
             return;
         }
-        (self.told, self.cleared) = (told, cleared);
+        (self.told, self.cleared, self.corner) = (told, cleared, corner);
         if self.fitted {
             self.fit();
         }
@@ -151,6 +163,15 @@ impl Viewport {
         (self.to_world(0.0, self.size.y), self.to_world(self.size.x, 0.0))
     }
 
+    /// All of the room between `margins`.
+    fn between(self, [left, top, right, bottom]: [f64; 4]) -> Self {
+        let free = Vector::new(self.size.x - left - right, self.size.y - top - bottom);
+        let scale = (free.x / self.room.x).min(free.y / self.room.y).clamp(*SCALES.start(), *SCALES.end());
+        let middle = Vector::new(left + 0.5 * free.x, top + 0.5 * free.y);
+        let origin = middle + 0.5 * scale * Vector::new(-self.room.x, self.room.y);
+        Self { scale, origin, ..self }
+    }
+
     /// The margins, reduced where the canvas is small.
     fn margins(&self) -> [f64; 4] {
         if self.is_bare {
@@ -207,17 +228,40 @@ mod tests {
     fn what_is_told_hides_nothing_of_a_room_that_is_shown_whole() {
         let mut view = view();
         let before = view;
-        view.keep_clear(130.0, None);
+        view.keep_clear(130.0, None, Vector::zeros());
         assert!(view.to_screen(Point::new(0.0, 6.0)).y >= 130.0 - 1e-9);
-        view.keep_clear(0.0, None);
+        view.keep_clear(0.0, None, Vector::zeros());
         assert_eq!(view.scale, before.scale);
         // Never more than three fifths of the canvas, and not when zoomed in.
-        view.keep_clear(5000.0, None);
+        view.keep_clear(5000.0, None, Vector::zeros());
         assert!(view.scale > 0.0 && view.to_screen(Point::new(0.0, 6.0)).y < 420.0);
         view.zoom_at(300.0, 200.0, 2.0);
         let zoomed = view;
-        view.keep_clear(100.0, None);
+        view.keep_clear(100.0, None, Vector::zeros());
         assert_eq!((view.scale, view.origin), (zoomed.scale, zoomed.origin));
+    }
+
+    #[test]
+    fn the_room_is_left_of_what_lies_in_the_corner_or_above_it() {
+        for (width, height, corner) in [(900.0, 700.0, [220.0, 300.0]), (390.0, 480.0, [160.0, 260.0])] {
+            let mut view = Viewport::new(8.0, 6.0, width, height, 1.0);
+            let before = view;
+            let corner = Vector::from(corner);
+            view.keep_clear(0.0, None, corner);
+            let end = view.to_screen(Point::new(8.0, 0.0));
+            assert!(end.x <= width - corner.x + 1e-9 || end.y <= height - corner.y + 1e-9, "{end}");
+            assert!(view.to_screen(Point::origin()).x >= 19.0 && view.scale > 0.5 * before.scale);
+            view.keep_clear(0.0, None, Vector::zeros());
+            assert_eq!(view, before);
+        }
+        // A narrow room in a large window stays where it is.
+        let mut view = Viewport::new(4.0, 8.0, 900.0, 700.0, 1.0);
+        let before = view.origin;
+        view.keep_clear(0.0, None, Vector::new(220.0, 300.0));
+        assert_eq!(view.origin, before);
+        // Never all of it.
+        view.keep_clear(0.0, None, Vector::new(5000.0, 5000.0));
+        assert!(view.scale > 0.0 && view.to_screen(Point::new(6.0, 0.0)).x > 0.0);
     }
 
     #[test]
@@ -269,13 +313,13 @@ mod tests {
         view.resize(390.0, 190.0, 1.0);
         view.fit();
         let before = view.scale;
-        view.keep_clear(0.0, Some(0.0));
+        view.keep_clear(0.0, Some(0.0), Vector::zeros());
         assert!(view.scale > 1.4 * before && view.scale * 6.0 <= 190.0, "{before} {}", view.scale);
-        view.keep_clear(40.0, Some(0.0));
+        view.keep_clear(40.0, Some(0.0), Vector::zeros());
         assert!(view.scale * 6.0 <= 150.0, "{}", view.scale);
         // The legend hid the lowest lane on the full screen.
         view.resize(900.0, 700.0, 1.0);
-        view.keep_clear(0.0, Some(44.0));
+        view.keep_clear(0.0, Some(44.0), Vector::zeros());
         assert!(view.to_screen(Point::new(0.0, 0.0)).y <= 656.1);
     }
 }

@@ -370,6 +370,7 @@ impl Program {
             self.make_move()?;
         }
         if next == 5 {
+            self.increment();
             self.make_all_inf_neighbours_zero();
             self.go_back()?;
         } else if next == 6 {
@@ -485,6 +486,15 @@ fn printed_program_is_walked_step_for_step() {
 #[ignore = "soak: many rooms"]
 fn printed_program_is_walked_step_for_step_in_many_rooms() {
     with_a_deep_stack(|| program_is_walked_step_for_step(2_000));
+}
+
+/// At a second turn between two blocks the visit is counted before the robot goes back; else it would go in circles here.
+#[test]
+fn printed_program_counts_a_visit_before_it_goes_back() {
+    let free = drawn("....\n..#.\n....\n..##");
+    let (walk, end) = Program::main(&free);
+    assert_eq!((walk.len() - 1, end), (14, End::All));
+    assert_eq!(planned(&job(&free), &mut PlanContext::new(0)).cells, walk);
 }
 
 /// At the end of a corridor "back" is ahead, and ahead is no room any more.

@@ -281,6 +281,7 @@ impl<'a, 'b> PrintedProgram<'a, 'b> {
                 return Ok(self.call(Caller::AheadAfterBack));
             }
             MinimumNeighbour::Back => {
+                self.memory.raise(self.at);
                 self.memory.see_around(self.at);
                 self.explain("Back", self.facing, "Blocked on both sides: \"back\", to the last cell pushed");
                 self.go_back()?;
