@@ -11,7 +11,7 @@ pub mod layer;
 pub mod lines;
 pub mod objects;
 pub mod robot;
-mod scale_bar;
+pub mod scale_bar;
 pub mod search;
 pub mod sensed;
 mod shapes;
@@ -251,7 +251,7 @@ impl Canvas {
         context.draw_image_with_offscreen_canvas(&self.above.canvas, 0.0, 0.0)?;
         context.set_transform(ratio, 0.0, 0.0, ratio, 0.0, 0.0)?;
         // Beneath the robot.
-        scale_bar::draw(context, viewport, palette)?;
+        scale_bar::draw(as_layer(context), viewport, palette)?;
         draw_objects(as_layer(context), scene, viewport, palette, DrawPass::Live)?;
         draw_life(context, scene, viewport, palette)?;
 

@@ -15,8 +15,8 @@ export function startClear(app) {
   /** That of the palette: the room moves once, and not whenever another tool is chosen. */
   let palette = 0;
   addEventListener("resize", () => (told = palette = 0));
-  const below = (/** @type {string} */ id, gap = GAP) => {
-    const node = document.getElementById(id);
+  const below = (/** @type {string} */ what, gap = GAP) => {
+    const node = document.querySelector(what);
     return node?.checkVisibility() ? node.getBoundingClientRect().bottom - stage.getBoundingClientRect().top + gap : 0;
   };
   const above = (/** @type {Element} */ node) => (node.checkVisibility() ? stage.getBoundingClientRect().bottom - node.getBoundingClientRect().top + GAP : 0);
@@ -31,11 +31,11 @@ export function startClear(app) {
   };
 
   return ({ search: { film, text } }) => {
-    told = film === null && !text ? 0 : Math.max(told, below("search-box"));
-    palette = Math.max(palette, below("kinds"));
-    const next = Math.max(told, palette, below("message"), below("ending"), below("game"), below("tools", 2));
+    told = film === null && !text ? 0 : Math.max(told, below("#search-box"));
+    palette = Math.max(palette, below("#kinds"));
+    const next = Math.max(told, palette, below("#message"), below("#ending"), below("#game"), below(".over-floor"), below(".embed .to-page"), below("#tools", 2));
     // In a frame, on the full screen, beside a lesson on a phone.
-    const foot = stage.checkVisibility() && !byId("tools").checkVisibility() ? above(byId("legend")) : undefined;
+    const foot = stage.checkVisibility() && !byId("tools").checkVisibility() ? Math.max(above(byId("legend")), above(byId("zoom-in"))) : undefined;
     const [right, low] = corner();
     if (changed(stage, "clear", `${next} ${foot} ${right} ${low}`)) app.playground.keep_clear(next, foot, right, low);
   };

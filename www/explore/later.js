@@ -66,7 +66,7 @@ export async function startLater(app) {
       () => import("./ending.js").then(({ startEnding }) => startEnding(app)),
     ),
     later(
-      ({ tool, search, state }) => !byId("message").hidden || tool === "place" || search.text !== "" || state === "finished" || document.getElementById("game") !== null || !byId("manual").hidden,
+      ({ tool, search, state }) => !byId("message").hidden || tool === "place" || search.text !== "" || state === "finished" || document.querySelector("#game, .over-floor, .embed .to-page") !== null || !byId("manual").hidden,
       () => import("./clear.js").then(({ startClear }) => startClear(app)),
     ),
     later(

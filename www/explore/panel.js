@@ -25,7 +25,7 @@ export function startPanel(app) {
   fill(select("room"), [...rooms.map(({ id, title }) => /** @type {[string, string]} */ ([id, title])), [FLAT, "A new flat"]]);
   fill(select("odometry"), ODOMETRIES);
   byId("odometry-field").setAttribute("data-tip", ODOMETRY_TIP);
-  fill(select("robot"), [...robots.map(({ id, title }) => /** @type {[string, string]} */ ([id, title])), [OWN, "Own robot…"]]);
+  fill(select("robot"), [...robots.map(({ id, title }) => /** @type {[string, string]} */ ([id, title])), [OWN, "Own robot"]]);
   const cells = select("cell-size");
   fill(cells, [...cell_sizes_m, ...COVERAGES].map((size) => [String(size), size < 2 ? `${+(size * 100).toFixed(2)} cm` : `for ${size} %`]));
 

@@ -85,14 +85,19 @@ export function startVersus(app, card) {
     if (!worked) return card.close();
     place = placeNow();
     const [time, yours, theirs] = [score_("time", "Time left"), score_("you", "You"), score_("", titleOf(terms.rival))];
-    const rows = [time, yours, theirs, ...(terms.beat === null ? [] : [score_("", "To beat", terms.beat)])];
+    const toBeat = terms.beat === null ? undefined : score_("", "To beat");
+    const rows = [time, yours, theirs, ...(toBeat ? [toBeat] : [])];
     card.show("Your turn", make("p", { className: "how" }, "Drive with the arrow keys or the joystick. The clock runs from your first move."), make("div", { className: "scores" }, ...rows.flatMap(({ nodes }) => nodes)));
     document.getElementById("floor")?.focus();
     told = () => {
       const left = Math.max(0, terms.seconds - app.view.time_s);
       time.show(left / terms.seconds, clock(left));
-      yours.show(app.view.coverage);
-      theirs.show(at(app.view.time_s));
+      // The best of all fills its bar: in a large room all of them sweep but a few per cent.
+      const most = Math.max(at(terms.seconds), terms.beat ?? 0, app.view.coverage, 1e-9);
+      const swept = (/** @type {number} */ share) => /** @type {const} */ ([share / most, `${percent(share)} %`]);
+      yours.show(...swept(app.view.coverage));
+      theirs.show(...swept(at(app.view.time_s)));
+      toBeat?.show(...swept(terms.beat ?? 0));
     };
   }
 
@@ -169,13 +174,12 @@ export function startVersus(app, card) {
 /** @param {string} label @param {HTMLElement} control @param {string} [className] */
 const labelled = (label, control, className = "field") => make("label", { className }, make("span", { className: "label" }, label), control);
 
-/** A row of the score. @param {string} who @param {string} name @param {number} [share] */
-function score_(who, name, share = 0) {
+/** A row of the score. @param {string} who @param {string} name */
+function score_(who, name) {
   const [bar, value] = [make("i"), make("b", {}, "")];
-  const show = (/** @type {number} */ next, text = `${percent(next)} %`) => {
+  const show = (/** @type {number} */ next, /** @type {string} */ text) => {
     bar.style.setProperty("--share", String(next));
     setText(value, text);
   };
-  show(share);
   return { nodes: [make("span", {}, name), make("span", { className: `meter ${who}`, "aria-hidden": "true" }, bar), value], show };
 }

@@ -76,7 +76,7 @@ export function startWorst(app, card) {
       setText(status, isSmall ? `Rooms count from ${LEAST} m² that the robot reaches.` : excess === null && view.state !== "planning" ? "A plan counts when it visits every cell and its minimum is proven." : told());
       again.disabled = challenge.disabled = !best;
     },
-    end() {},
+    end: () => void (app.view.tool === "wall" && app.act((p) => p.set_tool("view"))),
     link: () => (best ? (100 * best.excess).toFixed(1) : toBeat === null ? "" : (100 * toBeat).toFixed(1)),
   };
 

@@ -52,14 +52,16 @@ export async function startTour(app) {
     document.querySelector(step.at)?.classList.add("toured");
     place();
   }
-  /** Below what it explains, inside the window; over the floor, in its lower part. */
+  /** Below what it explains, inside the window; beside the floor, or over it where there is no place: the room gives way then. */
   function place() {
     const shown = document.querySelector(".toured")?.getBoundingClientRect();
     if (!shown) return;
     const size = card.getBoundingClientRect();
     const isFloor = shown.height > innerHeight / 3;
+    const isBeside = isFloor && shown.right + size.width + 18 < innerWidth;
+    card.classList.toggle("over-floor", isFloor && !isBeside);
     const top = isFloor ? shown.top + 72 : shown.bottom + 10;
-    const left = isFloor ? shown.left + shown.width / 2 - size.width / 2 : shown.left;
+    const left = isBeside ? shown.right + 10 : isFloor ? shown.left + shown.width / 2 - size.width / 2 : shown.left;
     card.style.top = `${Math.max(8, Math.min(top, innerHeight - size.height - 8))}px`;
     card.style.left = `${Math.max(8, Math.min(left, innerWidth - size.width - 8))}px`;
   }

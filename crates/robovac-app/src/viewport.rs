@@ -8,6 +8,12 @@ const MARGINS: [f64; 4] = [24.0, 66.0, 24.0, 66.0];
 const BARE_MARGIN: f64 = 6.0;
 /// Limits of pixels per metre.
 const SCALES: std::ops::RangeInclusive<f64> = 0.5..=2000.0;
+/// Width of the canvas below which the scale bar has no place between legend and zoom and stands above the zoom, CSS pixels.
+const BESIDE_ZOOM: f64 = 626.0;
+/// Size of the canvas below which there is none, CSS pixels.
+const LEAST_WITH_SCALE: [f64; 2] = [240.0, 160.0];
+/// Width and height of the lower right corner with a scale bar above the zoom, CSS pixels.
+const SCALE_CORNER: [f64; 2] = [120.0, 98.0];
 /// Pixels of the room that stay in view when panning.
 const KEPT: f64 = 60.0;
 
@@ -73,7 +79,10 @@ impl Viewport {
     pub fn fit(&mut self) {
         let [left, top, right, bottom] = self.margins();
         let mut view = self.between([left, top, right, bottom]);
-        let (size, corner) = (self.size, self.corner);
+        let (size, mut corner) = (self.size, self.corner);
+        if !self.is_bare && self.cleared.is_none() && self.scale_bar().is_some() && size.x < BESIDE_ZOOM {
+            corner = corner.sup(&Vector::from(SCALE_CORNER));
+        }
         let end = view.to_screen(Point::new(self.room.x, 0.0));
         if end.x > size.x - corner.x && end.y > size.y - corner.y {
             // Left of the corner or above it, whichever shows the room larger, but two fifths of the canvas are left to the room.
@@ -140,6 +149,17 @@ impl Viewport {
         self.scale = scale;
         self.fitted = false;
         self.keep_in_view();
+    }
+
+    /// Where the scale bar ends, CSS pixels from the right and from the bottom; `None` if there is no place for it.
+    pub fn scale_bar(&self) -> Option<[f64; 2]> {
+        let [width, height] = LEAST_WITH_SCALE;
+        let place = match self.size.x {
+            _ if self.is_bare => [10.0, 10.0],
+            x if x < BESIDE_ZOOM => [20.0, 72.0],
+            _ => [204.0, 24.0],
+        };
+        (self.size.x >= width && self.size.y >= height).then_some(place)
     }
 
     /// Screen position of a point of the world, CSS pixels from the upper left.
@@ -262,6 +282,22 @@ mod tests {
         // Never all of it.
         view.keep_clear(0.0, None, Vector::new(5000.0, 5000.0));
         assert!(view.scale > 0.0 && view.to_screen(Point::new(6.0, 0.0)).x > 0.0);
+    }
+
+    #[test]
+    fn the_scale_bar_above_the_zoom_lies_beside_the_room() {
+        let view = Viewport::new(4.0, 3.0, 390.0, 440.0, 1.0);
+        let end = view.to_screen(Point::new(4.0, 0.0));
+        assert!(end.x > 350.0 && end.y <= 440.0 - SCALE_CORNER[1], "{end}");
+        assert_eq!(view.scale_bar(), Some([20.0, 72.0]));
+        // Without zoom buttons it needs no place of its own.
+        let bare = {
+            let mut view = Viewport::bare();
+            view.resize(390.0, 440.0, 1.0);
+            view
+        };
+        assert_eq!(bare.scale_bar(), Some([10.0, 10.0]));
+        assert_eq!(Viewport::new(4.0, 3.0, 200.0, 150.0, 1.0).scale_bar(), None);
     }
 
     #[test]

@@ -11,6 +11,7 @@ use robovac_core::{
     geometry::{Point, Pose},
     math::TAU,
 };
+use robovac_playground::canvas::scale_bar::Bar;
 use wasm_bindgen::JsValue;
 use web_sys::OffscreenCanvasRenderingContext2d as Context;
 
@@ -223,27 +224,7 @@ pub(super) fn hand(
     Ok(())
 }
 
-/// A round length; `metre` is the length of a unit of the sheet, m.
+/// A scale bar in the lower left corner; `metre` is the length of a unit of the sheet, m.
 pub(super) fn scale_bar(context: &Context, viewport: &Viewport, metre: f64, palette: &Palette) -> Result<(), JsValue> {
-    let per_metre = viewport.scale / metre;
-    let lengths = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0];
-    let Some(metres) = lengths.into_iter().find(|m| m * per_metre >= 48.0) else { return Ok(()) };
-    let (length, left, bottom) = (metres * per_metre, 22.0, viewport.size.y - 24.0);
-    context.set_fill_style_str(palette.outside);
-    context.set_global_alpha(0.8);
-    context.fill_rect(left - 6.0, bottom - 20.0, length + 12.0, 26.0);
-    context.set_global_alpha(1.0);
-    context.set_stroke_style_str(palette.text);
-    context.set_line_width(1.5);
-    context.begin_path();
-    context.move_to(left, bottom - 5.0);
-    context.line_to(left, bottom);
-    context.line_to(left + length, bottom);
-    context.line_to(left + length, bottom - 5.0);
-    context.stroke();
-    context.set_fill_style_str(palette.text);
-    context.set_font("12px -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif");
-    context.set_text_align("center");
-    let label = if metres < 1.0 { format!("{:.0} cm", metres * 100.0) } else { format!("{metres} m") };
-    context.fill_text(&label, left + 0.5 * length, bottom - 6.0)
+    Bar::of(viewport.scale / metre).map_or(Ok(()), |bar| bar.draw(context, 22.0, viewport.size.y - 24.0, palette))
 }
