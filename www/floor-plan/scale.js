@@ -17,6 +17,7 @@ export function startScale(it) {
     event.preventDefault();
     const metres = input("floor-plan-distance").valueAsNumber;
     await it.ask({ type: "scale", metres }, "Tracing the room");
+    it.toCanvas(false);
   });
   button("floor-plan-distance-cancel").addEventListener("click", () => it.client.say({ type: "tool", tool: "view" }));
 
@@ -44,12 +45,19 @@ export function startScale(it) {
     const wasHidden = form.hidden;
     setHidden(form, !view.is_measured);
     if (wasHidden && view.is_measured) {
+      openSheetOf(form);
       const distance = input("floor-plan-distance");
       distance.value = view.measured_m ? plain(view.measured_m, 3) : "";
       distance.focus();
       distance.select();
     }
   };
+}
+
+/** Where panels are sheets, opens the one in which `node` is. @param {HTMLElement} node */
+function openSheetOf(node) {
+  const opener = document.querySelector(`[data-sheet="${node.closest(".sheet")?.id}"][aria-expanded=false]`);
+  if (opener instanceof HTMLElement && opener.checkVisibility()) opener.click();
 }
 
 /** @param {import("./types").FloorPlanView} view */

@@ -108,8 +108,10 @@ export function startFloorPlan(app, module) {
     const large = files.find((file) => file.size > MOST_BYTES);
     if (large) complain(`${large.name} is larger than 64 MB. Export a smaller map, at most 4096 cells a side.`);
     else [opening, chosen] = [opening + 1, {}];
+    byId("floor-plan-settings").inert = opening > 0;
     const isOpen = !large && (await it.ask({ type: "open", files }, `Reading ${names}`));
     if (!large) opening -= 1;
+    byId("floor-plan-settings").inert = opening > 0;
     // Tests wait for this.
     root.dataset.taken = `${++taken} ${isOpen ? "open" : "refused"}`;
   };

@@ -6,6 +6,7 @@ use super::{
 };
 use robovac_core::{
     floor_plan::Sketch,
+    geometry::normalize,
     registry::{ParamValue, Params},
     robot::{MODELS, model},
 };
@@ -74,6 +75,35 @@ fn printed_times_leave_the_robot_at_the_wall() {
     println!("by time {timed:.4} m, {turn:.1}°; as printed {printed:.4} m, {other:.1}°");
     assert!((timed - 0.145 / 3.0).abs() < 0.01 && (turn - 90.0).abs() < 5.0);
     assert!(printed.abs() < 0.01);
+}
+
+/// "90° turn (right/left), go, 90° turn": both to one side, and to the other one at the next wall, as in Fig. 11.
+#[test]
+fn section_iv_a_iii_sides_alternate() {
+    let plan = Sketch::open(3.0, 3.0, 0.05).start(1.0, 1.5, 0.0).finish("open", "");
+    let setup = lay_out(&plan, model("dvr1").unwrap(), conditions(NoiseLevel::Off)).unwrap();
+    let info = find("s_path").unwrap();
+    let mut run = run_with(&setup, info, &Params::defaults(info.params), 1);
+    let mut until = |activity: &str| {
+        while !run.activity().starts_with(activity) {
+            assert!(run.time_s() < 120.0, "{activity}: {}", run.activity());
+            run.step();
+        }
+        run.pose().heading
+    };
+    // When a motion begins, the robot still turns a little from the one before.
+    let turns = [(); 4].map(|()| {
+        let [wall, aside] = ["backing up", "driving a short distance"].map(&mut until);
+        let lane = until("driving a lane");
+        [wall, normalize(aside - wall).to_degrees(), normalize(lane - aside).to_degrees()]
+    });
+    for (index, [_, first, second]) in turns.into_iter().enumerate() {
+        let side = if index % 2 == 0 { 1.0 } else { -1.0 };
+        assert!((60.0..100.0).contains(&(side * first)) && (60.0..100.0).contains(&(side * second)), "{turns:?}");
+    }
+    for pair in turns.windows(2) {
+        assert!(normalize(pair[1][0] - pair[0][0]).to_degrees().abs() > 175.0, "lanes aren't parallel: {turns:?}");
+    }
 }
 
 /// Switched motors or not, the cliff sensors are heeded.
