@@ -57,7 +57,7 @@ export function toast(text, goesOn = false) {
   node.hidden = false;
   node.setAttribute("aria-busy", String(goesOn));
   clearTimeout(toastTimer);
-  if (!goesOn) toastTimer = setTimeout(hideToast, 2500);
+  if (!goesOn) toastTimer = setTimeout(hideToast, Math.max(2500, 60 * text.length));
 }
 
 export function hideToast() {

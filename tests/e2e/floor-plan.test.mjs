@@ -483,6 +483,12 @@ test("fits a phone, with sheets under the drawing", async (t) => {
   const [hint, stage] = await page.evaluate(() => ["hint", "stage"].map((name) => document.getElementById(`floor-plan-${name}`).getBoundingClientRect().toJSON()));
   assert.ok(hint.bottom - stage.top < 66, `${hint.bottom - stage.top} px`);
   await screenshot("floor-plan-phone-hint");
+  // Their distance is asked for where one sees it.
+  for (const x of [120, 260]) await page.touchscreen.tap(stage.left + x, stage.top + 150);
+  await page.locator("#floor-plan-distance:focus").waitFor();
+  await page.locator("#floor-plan-distance").fill("4");
+  await page.getByRole("button", { name: "Set scale" }).tap();
+  await page.locator("#floor-plan-setup").waitFor({ state: "hidden" });
 });
 
 test("one screen on a laptop, in words too", async (t) => {

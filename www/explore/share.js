@@ -3,6 +3,7 @@
 import { complain, textOf, toast } from "../messages.js";
 import { write } from "../keep.js";
 import { aboutRoom, settingsOf } from "../settings-link.js";
+import { currentTab } from "../tabs.js";
 import { flatOf } from "./flat.js";
 import { MOST_PACKED } from "./own-rooms.js";
 import { pack } from "./pack.js";
@@ -33,7 +34,9 @@ export async function copyLink(app) {
     write(link.hash);
     done = "The link is in the address bar";
   }
-  toast(done);
+  // The drawing's files may be large, and aren't for everybody.
+  const hasDrawing = currentTab() === "floor-plan" && document.getElementById("floor-plan-settings")?.hidden === false;
+  toast(hasDrawing ? `${done}, without the drawing: press Use this room, then copy again` : done);
   // Without them the link is copied all the same.
   await import("../send.js").then(({ showWays }) => showWays(app, link, done)).catch(console.warn);
 }

@@ -44,7 +44,7 @@ export function updateView({ view, playground }) {
     const text = playground.description();
     setAttribute(byId("floor"), "aria-label", text);
     // Read aloud only when something comes to an end, not all the time.
-    if (!["playing", "planning", "seeking"].includes(view.state)) setText(byId("narration"), text);
+    setText(byId("narration"), ["playing", "planning", "seeking"].includes(view.state) ? "" : text);
   }
 }
 
