@@ -421,6 +421,10 @@ settings: FloorPlanSettings,
 room: TracedRoomView | null,
 /** Open doors through which a chosen room extends. */
 doors: Doors | null,
+/** Widest opening to the outside that is closed indoors, m. */
+outer_door: number | null,
+/** What can be wrong with the room, in words; empty for nothing. */
+notice: string,
 /** Why there is no room; empty if there is one or the user has yet to choose. */
 fault: string,
 /** The tool for clicks. */
@@ -1514,9 +1518,9 @@ text: string, };
 
 /** The resulting room. */
 export type TracedRoomView = {
-/** Width, m. */
+/** Width of its floor, without walls, m. */
 width_m: number,
-/** Height, m. */
+/** Height of its floor, m. */
 height_m: number,
 /** Columns and rows. */
 cells: [number, number],
@@ -1528,10 +1532,14 @@ resolution: number,
 objects: number,
 /** Gaps that were closed. */
 gaps: number,
+/** Those of them that are wider than was asked for: openings to the outside, indoors. */
+outer_doors: number,
 /** Floor round the building that is left out, m². */
 around_m2: number,
 /** Floor that a robot can't get to, m²; 0 if it is hardly any. */
-cut_off_m2: number, };
+cut_off_m2: number,
+/** Floor that the brush of a Roomba reaches, m², as Explore counts it, if it can't get to some. */
+reachable_m2: number | null, };
 
 /** A line of traffic. */
 export type Traffic = {

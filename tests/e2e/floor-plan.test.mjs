@@ -121,7 +121,7 @@ test("a room that continues through doors offers to close them", async (t) => {
   const { page, app } = await openFloorPlan(t);
   const whole = await sample(app);
   assert.match(await text(app, "#floor-plan-facts"), /whole drawing: 10\.4 × 8\.0 m/);
-  assert.match(await text(app, "#floor-plan-result"), /Room 9\.1 × 6\.7 m, walls included/);
+  assert.match(await text(app, "#floor-plan-result"), /Room 9\.0 × 6\.6 m, without walls/);
   assert.ok(await page.locator("#floor-plan-doors").isHidden(), "nobody has marked a room");
   await page.getByRole("button", { name: "This room", exact: true }).click();
   await click(app, 0.42, 0.42);

@@ -2,7 +2,10 @@
 
 use floor_drawing::ShadeMethod;
 use image::{GrayImage, ImageFormat, Luma};
-use robovac_app::floor_plan::{DrawingPart, DrawingSession, FloorPlanSettings};
+use robovac_app::{
+    explore::Session,
+    floor_plan::{DrawingPart, DrawingSession, FloorPlanSettings, size_in_words},
+};
 use robovac_core::{
     floor_plan::{FloorPlan, SourceFile, generate::random_flat},
     geometry::Point,
@@ -236,6 +239,79 @@ fn floor_behind_the_arc_of_a_door_is_told_before_the_room_is_used() {
     assert_eq!(opened(&open).view().room.unwrap().cut_off_m2, 0.0);
 }
 
+#[test]
+fn floor_within_reach_is_what_explore_says_of_the_same_room() {
+    for (door, line, way) in [(24, 1.5, 0), (36, 2.0, 2)] {
+        let board = opened(&with_door_arc(door, line, way));
+        let room = board.view().room.unwrap();
+        let mut session = Session::new();
+        session.take_import(board.import(false).unwrap()).unwrap();
+        session.configure(|choices| choices.select_robot("roomba600")).unwrap();
+        session.plan_now(|| 0.0);
+        let explore = session.view().room;
+        assert_eq!(room.reachable_m2, Some(explore.reachable_m2));
+        assert!((room.floor_m2 - explore.reachable_m2 - explore.left_out_m2).abs() < 1e-6, "{room:?}");
+    }
+}
+
+#[test]
+fn a_scale_that_is_assumed_is_asked_about_though_the_size_is_usual() {
+    let flat = random_flat(2, 2, 1);
+    let mut session = DrawingSession::open(&[file(&scan(&flat, 0.0), "scan.png", ImageFormat::Png)]).unwrap();
+    let view = session.view();
+    let room = view.room.unwrap();
+    assert_eq!(view.asks, size_in_words(room.width_m, room.height_m));
+    change(&mut session, |settings| settings.confirmed = settings.metre);
+    assert_eq!(session.view().asks, "");
+    // A robot's map has cells of 5 cm.
+    change(&mut session, |settings| (settings.confirmed, settings.method) = (None, ShadeMethod::Map));
+    assert_eq!(session.view().asks, "");
+}
+
+#[test]
+fn the_size_of_a_room_is_that_between_its_walls() {
+    // 260 x 180 pixels, with walls of six.
+    let room = opened(&with_door_arc(30, 1.0, 0)).view().room.unwrap();
+    let size = [249.0, 169.0].map(|pixels| pixels * PIXEL);
+    assert!((room.width_m - size[0]).abs() <= 2.0 * PIXEL, "{room:?}");
+    assert!((room.height_m - size[1]).abs() <= 2.0 * PIXEL, "{room:?}");
+}
+
+#[test]
+fn an_outer_door_that_is_closed_is_no_gap_that_was_asked_for() {
+    let mut session = opened(&scan(&random_flat(2, 2, 0), 0.0));
+    let view = session.view();
+    let room = view.room.unwrap();
+    assert_eq!((room.gaps, room.outer_doors, view.outer_door), (1, 1, Some(1.25)));
+    change(&mut session, |settings| settings.gap = 1.5);
+    assert_eq!(session.view().room.unwrap().outer_doors, 0, "now it was");
+    change(&mut session, |settings| settings.part = DrawingPart::Whole);
+    assert_eq!(session.view().outer_door, None);
+}
+
+#[test]
+fn an_opening_that_lets_the_outside_in_is_told_with_its_place() {
+    let flat = random_flat(2, 2, 0);
+    let mut session = opened(&scan(&flat, 0.0));
+    assert_eq!((session.view().notice.as_str(), session.mark()), ("", None));
+    // Five times too large: the front door, 0.9 m wide in the left wall, isn't closed.
+    change(&mut session, |settings| settings.metre = Some(5.0 * PIXEL));
+    let (notice, mark) = (session.view().notice, session.mark().unwrap());
+    assert!(notice.contains("open to the outside") && notice.contains("Check the size"), "{notice}");
+    assert!((3.5..5.5).contains(&mark.width), "{mark:?}");
+    let door = Point::new(MARGIN, MARGIN + 0.95 / PIXEL);
+    assert!((mark.at - door).norm() < 0.8 / PIXEL, "{mark:?} for {door}");
+}
+
+#[test]
+fn a_picture_without_walls_says_that_none_were_found() {
+    let blank = GrayImage::from_pixel(300, 200, Luma([255]));
+    let mut session = opened(&blank);
+    assert!(session.view().notice.starts_with("No walls were found"), "{}", session.view().notice);
+    change(&mut session, |settings| settings.part = DrawingPart::Whole);
+    assert_eq!(session.view().notice, "", "all of it is what was chosen");
+}
+
 /// A rectangle of 4 x 3 m, askew by 7 degrees, in millimetres, as a closed polyline; `door` leaves a gap.
 fn askew_room(door: bool) -> SourceFile {
     let (sin, cos) = 7.0_f64.to_radians().sin_cos();
@@ -297,6 +373,11 @@ fn plans_on_paper_offer_its_scales() {
     let ignored = session.view().layers.into_iter().find(|layer| layer.role == floor_drawing::Role::Ignored);
     assert_eq!(ignored.unwrap().name, "background");
     assert!(session.view().asks.contains("mm"), "a doll's house: {}", session.view().asks);
+    assert!(session.room().is_none() && session.import(false).unwrap_err().contains("size"), "no room of paper");
+    change(&mut session, |settings| settings.confirmed = settings.metre);
+    assert!(session.room().is_some(), "unless it is one");
+    change(&mut session, |settings| settings.confirmed = None);
+    assert!(session.room().is_none());
     let papers: Vec<String> = session.view().papers.into_iter().map(|paper| paper.name).collect();
     assert_eq!(papers, ["1:50", "1:100", "1:200"], "offered beside the question");
     let paper = session.view().units.into_iter().find(|unit| unit.name == "on paper, 1:100").unwrap();

@@ -39,12 +39,14 @@ function show(view) {
   showCut(view);
   showKey(view);
   setHidden(byId("floor-plan-asks"), !view?.asks);
+  setHidden(byId("floor-plan-notice"), !view?.notice);
+  setText(byId("floor-plan-notice"), view?.notice ?? "");
   if (view?.asks) setText(byId("floor-plan-asks-text"), `This floor plan is ${view.asks}. Is that its size?`);
 }
 
 /** Floor that a robot can't get to: the inside of furniture, or a fault; which of them, only its owner knows. @param {FloorPlanView | undefined} view */
 function showCut(view) {
-  const cut = view?.asks || view?.doors ? 0 : (view?.room?.cut_off_m2 ?? 0);
+  const cut = view?.doors ? 0 : (view?.room?.cut_off_m2 ?? 0);
   setHidden(byId("floor-plan-cut"), !cut);
   if (!view || !cut) return;
   const mend = view.kind === "drawing" ? "make its layer Ignored" : view.kind === "image" ? "read the walls in another way" : "widen the way";
@@ -79,11 +81,13 @@ function facts({ kind, size, strokes, layers, room, left_out }) {
 
 /** @param {FloorPlanView} view */
 function result({ room, settings, fault, asks, size }) {
-  // There is floor round it by which the room would be larger than the drawing.
-  if (asks.endsWith(" mm")) return `Whole drawing: ${size}. Choose its size first.`;
-  if (!room) return settings.metre === null ? "Choose the drawing's unit first." : fault || "No room yet.";
-  const { width_m, height_m, floor_m2, cells, objects, gaps, around_m2, cut_off_m2 } = room;
-  const reach = cut_off_m2 > 0 ? `, ${(floor_m2 - cut_off_m2).toFixed(1)} m² of it reachable` : "";
-  const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, gaps && `${gaps} ${gaps === 1 ? "gap" : "gaps"} closed`, around_m2 > 0 && `${around_m2.toFixed(1)} m² round the building left out`].filter(Boolean);
-  return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, walls included`, `${floor_m2.toFixed(1)} m² of floor${reach}`, `${cells[0]} × ${cells[1]} cells`, ...more].join(" · ");
+  if (!room) {
+    if (settings.metre === null) return "Choose the drawing's unit first.";
+    return fault || (asks ? `Whole drawing: ${size}. Choose its size first.` : "No room yet.");
+  }
+  const { width_m, height_m, floor_m2, cells, objects, gaps, outer_doors, around_m2, reachable_m2 } = room;
+  const reach = reachable_m2 === null ? "" : `, ${reachable_m2.toFixed(1)} m² of it reachable by a Roomba's brush`;
+  const [inner, openings] = [gaps - outer_doors, outer_doors === 1 ? "opening" : "openings"];
+  const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, inner && `${inner} ${inner === 1 ? "gap" : "gaps"} closed`, outer_doors && `${outer_doors} ${openings} to the outside closed`, around_m2 > 0 && `${around_m2.toFixed(1)} m² round the building left out`].filter(Boolean);
+  return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, without walls`, `${floor_m2.toFixed(1)} m² of floor${reach}`, `${cells[0]} × ${cells[1]} cells`, ...more].join(" · ");
 }

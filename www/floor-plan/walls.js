@@ -13,7 +13,8 @@ export function startWalls(it) {
   const [cell, method] = [select("floor-plan-cell"), select("floor-plan-method")];
   fill(cell, CELLS.map((side) => [String(side), `${100 * side} cm`]));
   const told = () => {
-    setText(byId("floor-plan-gap-value"), gap.valueAsNumber ? `${gap.valueAsNumber.toFixed(2)} m` : "none");
+    const [width, outer] = [gap.valueAsNumber, it.view?.outer_door ?? 0];
+    setText(byId("floor-plan-gap-value"), `${width ? `${width.toFixed(2)} m` : "none"}${outer > width ? `, to the outside ${outer.toFixed(2)} m` : ""}`);
     for (const [name, range] of /** @type {const} */ ([["shade", shade], ["contrast", contrast]])) setText(byId(`floor-plan-${name}-value`), `${Math.round(100 * range.valueAsNumber)} %`);
     setText(byId("floor-plan-specks-value"), specks.valueAsNumber ? `${Math.round(100 * specks.valueAsNumber)} cm` : "none");
   };

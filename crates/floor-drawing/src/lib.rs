@@ -42,6 +42,6 @@ pub use model::{Drawing, DrawingLayer, MAX_COORDINATE, MAX_LAYERS, MAX_POINTS, R
 pub use overlay::Overlay;
 pub use picture::{Picture, ShadeMethod, WallShades, suggest};
 pub use read::{drawing_kind, is_drawing, is_dxf, read};
-pub use trace::{trace, trace_picture};
-pub use tracing::{DrawingRegion, Traced, Tracing};
+pub use trace::{OUTER_DOOR, trace, trace_picture};
+pub use tracing::{DrawingRegion, OutsideLeak, Traced, Tracing};
 pub use write::{outlines, to_dxf};

@@ -60,9 +60,30 @@ pub struct Traced {
     pub gaps: Vec<[Point; 2]>,
     /// Floor that is left out indoors, m²: a garden within its wall, a page within its frame.
     pub around_m2: f64,
+    /// An opening in the walls round the floor indoors, wider than those that are closed.
+    pub leak: Option<OutsideLeak>,
+    /// Whether walls enclose hardly any floor indoors, so that all of the drawing counts.
+    pub is_open: bool,
+}
+
+/// An opening through which the outside reaches floor that walls enclose otherwise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OutsideLeak {
+    /// Its middle, in the turned drawing.
+    pub at: Point,
+    /// Its width, m.
+    pub width: f64,
+    /// The floor that it opens, m².
+    pub floor_m2: f64,
 }
 
 impl Traced {
+    /// A map as it is: its lower-left corner is the origin of the drawing, whose unit is `metre` m.
+    pub fn of_map(plan: FloorPlan, metre: f64) -> Self {
+        let (corner, gaps) = (Vector::zeros(), Vec::new());
+        Self { plan, corner, turn: 0.0, metre, gaps, around_m2: 0.0, leak: None, is_open: false }
+    }
+
     /// The room as it is if the drawing was turned by `turn` around its origin before it was traced.
     pub fn turned(mut self, turn: f64) -> Self {
         self.turn = turn;

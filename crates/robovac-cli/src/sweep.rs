@@ -12,7 +12,7 @@ use robovac_app::{
 };
 use robovac_core::{
     cspace::{CspaceError, Outline},
-    geometry::{Point, Vector},
+    geometry::Point,
     robot::{RobotModel, WheelLayout, model},
 };
 use serde::Serialize;
@@ -116,14 +116,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let file = arguments.source.file()?.filter(is_drawing);
     let room = match &file {
         Some(file) => arguments.drawing.trace(file)?,
-        None => Traced {
-            plan: arguments.source.plan()?,
-            corner: Vector::zeros(),
-            turn: 0.0,
-            metre: 1.0,
-            gaps: Vec::new(),
-            around_m2: 0.0,
-        },
+        None => Traced::of_map(arguments.source.plan()?, 1.0),
     };
     let original = file.as_ref().filter(|file| is_dxf(file)).map(|file| file.bytes.as_slice());
     let plan = &room.plan;

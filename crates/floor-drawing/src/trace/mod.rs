@@ -10,7 +10,9 @@ mod region;
 mod solids;
 mod surroundings;
 
-use super::{Drawing, DrawingError, DrawingFlaw, DrawingRegion, Picture, Role, Traced, Tracing, error::bad};
+use super::{
+    Drawing, DrawingError, DrawingFlaw, DrawingRegion, OutsideLeak, Picture, Role, Traced, Tracing, error::bad,
+};
 pub(crate) use page::without_page;
 
 use frame::{BoundingBox, RasterFrame, bounds_of};
@@ -27,9 +29,14 @@ const MARGIN: i32 = 2;
 /// Floor around a drawing whose walls enclose nothing, m (ours): room for a robot to pass.
 const OPEN_MARGIN: f64 = 1.0;
 /// Width of outer doors, m (ours): they are closed indoors. Double doors and gates stay open.
-const OUTER_DOOR: f64 = 1.25;
+pub const OUTER_DOOR: f64 = 1.25;
 /// Least share of the floor that walls enclose indoors: the insides of letters and furniture are no building.
 const INDOORS: f64 = 0.05;
+/// How many times wider than outer doors openings are that are looked for where the outside gets in (ours): the size of the
+/// drawing can be wrong.
+const LEAKS: [f64; 3] = [2.0, 4.0, 8.0];
+/// Least floor behind a leak, as a share of the floor that is enclosed without it.
+const LEAKED: f64 = 0.1;
 /// Ends of walls closer than this are joined, m (ours); allows for rounding by drawing programs.
 const TOUCHING: f64 = 1e-3;
 /// Side of the first area searched around the point that chooses a room, cells; doubled until it contains the room.
@@ -162,20 +169,57 @@ impl<'a> RoomTracer<'a> {
     }
 
     fn indoors(&self) -> Result<Traced, DrawingFlaw> {
-        match self.enclosed()? {
+        let found = self.enclosed()?;
+        let area = |cells: usize| cells as f64 * self.how.resolution * self.how.resolution;
+        let leak = self.outside_leak(found.as_ref().map_or(0.0, |found| area(found.inside.count())))?;
+        let is_open = found.is_none();
+        let mut traced = match found {
             Some(EnclosedFloor { frame, inside, walls, openings, around }) => {
                 let mut traced = self.cropped(&frame, inside, &walls, &openings)?;
-                traced.around_m2 = around as f64 * self.how.resolution * self.how.resolution;
-                Ok(traced)
+                traced.around_m2 = area(around);
+                traced
             }
-            None => self.whole(),
+            None => self.whole()?,
+        };
+        (traced.leak, traced.is_open) = (leak, is_open);
+        Ok(traced)
+    }
+
+    /// The opening by which the outside reaches floor that walls enclose otherwise, beside the `enclosed_m2`: that floor
+    /// is at least twice as wide as the opening, or else it is a court.
+    fn outside_leak(&self, enclosed_m2: f64) -> Result<Option<OutsideLeak>, DrawingFlaw> {
+        let door = OUTER_DOOR.max(self.how.gap);
+        let size = (self.bounds.high - self.bounds.low) * self.how.metre;
+        let mut found: Option<OutsideLeak> = None;
+        for times in LEAKS.into_iter().filter(|times| times * door < 0.5 * size.max()) {
+            // Coarser cells for wider openings take as long as the first search at most.
+            let cell = times * self.how.resolution;
+            let how = Tracing { resolution: cell, ..self.how.clone() };
+            let coarse = RoomTracer { how: &how, side: times * self.side, bridges: self.bridges.clone(), ..*self };
+            let Some(EnclosedFloor { frame, inside, openings, .. }) = coarse.enclosed_by(times * door)? else {
+                continue;
+            };
+            let width = |&[a, b]: &[Point; 2]| ((b - a).norm() + 1.0) * cell;
+            let Some(widest) = openings.iter().max_by(|a, b| width(a).total_cmp(&width(b))) else { continue };
+            let (width, floor_m2) = (width(widest), inside.count() as f64 * cell * cell - enclosed_m2);
+            let least = found.map_or(LEAKED * enclosed_m2, |leak| (1.0 + LEAKED) * leak.floor_m2);
+            if width > door && floor_m2 > least.max((2.0 * width).powi(2)) {
+                let at = frame.point(Point::from(0.5 * (widest[0].coords + widest[1].coords)));
+                found = Some(OutsideLeak { at, width, floor_m2 });
+            }
         }
+        Ok(found)
     }
 
     /// The floor that walls enclose, with openings up to the width of an outer door closed, without what lies round a
     /// building within the outermost walls. `None` if they enclose hardly any.
     fn enclosed(&self) -> Result<Option<EnclosedFloor>, DrawingFlaw> {
-        let gap = OUTER_DOOR.max(self.how.gap) / self.how.resolution;
+        self.enclosed_by(OUTER_DOOR.max(self.how.gap))
+    }
+
+    /// The same with openings up to `widest` metres closed.
+    fn enclosed_by(&self, widest: f64) -> Result<Option<EnclosedFloor>, DrawingFlaw> {
+        let [gap, door] = [widest, OUTER_DOOR.max(self.how.gap)].map(|metres| metres / self.how.resolution);
         let frame = RasterFrame::around(&self.bounds, self.side, ceil(gap.min(1e6)).saturating_add(MARGIN));
         if frame.check(self.how.metre).is_err() {
             return Ok(None);
@@ -193,7 +237,7 @@ impl<'a> RoomTracer<'a> {
             (inside, openings) = (with_doors_closed, outside.openings);
         }
         let all = inside.count();
-        if let Some(building) = surroundings::building(&walls, &inside, gap, self.how.resolution) {
+        if let Some(building) = surroundings::building(&walls, &inside, door, self.how.resolution) {
             (inside, openings) = building;
         }
         let around = all - inside.count();
@@ -445,6 +489,15 @@ impl<'a> RoomTracer<'a> {
         let inside = |end: &Point| (0.0..=plan.width_m()).contains(&end.x) && (0.0..=plan.height_m()).contains(&end.y);
         let in_room = self.bridges.iter().map(|ends| ends.map(|end| frame.cells(end) * self.how.resolution));
         let gaps = in_room.filter(|ends| ends.iter().all(inside)).collect();
-        Ok(Traced { plan, corner: frame.low.coords, turn: 0.0, metre, gaps, around_m2: 0.0 })
+        Ok(Traced {
+            plan,
+            corner: frame.low.coords,
+            turn: 0.0,
+            metre,
+            gaps,
+            around_m2: 0.0,
+            leak: None,
+            is_open: false,
+        })
     }
 }

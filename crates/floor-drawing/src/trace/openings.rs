@@ -87,9 +87,11 @@ fn nearest(blocked: &Grid<bool>, start: Cell, is_wide: impl Fn(Cell) -> bool) ->
     None
 }
 
-/// Adds the rest of the floor beside `cells` from which no place where the square fits can be reached.
+/// Adds the rest of the floor beside `cells` from which no place where the square fits can be reached. What is larger
+/// than half of them is no niche: the way round a house that is close to a page's frame.
 fn niches(blocked: &Grid<bool>, cells: &mut Grid<bool>, leads_on: impl Fn(Cell) -> bool) {
     let mut seen = blocked.map(|_| false);
+    let most = cells.count() / 2;
     for index in 0..seen.len() {
         let start = seen.cell(index);
         if blocked[start] || cells[start] || seen[start] {
@@ -109,7 +111,7 @@ fn niches(blocked: &Grid<bool>, cells: &mut Grid<bool>, leads_on: impl Fn(Cell) 
                 }
             }
         }
-        if is_niche && is_beside {
+        if is_niche && is_beside && part.len() <= most {
             for cell in part {
                 cells[cell] = true;
             }
@@ -118,7 +120,7 @@ fn niches(blocked: &Grid<bool>, cells: &mut Grid<bool>, leads_on: impl Fn(Cell) 
 }
 
 /// The lines along which `cells` end without a wall.
-fn openings(blocked: &Grid<bool>, cells: &Grid<bool>) -> Vec<[Point; 2]> {
+pub(super) fn openings(blocked: &Grid<bool>, cells: &Grid<bool>) -> Vec<[Point; 2]> {
     let is_open = |cell: Cell| {
         cells.is_set(cell) && cell.neighbours().into_iter().any(|n| blocked.get(n) == Some(&false) && !cells[n])
     };
@@ -181,5 +183,22 @@ mod tests {
              ..######.......\n..######.......\n...#...........\n...#...........\n...............\n..............."
         );
         assert_eq!(room.openings, [[Point::new(7.5, 8.5), Point::new(7.5, 7.5)]]);
+    }
+
+    #[test]
+    fn a_narrow_way_round_a_house_is_no_niche_of_the_room_with_its_front_door() {
+        // A room of 8 x 8 cells with a door of 2, in a frame that leaves 3 cells round it.
+        let mut blocked = Grid::filled(22, 22, false);
+        for index in 0..blocked.len() {
+            let cell = blocked.cell(index);
+            let from_frame = (cell.x - 2).min(cell.y - 2).min(19 - cell.x).min(19 - cell.y);
+            blocked[cell] = from_frame == 0 || from_frame == 4;
+        }
+        for y in 7..9 {
+            blocked[Cell::new(15, y)] = false;
+        }
+        let room = part(&blocked, [Cell::new(10, 10)], 3.0);
+        assert!((64..=68).contains(&room.cells.count()), "{}", room.cells.count());
+        assert_eq!(room.openings.len(), 1);
     }
 }

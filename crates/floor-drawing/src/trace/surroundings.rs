@@ -83,6 +83,7 @@ fn within(
     let blocked = floor.map(|&is_floor| !is_floor);
     let (mut labels, mut parts) = parts(&blocked, door);
     let outer = outer(&labels);
+    split_ring(&mut labels, &mut parts, &outer, door);
     for (cell, _) in labels.iter().filter(|(_, label)| **label == NONE) {
         for next in cell.neighbours() {
             if let Some(part) = labels.get(next).and_then(|&label| parts.get_mut(usize::from(label))) {
@@ -112,7 +113,7 @@ fn within(
     if is_alone || share(building, building + attached + yard.area) < least {
         return None;
     }
-    let mut shut = blocked;
+    let mut shut = blocked.clone();
     // Up to the closed doors of the building.
     let outside = openings::part(&shut, yard.seeds.iter().copied(), door);
     for index in 0..shut.len() {
@@ -124,8 +125,73 @@ fn within(
         shut[cell] |= outside.cells[cell] || outer[cell] || is_attached || is_ring;
     }
     let left = region::enclosed(&shut, resolution);
+    let openings = if yard.seeds.is_empty() { openings::openings(&blocked, &left) } else { outside.openings };
     // What lies round a building without closed walls flows through it.
-    (left.count() * 2 > building).then_some((left, outside.openings))
+    (left.count() * 2 > building).then_some((left, openings))
+}
+
+/// Makes a part of its own of the ring between the outermost walls and a building close to them, where it is narrower than
+/// a door throughout: through a front door it would belong to the room behind that.
+fn split_ring(labels: &mut Grid<u16>, parts: &mut Vec<RoomShare>, outer: &Grid<bool>, door: f64) {
+    let blocked = labels.map(|&label| label == NONE);
+    let moves = chessboard(&blocked);
+    let least = least_moves(door);
+    // The squares that are as wide as a door.
+    let mut near = blocked.map(|_| false);
+    let mut edge: Vec<Cell> =
+        moves.iter().filter(|&(_, &moves)| i32::from(moves) >= least).map(|(cell, _)| cell).collect();
+    for &cell in &edge {
+        near[cell] = true;
+    }
+    for _ in 1..least {
+        let mut next = Vec::new();
+        for cell in edge.into_iter().flat_map(Cell::block) {
+            if blocked.get(cell) == Some(&false) && !near[cell] {
+                near[cell] = true;
+                next.push(cell);
+            }
+        }
+        edge = next;
+    }
+    let sides = |cell: Cell| cell.neighbours().into_iter().filter(|&next| outer.is_set(next)).count();
+    let (mut seen, mut all) = (near.clone(), 0);
+    let mut ring: (Vec<Cell>, usize) = (Vec::new(), 0);
+    for (start, _) in labels.iter().filter(|(_, label)| **label != NONE) {
+        all += sides(start);
+        if seen[start] {
+            continue;
+        }
+        seen[start] = true;
+        let (mut cells, mut next, mut at_outer) = (vec![start], 0, 0);
+        while let Some(&cell) = cells.get(next) {
+            next += 1;
+            at_outer += sides(cell);
+            for beside in cell.neighbours().into_iter().filter(|&beside| blocked.get(beside) == Some(&false)) {
+                if !seen[beside] {
+                    seen[beside] = true;
+                    cells.push(beside);
+                }
+            }
+        }
+        if at_outer > ring.1 {
+            ring = (cells, at_outer);
+        }
+    }
+    // Most of the way round.
+    if ring.1 == 0 || 2 * ring.1 < all || parts.len() >= usize::from(NONE) {
+        return;
+    }
+    let label = parts.len() as u16;
+    for &cell in &ring.0 {
+        parts[usize::from(labels[cell])].area -= 1;
+        labels[cell] = label;
+    }
+    parts.push(RoomShare { area: ring.0.len(), ..RoomShare::default() });
+}
+
+/// Moves from the next wall of the middle of a square that is wider than a door: as in [`openings::part`].
+fn least_moves(door: f64) -> i32 {
+    ceil((door / 2.0).clamp(0.0, 200.0)) + 1
 }
 
 /// Joins parts at the outermost walls, by what is between them where they meet: whether something that stands free, and
@@ -190,8 +256,7 @@ fn outer(labels: &Grid<u16>) -> Grid<bool> {
 /// The parts of the floor with openings up to `door` cells closed, and the part of every cell.
 fn parts(blocked: &Grid<bool>, door: f64) -> (Grid<u16>, Vec<RoomShare>) {
     let moves = chessboard(blocked);
-    // As in `openings::part`.
-    let least = ceil((door / 2.0).clamp(0.0, 200.0)) + 1;
+    let least = least_moves(door);
     let is_wide = |cell: Cell| moves.get(cell).is_some_and(|&moves| i32::from(moves) >= least);
     let mut labels = blocked.map(|_| NONE);
     let mut parts: Vec<RoomShare> = Vec::new();
@@ -410,6 +475,26 @@ mod tests {
                     assert!((share - 1.0).abs() < 0.05, "seed {seed}, frame at {degrees}°, {gap} cells: {share}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_room_stays_the_building_s_though_its_open_front_door_leads_to_a_ring_narrower_than_a_door() {
+        for (seed, gap) in [(0, 10), (1, 16), (2, 20)] {
+            let mut walls = drawn(&random_flat(2, 2, seed), gap + 6);
+            let floor = region::enclosed(&walls, RESOLUTION).count();
+            draw_frame(&mut walls, 5, 1);
+            assert_eq!(found(&walls), Some(floor), "closed, seed {seed}");
+            // 0.9 m, at the first place of the left wall with a room behind it that is wider than a door.
+            let middle = walls.height() as i32 / 2;
+            let x = (0..gap + 12).rfind(|&x| walls.is_set(Cell::new(x, middle))).unwrap();
+            let is_room = |y: i32| (-6..24).all(|up| (1..30).all(|right| !walls[Cell::new(x + right, y + up)]));
+            let from = (gap + 12..walls.height() as i32 - gap - 36).find(|&y| is_room(y)).unwrap();
+            for y in from..from + 18 {
+                (gap + 4..=x).for_each(|x| walls[Cell::new(x, y)] = false);
+            }
+            let share = found(&walls).unwrap_or(0) as f64 / floor as f64;
+            assert!((0.98..1.02).contains(&share), "seed {seed}, {gap} cells from the frame: {share}");
         }
     }
 

@@ -22,6 +22,8 @@ use std::ops::ControlFlow;
 
 /// Id of the planner that drives the sweep.
 pub const PLANNER: &str = "subgoal_sweep";
+/// Id of the robot that is asked about before a room is used: the most usual one, and that of Explore.
+const USUAL: &str = "roomba600";
 /// Id of the model that robots with an outline of their own are built on: that of 001.
 const OWN_MODEL: &str = "octagon";
 
@@ -36,6 +38,8 @@ pub struct DrawingSession {
     floor: f64,
     /// Floor of the room that a robot can't get to, with its area, m².
     cut: Option<(Grid<bool>, f64)>,
+    /// Floor that the usual robot sweeps, m², if it can't get to some.
+    reachable: Option<f64>,
     doors: Option<Doors>,
     fault: String,
     /// The place that the fault is about, in the turned file.
@@ -60,6 +64,8 @@ pub struct FaultMark {
     pub width: f64,
 }
 
+/// Longer sides of drawings below this are those of a sheet of paper, m.
+const LEAST_SIDE: f64 = 1.0;
 /// Walls less askew than this are straight, degrees.
 const STRAIGHT: f64 = 0.2;
 
@@ -77,6 +83,7 @@ impl DrawingSession {
             room: None,
             floor: 0.0,
             cut: None,
+            reachable: None,
             doors: None,
             fault: String::new(),
             mark: None,
@@ -119,6 +126,17 @@ impl DrawingSession {
     /// Floor of the room that a robot can't get to, with its area, m².
     pub fn cut_off(&self) -> Option<&(Grid<bool>, f64)> {
         self.cut.as_ref()
+    }
+
+    /// Floor that the brush of a Roomba reaches, m², as Explore counts it, if it can't get to some.
+    pub fn reachable_m2(&self) -> Option<f64> {
+        self.reachable
+    }
+
+    /// Whether a drawing is too small for a room, so that its size must be chosen first.
+    pub fn lacks_size(&self) -> bool {
+        let side = self.settings.metre.map_or(0.0, |metre| metre * self.source.extent().1.max());
+        self.source.drawing().is_some() && side < LEAST_SIDE && self.settings.confirmed != self.settings.metre
     }
 
     /// Open doors through which a chosen room extends.
@@ -199,6 +217,7 @@ impl DrawingSession {
     /// Applies settings and recomputes what depends on them. Changes nothing if a map's cell size is out of range.
     pub fn set(&mut self, settings: FloorPlanSettings) -> Result<(), String> {
         let settings = settings.checked(&self.source, &self.settings)?;
+        let lacked_size = self.lacks_size();
         let before = std::mem::replace(&mut self.settings, settings);
         let now = &self.settings;
         let shades = now.shades();
@@ -213,7 +232,7 @@ impl DrawingSession {
         }
         let room =
             |s: &FloorPlanSettings| (s.metre, s.roles.clone(), s.gap, s.resolution, s.part.clone(), s.turn, s.shades());
-        if room(&before) != room(now) {
+        if room(&before) != room(now) || self.lacks_size() != lacked_size {
             self.trace();
             return Ok(());
         }
@@ -233,7 +252,8 @@ impl DrawingSession {
 
     /// Traces the room again.
     fn trace(&mut self) {
-        (self.room, self.cut, self.doors, self.space, self.sweep) = (None, None, None, None, None);
+        (self.room, self.cut, self.reachable, self.doors) = (None, None, None, None);
+        (self.space, self.sweep) = (None, None);
         self.version += 1;
         self.fault.clear();
         self.mark = None;
@@ -242,13 +262,17 @@ impl DrawingSession {
     }
 
     fn trace_room(&mut self) {
-        let Some(metre) = self.settings.metre else { return };
+        let Some(metre) = self.settings.metre.filter(|_| !self.lacks_size()) else { return };
         let traced = self.traced(metre);
         match traced {
             Ok(traced) => {
                 let free = free_cells(&traced.plan);
                 self.floor = free.count() as f64 * traced.plan.resolution * traced.plan.resolution;
                 self.cut = cut_off(&traced.plan, &free);
+                let usual = robot::model(USUAL).filter(|_| self.cut.is_some());
+                let reached = usual.and_then(|robot| ReachableFloor::new(&traced.plan, robot, None).ok());
+                self.reachable = reached.map(|floor| floor.area());
+                self.mark = traced.leak.map(|leak| FaultMark { at: leak.at, width: leak.width });
                 self.room = Some(traced);
             }
             Err(error) => {
@@ -290,7 +314,7 @@ impl DrawingSession {
                     origin: Pose::new(0.0, 0.0, 0.0),
                 };
                 if plan.occupancy.values().iter().any(|cell| cell.is_free()) {
-                    return Ok(Traced { plan, corner: Vector::zeros(), turn, metre, gaps: Vec::new(), around_m2: 0.0 });
+                    return Ok(Traced::of_map(plan, metre));
                 }
                 Err(nothing())
             }
@@ -299,10 +323,7 @@ impl DrawingSession {
                 let how = Tracing { resolution, ..settings.tracing(metre) };
                 self.source.picture().map_or_else(|| Err(nothing()), |picture| trace_picture(&picture, &how))
             }
-            DrawingSource::Map { plan, .. } => {
-                let plan = scaled(plan, metre);
-                Ok(Traced { plan, corner: Vector::zeros(), turn, metre, gaps: Vec::new(), around_m2: 0.0 })
-            }
+            DrawingSource::Map { plan, .. } => Ok(Traced::of_map(scaled(plan, metre), metre)),
         }
     }
 
@@ -398,6 +419,7 @@ impl DrawingSession {
 
     fn no_room(&self) -> String {
         match (self.settings.metre, self.fault.is_empty()) {
+            _ if self.lacks_size() => "choose the size of the drawing first".to_owned(),
             (None, _) => "choose the unit of the drawing first".to_owned(),
             (_, false) => self.fault.clone(),
             _ => "there is no room yet".to_owned(),

@@ -15,7 +15,7 @@ pub const CELLS: [f64; 7] = [0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5];
 /// Most cells on a side of a room by default: finer ones take long to trace and are seldom needed.
 const MOST_UNASKED: f64 = 2000.0;
 /// Widest gap between walls that can be closed, m: that of a double door.
-const MOST_GAP: f64 = 1.5;
+pub(super) const MOST_GAP: f64 = 1.5;
 /// Widest pixels, m, that are smaller than the cells of a room: those of photographs and scans (ours).
 const FINE_PIXEL: f64 = 0.02;
 /// Marks in images up to this size are left out by default, m: dots and small letters.

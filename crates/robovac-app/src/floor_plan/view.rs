@@ -2,12 +2,16 @@
 
 use super::{
     Doors, DrawingPart, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, paper_units,
-    size_in_words,
+    settings::MOST_GAP, size_in_words,
 };
 use crate::amount::amount;
 use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
-use floor_drawing::Role;
-use robovac_core::{cspace::Outline, geometry::Point};
+use floor_drawing::{OUTER_DOOR, OutsideLeak, Role, ShadeMethod};
+use robovac_core::{
+    cspace::Outline,
+    floor_plan::{DEFAULT_IMAGE_RESOLUTION, FloorPlan},
+    geometry::Point,
+};
 use serde::Serialize;
 
 /// Lengths of a floor plan's longer side, m, that nobody is asked about (ours): from a closet to a house.
@@ -58,6 +62,10 @@ pub struct DrawingView {
     pub room: Option<TracedRoomView>,
     /// Open doors through which a chosen room extends.
     pub doors: Option<Doors>,
+    /// Widest opening to the outside that is closed indoors, m.
+    pub outer_door: Option<f64>,
+    /// What can be wrong with the room, in words; empty for nothing.
+    pub notice: String,
     /// Why there is no room; empty if there is one or the user has yet to choose.
     pub fault: String,
     /// The tool for clicks.
@@ -125,9 +133,9 @@ pub struct LayerView {
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct TracedRoomView {
-    /// Width, m.
+    /// Width of its floor, without walls, m.
     pub width_m: f64,
-    /// Height, m.
+    /// Height of its floor, m.
     pub height_m: f64,
     /// Columns and rows.
     pub cells: [usize; 2],
@@ -139,10 +147,14 @@ pub struct TracedRoomView {
     pub objects: usize,
     /// Gaps that were closed.
     pub gaps: usize,
+    /// Those of them that are wider than was asked for: openings to the outside, indoors.
+    pub outer_doors: usize,
     /// Floor round the building that is left out, m².
     pub around_m2: f64,
     /// Floor that a robot can't get to, m²; 0 if it is hardly any.
     pub cut_off_m2: f64,
+    /// Floor that the brush of a Roomba reaches, m², as Explore counts it, if it can't get to some.
+    pub reachable_m2: Option<f64>,
 }
 
 /// Results of a sweep.
@@ -226,6 +238,8 @@ impl DrawingSession {
             settings: settings.clone(),
             room: self.room_view(),
             doors: self.doors(),
+            outer_door: (settings.part == DrawingPart::Indoors).then_some(OUTER_DOOR),
+            notice: self.notice(),
             fault: self.fault().to_owned(),
             tool: self.hand.tool,
             points: self.hand.points.len(),
@@ -244,7 +258,8 @@ impl DrawingSession {
         view
     }
 
-    /// The size of the room, or of all of it where there is none, if nobody has confirmed that it is so large or small.
+    /// The size of the room, or of all of it where there is none, if nobody has confirmed that it is so large or small, or
+    /// if a picture's scale is assumed.
     fn asks(&self) -> Option<String> {
         let (settings, whole) = (self.settings(), self.source().extent().1);
         let metre = settings.metre?;
@@ -254,10 +269,11 @@ impl DrawingSession {
         let (width, height) = (whole.x * metre, whole.y * metre);
         // There can be floor around what walls don't enclose.
         let is_tiny = width.max(height) < USUAL[0];
-        let room = self.room().filter(|_| !is_tiny).map(|room| (room.plan.width_m(), room.plan.height_m()));
+        let room = self.room().filter(|_| !is_tiny).map(|room| floor_size(&room.plan).into());
         let (width, height) = room.unwrap_or((width, height));
         let size = size_in_words(width, height);
-        if !is_usual(width.max(height)) {
+        let is_picture = matches!(self.source(), DrawingSource::Image { .. }) && settings.method != ShadeMethod::Map;
+        if !is_usual(width.max(height)) || is_picture && metre == DEFAULT_IMAGE_RESOLUTION {
             return Some(size);
         }
         // A part can be small.
@@ -272,18 +288,61 @@ impl DrawingSession {
     fn room_view(&self) -> Option<TracedRoomView> {
         let room = self.room()?;
         let (plan, cells) = (&room.plan, &room.plan.occupancy);
+        let [width_m, height_m] = floor_size(plan);
+        let is_wide = |[a, b]: &&[Point; 2]| (*b - *a).norm() > self.settings().gap;
+        let is_indoors = self.settings().part == DrawingPart::Indoors;
         Some(TracedRoomView {
-            width_m: plan.width_m(),
-            height_m: plan.height_m(),
+            width_m,
+            height_m,
             cells: [cells.width(), cells.height()],
             floor_m2: self.floor_m2(),
             resolution: plan.resolution,
             objects: plan.objects.len(),
             gaps: room.gaps.len(),
+            outer_doors: room.gaps.iter().filter(|gap| is_indoors && is_wide(gap)).count(),
             around_m2: room.around_m2,
             cut_off_m2: self.cut_off().map_or(0.0, |(_, area)| *area),
+            reachable_m2: self.reachable_m2(),
         })
     }
+
+    /// What is in doubt about the room, in words.
+    fn notice(&self) -> String {
+        let Some(room) = self.room() else { return String::new() };
+        if let Some(OutsideLeak { width, floor_m2, .. }) = room.leak {
+            let mend = if width <= MOST_GAP {
+                format!("Close gaps up to {:.2} m.", (width * 20.0).ceil() / 20.0)
+            } else {
+                "Check the size; if it is right, choose Rectangle or Polygon.".to_owned()
+            };
+            return format!(
+                "About {floor_m2:.0} m² are open to the outside through a gap about {width:.1} m wide, where the ring is, \
+                 so they don't count as floor. {mend}"
+            );
+        }
+        let notice = match self.source() {
+            _ if !room.is_open => "",
+            DrawingSource::Image { .. } => {
+                "No walls were found round any floor, so all of the picture counts as floor. Read the walls in another \
+                 way, or choose Rectangle or Polygon."
+            }
+            _ => {
+                "The walls enclose hardly any floor, so all of the drawing counts as floor. Make the layers of its walls \
+                 Wall, close wider gaps, or choose Rectangle or Polygon."
+            }
+        };
+        notice.to_owned()
+    }
+}
+
+/// Width and height of a plan from the first to the last free cell, m.
+fn floor_size(plan: &FloorPlan) -> [f64; 2] {
+    let (mut low, mut high) = ([i32::MAX; 2], [i32::MIN; 2]);
+    for (cell, _) in plan.occupancy.iter().filter(|(_, state)| state.is_free()) {
+        (low, high) = ([low[0].min(cell.x), low[1].min(cell.y)], [high[0].max(cell.x), high[1].max(cell.y)]);
+    }
+    // A room has a free cell.
+    [0, 1].map(|axis| f64::from(high[axis].saturating_sub(low[axis]).saturating_add(1)) * plan.resolution)
 }
 
 /// Description of the picture for screen readers.
@@ -303,11 +362,13 @@ fn description(view: &DrawingView) -> String {
         (Some(size), None) => say(format!("{size} overall; no room could be traced: {}", view.fault)),
         (Some(size), Some(room)) => {
             say(format!(
-                "{size} overall; the room is {} with {:.1} square metres of free floor",
+                "{size} overall; the floor is {} with {:.1} free square metres",
                 size_in_words(room.width_m, room.height_m),
                 room.floor_m2
             ));
-            for (count, what) in [(room.objects, "obstacle"), (room.gaps, "closed gap")] {
+            let gaps = room.gaps - room.outer_doors;
+            let counts = [(room.objects, "obstacle"), (gaps, "closed gap"), (room.outer_doors, "closed outer opening")];
+            for (count, what) in counts {
                 if count > 0 {
                     say(amount(count as i64, what));
                 }
