@@ -95,10 +95,10 @@ fn every_behaviour_rides_as_far_as_in_the_simulator() {
 }
 
 /// Drives a plan with rounded corners over the line, and compares it with the simulator. Returns both times, s.
-fn smooth_over_the_line(plan: &FloorPlan) -> [f64; 2] {
+fn smooth_over_the_line(plan: &FloorPlan, planner: &str) -> [f64; 2] {
     let robot = roomba();
     let prepared = RoomSetup::new(plan, &robot, 0.15, None).unwrap();
-    let planner = coverage_planners::find("boustrophedon").unwrap();
+    let planner = coverage_planners::find(planner).unwrap();
     let params = Params::defaults(planner.params);
     let job = prepared.job.clone();
     let answer = PlanRequest { id: 1, planner, params, seed: 1, job }.serve(|| 0.0, None).unwrap();
@@ -136,7 +136,15 @@ fn smooth_over_the_line(plan: &FloorPlan) -> [f64; 2] {
 #[test]
 fn rounded_corners_take_as_long_over_the_line_as_in_the_simulator() {
     let plan = random_flat(1, 1, 1);
-    let [took, simulated] = smooth_over_the_line(&plan);
+    let [took, simulated] = smooth_over_the_line(&plan, "boustrophedon");
+    assert!(took < 1.03 * simulated, "{took} s instead of {simulated} s");
+}
+
+// slow: a whole flat, byte by byte
+#[test]
+fn lanes_of_the_flat_take_as_long_over_the_line_as_in_the_simulator() {
+    let [took, simulated] = smooth_over_the_line(&flat(), "lanes");
+    println!("{took:.1} s over the line, {simulated:.1} s in the simulator");
     assert!(took < 1.03 * simulated, "{took} s instead of {simulated} s");
 }
 

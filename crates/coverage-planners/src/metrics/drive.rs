@@ -80,7 +80,7 @@ fn swept(floor: &ReachableFloor, line: &[Point]) -> CoverageTracker {
             tracker.sweep_to(floor, at);
         }
         at = Pose { x: to.x, y: to.y, ..at };
-        tracker.sweep_to(floor, at);
+        tracker.sweep_up_to(floor, at);
     }
     tracker
 }
@@ -121,6 +121,7 @@ mod tests {
     use super::*;
     use robovac_core::{
         floor_plan::Sketch,
+        grid::Cell,
         robot::{cell_robot, model},
     };
 
@@ -146,6 +147,25 @@ mod tests {
         // The robot reverses in the last cell without having left it.
         assert!((drive.overlap_m2 - 0.4).abs() < 0.081 && (drive.overlap - drive.overlap_m2 / 0.4).abs() < 1e-9);
         assert!((drive.turning_deg - 180.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn corners_are_swept_to_their_end() {
+        let plan = Sketch::open(4.0, 4.0, 0.05).start(1.0, 1.0, 0.0).finish("", "");
+        let floor = ReachableFloor::new(&plan, model("roomba600").unwrap(), None).unwrap();
+        // Lengths that no number of stamps divides.
+        let line = [Point::new(1.0, 1.0), Point::new(2.0071, 1.0), Point::new(2.0071, 2.0093), Point::new(1.5, 2.0093)];
+        let tracker = swept(&floor, &line);
+        for corner in line {
+            let near = (0..floor.floor.height() as i32)
+                .flat_map(|y| (0..floor.floor.width() as i32).map(move |x| Cell::new(x, y)))
+                .filter(|cell| {
+                    let centre =
+                        Point::new((cell.x as f64 + 0.5) * floor.resolution, (cell.y as f64 + 0.5) * floor.resolution);
+                    (centre - corner).norm() < floor.tool_radius - 1e-9
+                });
+            assert!(near.into_iter().all(|cell| tracker.visits()[cell] > 0), "{corner}");
+        }
     }
 
     #[test]

@@ -102,6 +102,15 @@ impl CoverageTracker {
         }
     }
 
+    /// As [`Self::sweep_to`], and to the very end, for a robot that stops or turns there.
+    pub fn sweep_up_to(&mut self, floor: &ReachableFloor, pose: Pose) {
+        self.sweep_to(floor, pose);
+        let Some(last) = self.last.filter(|&last| last != pose) else { return };
+        // A stamp stands for half a cell of way: less than half of that counts with the one before.
+        self.stamps -= u32::from((pose.position() - last.position()).norm() < 0.25 * self.resolution);
+        self.put_down(floor, pose);
+    }
+
     /// The same for a tool that turning moves, too.
     fn turn_to(&mut self, floor: &ReachableFloor, last: Pose, pose: Pose) {
         let (way, turn) = (pose.position() - last.position(), difference(last.heading, pose.heading));
