@@ -395,6 +395,10 @@ name: string,
 kind: "drawing" | "image" | "map",
 /** Whether a file states its unit. */
 says_unit: boolean,
+/** Pixels of the file on a side of one that is shown: more than 1 for a picture that was reduced. */
+reduced: number,
+/** The size of the file then, in words; empty otherwise. */
+reduced_from: string,
 /** Whether it can be scaled. */
 is_scalable: boolean,
 /** Size of the source, in words, if known. */

@@ -304,6 +304,30 @@ fn an_opening_that_lets_the_outside_in_is_told_with_its_place() {
 }
 
 #[test]
+fn a_picture_that_is_reduced_keeps_its_scale() {
+    let flat = random_flat(1, 2, 3);
+    let small = scan_with(&flat, 0.0, false);
+    // As at a high resolution, with a few more than 4096 pixels on its longer side.
+    let times = 4096 / small.width().max(small.height()) + 1;
+    let large = GrayImage::from_fn(times * small.width(), times * small.height(), |x, y| {
+        *small.get_pixel(x / times, y / times)
+    });
+    let mut session = DrawingSession::open(&[file(&large, "scan.png", ImageFormat::Png)]).unwrap();
+    let view = session.view();
+    assert_eq!((view.reduced, &view.reduced_from), (2, &format!("{} × {} pixels", large.width(), large.height())));
+    // Five centimetres are assumed for a pixel of the file.
+    assert_eq!(view.settings.metre, Some(0.1));
+    change(&mut session, |settings| settings.metre = Some(2.0 * PIXEL / f64::from(times)));
+    let (found, expected) = (session.view().room.unwrap(), opened(&small).view().room.unwrap());
+    assert_eq!(session.view().size, opened(&small).view().size);
+    // Its cells are of 5 cm.
+    for (found, expected) in [(found.width_m, expected.width_m), (found.height_m, expected.height_m)] {
+        assert!((found - expected).abs() <= 0.1, "{found} for {expected} m");
+    }
+    assert_eq!((opened(&small).view().reduced, opened(&small).view().reduced_from), (1, String::new()));
+}
+
+#[test]
 fn a_picture_without_walls_says_that_none_were_found() {
     let blank = GrayImage::from_pixel(300, 200, Luma([255]));
     let mut session = opened(&blank);

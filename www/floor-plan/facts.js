@@ -74,9 +74,9 @@ function showDoors(view) {
 }
 
 /** @param {FloorPlanView} view */
-function facts({ kind, size, strokes, layers, room, left_out }) {
+function facts({ kind, size, strokes, layers, room, left_out, reduced_from }) {
   const what = kind === "drawing" ? `${strokes.toLocaleString("en")} ${strokes === 1 ? "stroke" : "strokes"} on ${layers.length} ${layers.length === 1 ? "layer" : "layers"}` : room ? `${room.cells[0]} × ${room.cells[1]} cells of ${(100 * room.resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm` : "";
-  return [size && `${kind === "drawing" ? "whole drawing" : "whole map"}: ${size}`, what, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
+  return [size && `${kind === "drawing" ? "whole drawing" : "whole map"}: ${size}`, what, reduced_from && `reduced from ${reduced_from}`, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
 }
 
 /** @param {FloorPlanView} view */

@@ -7,7 +7,7 @@ import { onNumber, plain, showValue } from "./fields.js";
 export function startScale(it) {
   const [unit, pixel, tool] = [select("floor-plan-unit"), input("floor-plan-pixel"), button("floor-plan-scale")];
   unit.addEventListener("change", () => Number(unit.value) > 0 && void it.set({ metre: Number(unit.value) }));
-  onNumber(pixel, (centimetres) => void it.set({ metre: centimetres / 100 }));
+  onNumber(pixel, (centimetres) => void it.set({ metre: ((it.view?.reduced ?? 1) * centimetres) / 100 }));
   tool.addEventListener("click", () => {
     it.client.say({ type: "tool", tool: it.view?.tool === "scale" ? "view" : "scale" });
     it.toCanvas(true);
@@ -23,7 +23,7 @@ export function startScale(it) {
 
   return (view) => {
     if (!view) return;
-    const { settings, units, kind, is_scalable } = view;
+    const { settings, units, kind, is_scalable, reduced } = view;
     setHidden(byId("floor-plan-unit-field"), units.length === 0);
     setHidden(byId("floor-plan-pixel-field"), kind === "drawing" || !is_scalable);
     setText(byId("floor-plan-pixel-label"), kind === "image" ? "A pixel is" : "A cell is");
@@ -32,14 +32,14 @@ export function startScale(it) {
     setAttribute(byId("floor-plan-unit-field"), "data-open", String(kind === "drawing" && settings.metre === null));
 
     const known = units.find(({ metre }) => metre === settings.metre);
-    const own = settings.metre !== null && !known ? `1 ${kind === "drawing" ? "unit" : "pixel"} = ${plain(settings.metre)} m` : "";
+    const own = settings.metre !== null && !known ? `1 ${kind === "drawing" ? "unit" : "pixel"} = ${plain(settings.metre / reduced)} m` : "";
     if (changed(unit, "options", JSON.stringify([units, own, settings.metre === null]))) {
       fill(unit, units.map(({ name, metre, size }) => [String(metre), `${name}: ${size}`]));
       if (settings.metre === null) unit.prepend(make("option", { value: "" }, "Choose…"));
       if (own) unit.prepend(make("option", { value: String(settings.metre) }, own));
     }
     unit.value = settings.metre === null ? "" : String(settings.metre);
-    if (settings.metre !== null) showValue(pixel, plain(100 * settings.metre));
+    if (settings.metre !== null) showValue(pixel, plain((100 * settings.metre) / reduced));
 
     setAttribute(tool, "aria-pressed", String(view.tool === "scale"));
     const wasHidden = form.hidden;
@@ -61,8 +61,8 @@ function openSheetOf(node) {
 }
 
 /** @param {import("./types").FloorPlanView} view */
-function note({ kind, says_unit, settings, is_scalable }) {
+function note({ kind, says_unit, settings, is_scalable, reduced }) {
   if (!is_scalable) return "A scenario is measured in metres.";
   if (kind === "drawing") return settings.metre === null ? "The file doesn't give its unit. Choose the one that gives the right size, or scale it by two points." : "";
-  return says_unit || settings.metre !== 0.05 ? "" : "The image doesn't give its scale: 5 cm a pixel is assumed. Scale it by two points whose distance you know.";
+  return says_unit || settings.metre !== 0.05 * reduced ? "" : "The image doesn't give its scale: 5 cm a pixel is assumed. Scale it by two points whose distance you know.";
 }

@@ -106,7 +106,7 @@ export function startFloorPlan(app, module) {
     if (files.length === 0) return;
     const names = files.map((file) => file.name).join(" and ");
     const large = files.find((file) => file.size > MOST_BYTES);
-    if (large) complain(`${large.name} is larger than 64 MB. Export a smaller map, at most 4096 cells a side.`);
+    if (large) complain(`${large.name} is larger than 64 MB. Save a smaller picture, or a map of at most 4096 cells a side.`);
     else [opening, chosen] = [opening + 1, {}];
     byId("floor-plan-settings").inert = opening > 0;
     const isOpen = !large && (await it.ask({ type: "open", files }, `Reading ${names}`));

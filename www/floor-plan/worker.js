@@ -74,7 +74,7 @@ const show = () => tell({ type: "view", view: session.view() });
 /** @param {File[]} files */
 async function read(files) {
   try {
-    return await readable(files);
+    return await readable(files, Infinity);
   } catch (error) {
     if (typeof error === "string") throw error;
     // Files that the browser can't read: folders, deleted files.

@@ -3,17 +3,19 @@
 
 /** Most pixels on a side of a map; as MAX_SIDE in crates/robovac-core/src/floor_plan/mod.rs. */
 const MOST_SIDE = 4096;
+/** Most pixels of a picture, and most columns that every browser draws; as MAX_PIXELS in crates/robovac-core/src/floor_plan/files/raster.rs. */
+const [MOST_PIXELS, MOST_COLUMNS] = [2 ** 26, 2 ** 14];
 
 /**
- * Files as the programs read them: photographs become grey images (PGM), upright and no larger than a map can be.
- * Throws messages for users.
- * @param {File[]} files @returns {Promise<{ name: string, bytes: Uint8Array<ArrayBuffer> }[]>}
+ * Files as the programs read them: photographs become grey images (PGM), upright and with at most `most` pixels on a side,
+ * those of a map unless a program reduces them itself. Throws messages for users.
+ * @param {File[]} files @param {number} [most] @returns {Promise<{ name: string, bytes: Uint8Array<ArrayBuffer> }[]>}
  */
-export const readable = (files) =>
+export const readable = (files, most = MOST_SIDE) =>
   Promise.all(
     files.map(async (file) => {
       const bytes = new Uint8Array(await file.arrayBuffer());
-      return { name: file.name, bytes: isPhoto(bytes) ? await grey(file) : bytes };
+      return { name: file.name, bytes: isPhoto(bytes) ? await grey(file, most) : bytes };
     }),
   );
 
@@ -23,27 +25,28 @@ function isPhoto(bytes) {
   return text(0, 3) === "\xff\xd8\xff" || (text(0, 4) === "RIFF" && text(8, 12) === "WEBP");
 }
 
-/** @param {File} file */
-async function grey(file) {
+/** @param {File} file @param {number} most */
+async function grey(file, most) {
   const bitmap = await createImageBitmap(file).catch(() => {
     throw `"${file.name}" is damaged: the browser can't decode it. Export it again, best as PNG.`;
   });
-  const factor = Math.min(1, MOST_SIDE / Math.max(bitmap.width, bitmap.height));
+  const factor = Math.min(1, most / Math.max(bitmap.width, bitmap.height));
   const [width, height] = [bitmap.width, bitmap.height].map((side) => Math.max(1, Math.round(factor * side)));
-  const context = new OffscreenCanvas(width, height).getContext("2d", { alpha: false, willReadFrequently: true });
+  if (width * height > MOST_PIXELS || width > MOST_COLUMNS) throw `"${file.name}" has ${width} x ${height} pixels, but at most ${Math.floor(MOST_PIXELS / 1e6)} million are read, ${MOST_COLUMNS} in a row. Scale it down.`;
+  // In bands: all of a large picture in four channels is more than some phones give. One that is scaled would have seams.
+  const band = factor < 1 ? height : Math.min(height, 256);
+  const context = new OffscreenCanvas(width, band).getContext("2d", { alpha: false, willReadFrequently: true });
   if (!context) throw `"${file.name}" is too large for this browser. Save a smaller picture.`;
   context.fillStyle = "#fff";
-  context.fillRect(0, 0, width, height);
-  context.drawImage(bitmap, 0, 0, width, height);
-  bitmap.close();
   const head = new TextEncoder().encode(`P5\n${width} ${height}\n255\n`);
   const bytes = new Uint8Array(head.length + width * height);
   bytes.set(head);
-  // In bands: all of a large picture in four channels is more than some phones give.
-  const band = 256;
   for (let top = 0, at = head.length; top < height; top += band) {
-    const { data } = context.getImageData(0, top, width, Math.min(band, height - top));
+    context.fillRect(0, 0, width, band);
+    context.drawImage(bitmap, 0, -top, width, height);
+    const { data } = context.getImageData(0, 0, width, Math.min(band, height - top));
     for (let i = 0; i < data.length; i += 4) bytes[at++] = Math.round((data[i] + data[i + 1] + data[i + 2]) / 3);
   }
+  bitmap.close();
   return bytes;
 }

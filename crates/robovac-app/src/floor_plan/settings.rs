@@ -104,8 +104,6 @@ impl FloorPlanSettings {
     /// Default settings for a newly opened source.
     pub fn of(source: &DrawingSource) -> Self {
         let metre = source.metre();
-        let side = source.extent().1.max() * metre.unwrap_or_default();
-        let fits = CELLS.into_iter().find(|cell| *cell >= DEFAULT_IMAGE_RESOLUTION && side / cell <= MOST_UNASKED);
         let suggestion = match source {
             DrawingSource::Image { suggestion, .. } => Some(suggestion),
             _ => None,
@@ -118,7 +116,7 @@ impl FloorPlanSettings {
                 .drawing()
                 .map_or(Vec::new(), |drawing| drawing.layers.iter().map(|layer| layer.role).collect()),
             gap: 0.1,
-            resolution: fits.unwrap_or(CELLS[CELLS.len() - 1]),
+            resolution: default_cell(source, metre),
             part: if is_plan { DrawingPart::Indoors } else { DrawingPart::Whole },
             turn: 0.0,
             method: suggestion.map_or_else(ShadeMethod::default, |how| how.method),
@@ -149,6 +147,10 @@ impl FloorPlanSettings {
             return Err(format!("A cell can't be {found} cm wide. Choose {least} to {most} cm."));
         }
         self.metre = self.metre.and_then(positive).filter(|metre| metre.is_finite()).or(before.metre);
+        // What suits the assumed size of a large scan is far too coarse for its true one.
+        if self.resolution == before.resolution && before.resolution == default_cell(source, before.metre) {
+            self.resolution = default_cell(source, self.metre);
+        }
         self.roles.resize(source.drawing().map_or(0, |drawing| drawing.layers.len()), Role::Ignored);
         self.gap = self.gap.clamp(0.0, MOST_GAP);
         [self.shade, self.contrast] = [self.shade, self.contrast].map(|share| share.clamp(0.0, 1.0));
@@ -193,6 +195,13 @@ impl FloorPlanSettings {
         let part = self.part.turned((degrees - self.turn).to_radians());
         Self { turn: degrees, part, ..self.clone() }
     }
+}
+
+/// The cell size for a source whose unit is `metre` m, until another is chosen.
+fn default_cell(source: &DrawingSource, metre: Option<f64>) -> f64 {
+    let side = source.extent().1.max() * metre.unwrap_or_default();
+    let fits = CELLS.into_iter().find(|cell| *cell >= DEFAULT_IMAGE_RESOLUTION && side / cell <= MOST_UNASKED);
+    fits.unwrap_or(CELLS[CELLS.len() - 1])
 }
 
 impl DrawingPart {

@@ -3,7 +3,7 @@
 use crate::{Import, ImportError, ScenarioChoices};
 use floor_drawing::{self, Drawing, Picture, WallShades, suggest};
 use robovac_core::{
-    floor_plan::{self, DEFAULT_IMAGE_RESOLUTION, FloorPlan, MapError, SourceFile, base_name, stem},
+    floor_plan::{self, DEFAULT_IMAGE_RESOLUTION, FloorPlan, MapError, PictureShades, SourceFile, base_name, stem},
     geometry::{Point, Vector},
     grid::{Grid, Occupancy},
     math::{cos, sin},
@@ -41,6 +41,10 @@ pub enum DrawingSource {
         cells: Grid<Occupancy>,
         /// Angle by which it is turned around its lower left corner, rad.
         turn: f64,
+        /// Pixels of the file on a side of one of these; more than 1 for a large picture.
+        times: usize,
+        /// Columns and rows of the file.
+        size: [usize; 2],
     },
     /// Any other map, or a scenario.
     Map {
@@ -64,10 +68,11 @@ impl DrawingSource {
         if let [file] = files
             && floor_plan::is_image(file)
         {
-            let shades = floor_plan::load_shades(file)?;
+            let PictureShades { shades, times, size } = floor_plan::load_shades(file)?;
             let suggestion = suggest(&shades, 0.0);
             let cells = suggestion.cells(&shades);
-            return Ok(Self::Image { name: stem(base_name(&file.name)), shades, suggestion, cells, turn: 0.0 });
+            let name = stem(base_name(&file.name));
+            return Ok(Self::Image { name, shades, suggestion, cells, turn: 0.0, times, size });
         }
         let Import { plan, choices } = Import::read(files)?;
         Ok(Self::Map { plan, choices })
@@ -123,7 +128,7 @@ impl DrawingSource {
     pub fn metre(&self) -> Option<f64> {
         match self {
             Self::Drawing { drawing, .. } => drawing.metre,
-            Self::Image { .. } => Some(DEFAULT_IMAGE_RESOLUTION),
+            Self::Image { times, .. } => Some(DEFAULT_IMAGE_RESOLUTION * *times as f64),
             Self::Map { plan, .. } => Some(plan.resolution),
         }
     }
@@ -143,6 +148,11 @@ impl DrawingSource {
             }
             Self::Map { .. } => None,
         }
+    }
+
+    /// Pixels of the file on a side of one that is shown, and the size of the file in pixels, of a picture that was reduced.
+    pub fn reduced(&self) -> Option<(usize, [usize; 2])> {
+        if let Self::Image { times, size, .. } = self { (*times > 1).then_some((*times, *size)) } else { None }
     }
 
     /// Whether its unit can be changed: objects in a scenario's room are in metres.

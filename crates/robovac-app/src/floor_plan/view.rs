@@ -7,11 +7,7 @@ use super::{
 use crate::amount::amount;
 use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
 use floor_drawing::{OUTER_DOOR, OutsideLeak, Role, ShadeMethod};
-use robovac_core::{
-    cspace::Outline,
-    floor_plan::{DEFAULT_IMAGE_RESOLUTION, FloorPlan},
-    geometry::Point,
-};
+use robovac_core::{cspace::Outline, floor_plan::FloorPlan, geometry::Point};
 use serde::Serialize;
 
 /// Lengths of a floor plan's longer side, m, that nobody is asked about (ours): from a closet to a house.
@@ -36,6 +32,10 @@ pub struct DrawingView {
     pub kind: &'static str,
     /// Whether a file states its unit.
     pub says_unit: bool,
+    /// Pixels of the file on a side of one that is shown: more than 1 for a picture that was reduced.
+    pub reduced: usize,
+    /// The size of the file then, in words; empty otherwise.
+    pub reduced_from: String,
     /// Whether it can be scaled.
     pub is_scalable: bool,
     /// Size of the source, in words, if known.
@@ -211,6 +211,8 @@ impl DrawingSession {
                 DrawingSource::Map { .. } => "map",
             },
             says_unit: !matches!(source, DrawingSource::Image { .. }) && source.metre().is_some(),
+            reduced: source.reduced().map_or(1, |(times, _)| times),
+            reduced_from: source.reduced().map_or(String::new(), |(_, [x, y])| format!("{x} × {y} pixels")),
             is_scalable: source.is_scalable(),
             size: settings.metre.map(|metre| size_in_words(size.x * metre, size.y * metre)),
             units: UNITS
@@ -273,7 +275,7 @@ impl DrawingSession {
         let (width, height) = room.unwrap_or((width, height));
         let size = size_in_words(width, height);
         let is_picture = matches!(self.source(), DrawingSource::Image { .. }) && settings.method != ShadeMethod::Map;
-        if !is_usual(width.max(height)) || is_picture && metre == DEFAULT_IMAGE_RESOLUTION {
+        if !is_usual(width.max(height)) || is_picture && self.source().metre() == Some(metre) {
             return Some(size);
         }
         // A part can be small.

@@ -1,6 +1,6 @@
 //! Errors in map files, with a hint how to fix each.
 
-use super::{JsonPlace, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, PlacementFault, SCENARIO_VERSION, TAKEN};
+use super::{JsonPlace, MAX_PIXELS, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, PlacementFault, SCENARIO_VERSION, TAKEN};
 
 /// Reasons why files aren't a valid floor plan. Every message names the cause, the place and the remedy.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -35,6 +35,19 @@ pub enum MapError {
         /// Columns.
         width: usize,
         /// Rows counted so far.
+        height: usize,
+    },
+    /// A picture that is larger than memory allows.
+    #[error(
+        "\"{name}\" has {width} x {height} pixels, but at most {} million are read; scale it down to {}",
+        MAX_PIXELS / 1_000_000, fitting(*width, *height)
+    )]
+    TooManyPixels {
+        /// The file.
+        name: String,
+        /// Columns.
+        width: usize,
+        /// Rows.
         height: usize,
     },
     /// The file ends prematurely.
@@ -258,4 +271,11 @@ pub(super) fn checked_resolution(name: &str, place: &str, text: &str) -> Result<
             expected: format!("metres per cell from {MIN_RESOLUTION} to {MAX_RESOLUTION}"),
         }),
     }
+}
+
+/// A whole fraction of a picture's size that has no more than [`MAX_PIXELS`], in words.
+fn fitting(width: usize, height: usize) -> String {
+    let fits = |times: &usize| (width / times).saturating_mul(height / times) <= MAX_PIXELS;
+    let times = (2..=width.max(2)).find(fits).unwrap_or(2);
+    format!("{} x {}", width / times, height / times)
 }

@@ -2,10 +2,11 @@
 //! images.
 
 use super::{
-    DEFAULT_IMAGE_RESOLUTION, FloorPlan, ForeignFile, MapError, Scenario, Shading, ascii, foreign, raster, stem,
+    DEFAULT_IMAGE_RESOLUTION, FloorPlan, ForeignFile, MapError, PictureShades, Scenario, Shading, ascii, foreign,
+    raster, stem,
     yaml::{self, MapYaml},
 };
-use crate::{geometry::Pose, grid::Grid};
+use crate::geometry::Pose;
 use image::ImageFormat;
 
 /// A file with its name and content.
@@ -69,8 +70,8 @@ pub fn is_image(file: &SourceFile) -> bool {
     raster::format_of(&file.bytes).is_some()
 }
 
-/// Shades of an image, 0 (black) to 255 (white); transparency is laid on white. Row 0 is at the bottom.
-pub fn load_shades(file: &SourceFile) -> Result<Grid<u8>, MapError> {
+/// Shades of an image, reduced to no more than [`super::MAX_SIDE`] on a side; transparency is laid on white.
+pub fn load_shades(file: &SourceFile) -> Result<PictureShades, MapError> {
     let name = base_name(&file.name);
     let none = ForeignFile { kind: "no image", remedy: "choose an image" };
     let format = raster::format_of(&file.bytes).ok_or_else(|| not_a_map(name, none))?;

@@ -19,7 +19,7 @@ pub use error::{Flaw, MapError};
 pub use foreign::{ForeignFile, TAKEN, foreign};
 pub use load::{SourceFile, base_name, image_of, is_image, load, load_shades};
 pub use place::JsonPlace;
-pub use raster::{DEFAULT_IMAGE_RESOLUTION, OccupancyMode, Shading};
+pub use raster::{DEFAULT_IMAGE_RESOLUTION, MAX_PIXELS, OccupancyMode, PictureShades, Shading};
 pub use ros_map::{MapImage, RosMap, RosMapError, to_ros_map};
 pub use scenario::{SCENARIO_FORMAT, SCENARIO_SCHEMA, SCENARIO_VERSION, Scenario, ScenarioPose};
 

@@ -12,6 +12,21 @@ pub const DEFAULT_IMAGE_RESOLUTION: f64 = 0.05;
 /// Most bytes for a decoder: the largest map with four channels of 16 bits, twice.
 const MAX_DECODER_BYTES: u64 = (2 * 8 * MAX_SIDE * MAX_SIDE) as u64;
 
+/// Most pixels of a picture whose shades are read: those for which a decoder with four channels of 8 bits has the bytes.
+/// The page's own decoder (`www/shared/pictures.js`) has the same limit.
+pub const MAX_PIXELS: usize = (MAX_DECODER_BYTES / 4) as usize;
+
+/// Shades of a picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PictureShades {
+    /// 0 (black) to 255 (white); row 0 is at the bottom. No side is longer than [`MAX_SIDE`].
+    pub shades: Grid<u8>,
+    /// Pixels of the file on a side of each: a whole number, so that its shade is the mean of whole pixels.
+    pub times: usize,
+    /// Columns and rows of the file, upright.
+    pub size: [usize; 2],
+}
+
 /// How shades are converted to cells. The default is that of the ROS 1 map server, which map files usually contain.
 ///
 /// A pixel's shade is the mean of its colour channels, from 0 (black) to 1 (white). Its occupancy is `1 - shade`, or
@@ -122,43 +137,98 @@ pub(super) fn read(
     decode(name, bytes, format, |shade, alpha| shading.cell(shade, alpha))
 }
 
-/// Shades of the image in the file `name`, 0 (black) to 255 (white); transparency is laid on white.
-pub(super) fn shades(name: &str, bytes: &[u8], format: ImageFormat) -> Result<Grid<u8>, MapError> {
-    decode(name, bytes, format, |shade, alpha| ((shade * alpha + 1.0 - alpha) * f64::from(u8::MAX)).round() as u8)
+/// Shades of the image in the file `name`, reduced to no more than [`MAX_SIDE`] on a side; transparency is laid on white.
+pub(super) fn shades(name: &str, bytes: &[u8], format: ImageFormat) -> Result<PictureShades, MapError> {
+    let image = DecodedImage::read(name, bytes, format, |_, _| false)?;
+    let times = image.width.max(image.height).div_ceil(MAX_SIDE);
+    let shade = |shade: f64, alpha: f64| shade * alpha + 1.0 - alpha;
+    let wide = image.width.div_ceil(times);
+    let mut means: Vec<u8> = Vec::with_capacity(wide * image.height.div_ceil(times));
+    for rows in image.bytes.chunks(times * image.row()) {
+        let mut sums = vec![(0.0, 0.0); wide];
+        for row in rows.chunks(image.row()) {
+            for (x, value) in cells(row, image.colour, &shade).enumerate() {
+                let (sum, count) = &mut sums[x / times];
+                *sum += value;
+                *count += 1.0;
+            }
+        }
+        means.extend(sums.iter().map(|(sum, count)| (sum / count * f64::from(u8::MAX)).round() as u8));
+    }
+    let is_turned = matches!(
+        image.held,
+        Orientation::Rotate90 | Orientation::Rotate270 | Orientation::Rotate90FlipH | Orientation::Rotate270FlipH
+    );
+    let size = if is_turned { [image.height, image.width] } else { [image.width, image.height] };
+    Ok(PictureShades { shades: grid(name, wide, means, image.held)?, times, size })
 }
 
-/// Decodes an image; `pixel` makes a cell of a shade and an opacity, both 0 to 1. Its size is checked before any pixel
-/// is decoded.
+/// Cells of an image; `pixel` makes a cell of a shade and an opacity, both 0 to 1.
 fn decode<T: Copy>(
     name: &str,
     bytes: &[u8],
     format: ImageFormat,
     pixel: impl Fn(f64, f64) -> T,
 ) -> Result<Grid<T>, MapError> {
-    let broken = |error: ImageError| explain(name, error);
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
-    let mut limits = Limits::no_limits();
-    limits.max_alloc = Some(MAX_DECODER_BYTES);
-    reader.limits(limits);
-    let mut decoder = reader.into_decoder().map_err(broken)?;
-    let (width, height) = (decoder.dimensions().0 as usize, decoder.dimensions().1 as usize);
-    if width.max(height) > MAX_SIDE {
-        return Err(MapError::TooLarge { name: name.to_owned(), width, height });
-    }
-    if width.min(height) == 0 {
-        return Err(MapError::BadImage { name: name.to_owned(), cause: format!("its size is {width} x {height}") });
-    }
-    // How the camera was held. Map servers don't look at it, and their formats don't have it.
-    let is_photo = !matches!(format, ImageFormat::Png | ImageFormat::Pnm);
-    let held = is_photo.then(|| decoder.orientation().ok()).flatten().unwrap_or(Orientation::NoTransforms);
-    let colour = decoder.color_type();
-    let mut bytes = vec![0; decoder.total_bytes() as usize];
-    decoder.read_image(&mut bytes).map_err(broken)?;
-    let row = width * usize::from(colour.bytes_per_pixel());
-    let cells: Vec<T> = bytes.chunks(row).flat_map(|row| cells(row, colour, &pixel)).collect();
+    let image = DecodedImage::read(name, bytes, format, |width, height| width.max(height) > MAX_SIDE)?;
+    let cells: Vec<T> = image.bytes.chunks(image.row()).flat_map(|row| cells(row, image.colour, &pixel)).collect();
+    grid(name, image.width, cells, image.held)
+}
+
+/// Rows from the top, as the camera was held, as an upright grid.
+fn grid<T: Copy>(name: &str, width: usize, cells: Vec<T>, held: Orientation) -> Result<Grid<T>, MapError> {
     let (width, cells) = upright(width, cells, held);
     let cells = cells.chunks(width).rev().flatten().copied().collect();
     Grid::from_rows(width, cells).ok_or_else(|| MapError::Truncated { name: name.to_owned(), part: "picture" })
+}
+
+/// An image as its decoder gives it: rows from the top.
+struct DecodedImage {
+    width: usize,
+    height: usize,
+    colour: ColorType,
+    bytes: Vec<u8>,
+    /// How the camera was held. Map servers don't look at it, and their formats don't have it.
+    held: Orientation,
+}
+
+impl DecodedImage {
+    /// Decodes an image that isn't too large by columns and rows, which are checked before any pixel is decoded.
+    fn read(
+        name: &str,
+        bytes: &[u8],
+        format: ImageFormat,
+        is_too_large: impl Fn(usize, usize) -> bool,
+    ) -> Result<Self, MapError> {
+        let broken = |error: ImageError| explain(name, error);
+        let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+        let mut limits = Limits::no_limits();
+        limits.max_alloc = Some(MAX_DECODER_BYTES);
+        reader.limits(limits);
+        let mut decoder = reader.into_decoder().map_err(broken)?;
+        let (width, height) = (decoder.dimensions().0 as usize, decoder.dimensions().1 as usize);
+        if width.min(height) == 0 {
+            return Err(MapError::BadImage { name: name.to_owned(), cause: format!("its size is {width} x {height}") });
+        }
+        let name = || name.to_owned();
+        if is_too_large(width, height) {
+            return Err(MapError::TooLarge { name: name(), width, height });
+        }
+        if width.saturating_mul(height) > MAX_PIXELS || decoder.total_bytes() > MAX_DECODER_BYTES {
+            return Err(MapError::TooManyPixels { name: name(), width, height });
+        }
+        let is_photo = !matches!(format, ImageFormat::Png | ImageFormat::Pnm);
+        let held = is_photo.then(|| decoder.orientation().ok()).flatten().unwrap_or(Orientation::NoTransforms);
+        let colour = decoder.color_type();
+        let mut bytes = vec![0; decoder.total_bytes() as usize];
+        decoder.read_image(&mut bytes).map_err(broken)?;
+        Ok(Self { width, height, colour, bytes, held })
+    }
+
+    /// Bytes of a row.
+    fn row(&self) -> usize {
+        self.width * usize::from(self.colour.bytes_per_pixel())
+    }
 }
 
 /// Rows of pixels, from the top, turned as the camera was held; with their new width.
@@ -252,6 +322,49 @@ mod tests {
         assert_eq!(cell(OccupancyMode::Raw, 100, 1.0), Occupancy::Occupied);
         assert_eq!(cell(OccupancyMode::Raw, 101, 1.0), Occupancy::Unknown);
         assert_eq!(cell(OccupancyMode::Raw, 255, 1.0), Occupancy::Unknown);
+    }
+
+    /// A grey image of `width` columns, as PGM.
+    fn pgm(width: usize, pixels: &[u8]) -> Vec<u8> {
+        [format!("P5\n{width} {}\n255\n", pixels.len() / width).as_bytes(), pixels].concat()
+    }
+
+    #[test]
+    fn a_picture_larger_than_a_map_is_reduced_by_a_whole_factor_to_the_means_of_its_pixels() {
+        // An A3 sheet at 300 dpi, with a line of two pixels on the left and stripes of one on the right.
+        let (width, height) = (4961, 3508);
+        let shade = |x: usize| match x {
+            100 | 101 => 0,
+            4000.. if x.is_multiple_of(2) => 60,
+            _ => 220,
+        };
+        let pixels: Vec<u8> = (0..width * height).map(|index| shade(index % width)).collect();
+        let read = shades("a3.pgm", &pgm(width, &pixels), ImageFormat::Pnm).unwrap();
+        assert_eq!((read.times, read.size), (2, [4961, 3508]));
+        assert_eq!((read.shades.width(), read.shades.height()), (2481, 1754));
+        let row = &read.shades.values()[..2481];
+        assert_eq!((row[49], row[50], row[51], row[2100]), (220, 0, 220, 140));
+        // The last column has one pixel of the file beside none.
+        assert_eq!(row[2480], 60);
+        let as_map = read_map(&pgm(width, &pixels));
+        assert!(as_map.unwrap_err().to_string().contains("4961 x 3508 cells, but the limit is 4096 x 4096"));
+        // What a map can hold stays as it is.
+        let small = shades("small.pgm", &pgm(3, &[1, 2, 3, 4, 5, 6]), ImageFormat::Pnm).unwrap();
+        assert_eq!((small.times, small.shades.values()), (1, [4, 5, 6, 1, 2, 3].as_slice()));
+    }
+
+    fn read_map(bytes: &[u8]) -> Result<Grid<Occupancy>, MapError> {
+        read("a3.pgm", bytes, ImageFormat::Pnm, &Shading::default())
+    }
+
+    #[test]
+    fn too_many_pixels_are_refused_before_they_are_decoded_with_a_size_that_will_do() {
+        // No pixel follows.
+        for (width, height, size) in [(12_000, 9000, "6000 x 4500"), (60_000, 60_000, "7500 x 7500")] {
+            let head = format!("P5\n{width} {height}\n255\n");
+            let message = shades("huge.pgm", head.as_bytes(), ImageFormat::Pnm).unwrap_err().to_string();
+            assert!(message.contains(&format!("{width} x {height} pixels")) && message.contains(size), "{message}");
+        }
     }
 
     #[test]
