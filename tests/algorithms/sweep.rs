@@ -61,7 +61,7 @@ fn the_papers_case() {
         assert!(numbers.into_iter().eq(1..=7));
         // Section 3: scan lines half the robot's width apart, in whole cells.
         let (top, low) = (&found.subgoals[0], found.subgoals.iter().max_by_key(|subgoal| subgoal.line).unwrap());
-        let apart = (top.at.y - low.at.y) / low.line as f64;
+        let apart = (top.at.y - low.at.y) / f64::from(low.line);
         assert!(apart <= 0.5 * width + 1e-9 && apart > 0.5 * width - cell, "{apart} m");
         // Section 4: every point once.
         let mut linked: Vec<usize> = found.links.iter().map(|link| link.to).collect();

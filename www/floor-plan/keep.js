@@ -18,7 +18,7 @@ const DATABASE = "robovac-drafts";
 const STORE = "board";
 const ASIDE = "aside";
 /** Version of the format; changes when earlier data can no longer be read. */
-const FORMAT = 1;
+const FORMAT = 2;
 /** From a choice until it is kept, ms. */
 const REST_MS = 300;
 

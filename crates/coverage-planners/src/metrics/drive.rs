@@ -160,8 +160,10 @@ mod tests {
             let near = (0..floor.floor.height() as i32)
                 .flat_map(|y| (0..floor.floor.width() as i32).map(move |x| Cell::new(x, y)))
                 .filter(|cell| {
-                    let centre =
-                        Point::new((cell.x as f64 + 0.5) * floor.resolution, (cell.y as f64 + 0.5) * floor.resolution);
+                    let centre = Point::new(
+                        (f64::from(cell.x) + 0.5) * floor.resolution,
+                        (f64::from(cell.y) + 0.5) * floor.resolution,
+                    );
                     (centre - corner).norm() < floor.tool_radius - 1e-9
                 });
             assert!(near.into_iter().all(|cell| tracker.visits()[cell] > 0), "{corner}");
