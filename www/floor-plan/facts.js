@@ -46,7 +46,8 @@ function show(view) {
 
 /** Floor that a robot can't get to: the inside of furniture, or a fault; which of them, only its owner knows. @param {FloorPlanView | undefined} view */
 function showCut(view) {
-  const cut = view?.doors ? 0 : (view?.room?.cut_off_m2 ?? 0);
+  // Beside a question and a notice it would be too much at once.
+  const cut = view?.doors || (view?.asks && view.notice) ? 0 : (view?.room?.cut_off_m2 ?? 0);
   setHidden(byId("floor-plan-cut"), !cut);
   if (!view || !cut) return;
   const mend = view.kind === "drawing" ? "make its layer Ignored" : view.kind === "image" ? "read the walls in another way" : "widen the way";

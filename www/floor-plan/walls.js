@@ -14,7 +14,7 @@ export function startWalls(it) {
   fill(cell, CELLS.map((side) => [String(side), `${100 * side} cm`]));
   const told = () => {
     const [width, outer] = [gap.valueAsNumber, it.view?.outer_door ?? 0];
-    setText(byId("floor-plan-gap-value"), `${width ? `${width.toFixed(2)} m` : "none"}${outer > width ? `, to the outside ${outer.toFixed(2)} m` : ""}`);
+    setText(byId("floor-plan-gap-value"), `${width ? `${width.toFixed(2)}${outer > width ? "" : " m"}` : "none"}${outer > width ? `, outer ${outer.toFixed(2)} m` : ""}`);
     for (const [name, range] of /** @type {const} */ ([["shade", shade], ["contrast", contrast]])) setText(byId(`floor-plan-${name}-value`), `${Math.round(100 * range.valueAsNumber)} %`);
     setText(byId("floor-plan-specks-value"), specks.valueAsNumber ? `${Math.round(100 * specks.valueAsNumber)} cm` : "none");
   };
