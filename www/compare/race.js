@@ -52,7 +52,9 @@ export function startRace(it) {
     setText(byId("race-time"), clock(race.time_s));
     showRange(rangeOf(race), race.state === "seeking" ? undefined : race.time_s);
     if (!isRunning()) setAttribute(byId("race-scrub"), "aria-valuetext", clock(race.time_s));
-    if (isDue(() => changed(byId("race-curves"), "extent", `${who} ${race.end_s} ${race.planned_s}`))) drawCurves(it, race);
+    // A late entrant catches up while the end stays.
+    const extent = [who, race.end_s, race.planned_s, ...race.lanes.map(({ time_s }) => Math.floor(time_s))].join(" ");
+    if (isDue(() => changed(byId("race-curves"), "extent", extent))) drawCurves(it, race);
   };
   return { update, key: transport.key };
 }
