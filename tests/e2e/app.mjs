@@ -179,10 +179,12 @@ export class App {
     await this.page.locator(`#tools [data-tool=${name}][aria-pressed=true]`).waitFor();
   }
 
-  /** Where the canvas is on the page, and the point at these shares of its width and height. */
+  /** The point of the page at these shares of the width and height of what the room has of the canvas. */
   async spot(x, y) {
     const box = await this.page.locator("#floor").boundingBox();
-    return [box.x + x * box.width, box.y + y * box.height];
+    // Below it, a narrow canvas has the scale bar over the zoom buttons.
+    const height = box.height - (box.width < 626 ? 32 : 0);
+    return [box.x + x * box.width, box.y + y * height];
   }
 
   /** Drags with the mouse over the floor, between points given as shares of its width and height. */

@@ -7,6 +7,14 @@ import { openApp } from "./app.mjs";
 const ROOM = "#room=empty&behaviour=manual&start=2.5,2.0,0";
 const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
+/** Opens the room; without the joystick, beside which it would not be in the middle. */
+async function openWaiting(t, options = {}) {
+  const opened = await openApp(t, { address: ROOM, ...options });
+  await opened.page.addStyleTag({ content: "#manual { display: none !important; }" });
+  await opened.app.frames(3);
+  return opened;
+}
+
 const events = async (page) => (await page.locator("#events li:not([hidden])").allInnerTexts()).join("\n");
 const error = async (app) => {
   const { soFar } = await app.metric("Position error");
@@ -14,7 +22,7 @@ const error = async (app) => {
 };
 
 test("a running robot is dragged elsewhere: its wheels drop meanwhile, and it no longer knows where it is", async (t) => {
-  const { page, app } = await openApp(t, { address: ROOM });
+  const { page, app } = await openWaiting(t);
   await app.numbersThat(({ time }) => time > 0);
   const start = (await app.link()).start;
   const { mouse } = page;
@@ -31,7 +39,7 @@ test("a running robot is dragged elsewhere: its wheels drop meanwhile, and it no
 });
 
 test("a click on the robot does nothing to it", async (t) => {
-  const { page, app } = await openApp(t, { address: ROOM });
+  const { page, app } = await openWaiting(t);
   await app.numbersThat(({ time }) => time > 0);
   await page.mouse.click(...(await app.spot(0.5, 0.5)));
   await app.frames(20);
@@ -39,7 +47,7 @@ test("a click on the robot does nothing to it", async (t) => {
 });
 
 test("the robot is picked up and carried by keys, and escape puts it back", async (t) => {
-  const { page, app } = await openApp(t, { address: ROOM });
+  const { page, app } = await openWaiting(t);
   await app.numbersThat(({ time }) => time > 0);
   await app.press("Lift the robot");
   await page.locator("#carry-note").waitFor();
@@ -61,7 +69,7 @@ test("the robot is picked up and carried by keys, and escape puts it back", asyn
 
 for (const isPaused of [false, true]) {
   test(`a click puts the held robot down, ${isPaused ? "while time stands still" : "while it runs"}`, async (t) => {
-    const { page, app } = await openApp(t, { address: ROOM, viewport: { width: 1366, height: 768 } });
+    const { page, app } = await openWaiting(t, { viewport: { width: 1366, height: 768 } });
     await app.numbersThat(({ time }) => time > 0);
     if (isPaused) await app.pause();
     await app.press("Lift the robot");
@@ -104,7 +112,7 @@ test("a robot with a plan is carried at the pointer, and the page says that it d
 });
 
 test("before the run begins, dragging the robot moves the start", async (t) => {
-  const { app } = await openApp(t, { address: ROOM });
+  const { app } = await openWaiting(t);
   await app.press("Back to the start");
   await app.until("ready");
   await app.drag([0.5, 0.5], [0.6, 0.4]);
@@ -112,7 +120,7 @@ test("before the run begins, dragging the robot moves the start", async (t) => {
 });
 
 test("a finger picks the robot up, too", async (t) => {
-  const { page, app } = await openApp(t, { ...PHONE, address: ROOM });
+  const { page, app } = await openWaiting(t, PHONE);
   await app.numbersThat(({ time }) => time > 0);
   const client = await page.context().newCDPSession(page);
   const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
