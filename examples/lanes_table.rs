@@ -2,7 +2,7 @@
 //! [SECONDS [COVERAGE [CLEARANCE [ROOM...]]]]`.
 //!
 //! For a Roomba 600: bounds, `boustrophedon`, `near_optimal` and lanes, searched for so many seconds (30) for a share of the floor
-//! (99 %), that many millimetres off obstacles (3); and lanes searched for 0.3 % more, which rounded corners may leave out.
+//! (99 %), that many millimetres off obstacles (3); and lanes for a robot that rounds corners.
 //! Seconds are those of the processor on Linux, as other programs may run. A room is the id of a built-in one, the seed of a random
 //! flat, or a map file: a text map, or an image with 5 cm a pixel.
 
@@ -23,9 +23,6 @@ use robovac_core::{
 use std::{error::Error, fs, ops::ControlFlow};
 
 const ROOMS: [&str; 8] = ["flat", "room12ft", "bedroom", "living", "hotel", "office", "warehouse", "hall20"];
-
-/// More floor that is planned for where corners are rounded, as `robovac lanes --smooth` does.
-const LEFT_OUT: f64 = 0.003;
 
 /// A room by its id, seed or file.
 fn plan_of(name: &str) -> Result<FloorPlan, Box<dyn Error>> {
@@ -84,8 +81,13 @@ fn search(
 }
 
 /// The row of lanes with rounded corners, which has no bound of its own.
-fn rounded(floor: &ReachableFloor, robot: &RobotModel, found: &LanesPlan, loss: f64) -> Result<String, Box<dyn Error>> {
-    let setup = SmoothSetup { loss: loss.max(0.0), clearance: found.clearance, ..SmoothSetup::default() };
+fn rounded(
+    floor: &ReachableFloor,
+    robot: &RobotModel,
+    found: &LanesPlan,
+    least: f64,
+) -> Result<String, Box<dyn Error>> {
+    let setup = SmoothSetup { loss: 0.0, least, clearance: found.clearance, ..SmoothSetup::default() };
     let path = smooth(floor, &found.path, &limits_of(robot)?, &setup);
     let (metres, minutes) = (path.trajectory.length_m(), path.trajectory.duration_s() / 60.0);
     Ok(format!("| lanes, rounded | {metres:.1} | {minutes:.2} | {:.2} | | |", 100.0 * path.coverage))
@@ -101,7 +103,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         effort: LanesSetup::MOST_EFFORT,
         ..LanesSetup::default()
     };
-    let more = LanesSetup { coverage: (setup.coverage + LEFT_OUT).min(1.0), ..setup };
+    let curved = LanesSetup { is_rounded: true, ..setup };
     let chosen: Vec<&str> = arguments.iter().skip(3).map(String::as_str).collect();
     let robot = model("roomba600").ok_or("no such robot")?;
     for name in if chosen.is_empty() { &ROOMS[..] } else { &chosen[..] } {
@@ -119,8 +121,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         let (found, note) = search(&floor, robot, &setup, seconds)?;
         println!("{}", row("lanes", &floor, robot, [found.length_m, found.duration_s, found.coverage]));
-        let (found, _) = search(&floor, robot, &more, seconds)?;
-        println!("{}", rounded(&floor, robot, &found, found.coverage - setup.coverage)?);
+        let (found, _) = search(&floor, robot, &curved, seconds)?;
+        println!("{}", rounded(&floor, robot, &found, setup.coverage)?);
         println!("\n{note}");
     }
     Ok(())

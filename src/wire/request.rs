@@ -62,7 +62,7 @@ pub fn request_from_js(object: &JsValue) -> Result<PlanRequest, JsValue> {
     let given = wire.params.iter().map(|(id, value)| (id.as_str(), value.clone()));
     let params = Params::checked(planner.params, given).map_err(|e| e.to_string())?;
     let job = match laid_out(object)? {
-        Some((room, _)) if planner.claims.in_metres => room.job,
+        Some((room, is_rounded)) if planner.claims.in_metres => room.job.rounded(is_rounded),
         _ => wire.job(&free).ok_or("the planning request has no free start")?,
     };
     Ok(PlanRequest { id: wire.id, planner, params, seed: wire.seed, job })

@@ -3,7 +3,6 @@
 use coverage_planners::{
     Bounds, Film, ProgressReport, Proof,
     metrics::{DriveMetrics, MetricExcess, WalkMetrics},
-    smooth::SmoothSetup,
 };
 use js_sys::{Float64Array, Function, Object, Reflect};
 use robovac_playground::wire::{
@@ -71,7 +70,7 @@ pub fn prove(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
 pub fn smooth(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
     let Some((room, true)) = laid_out(request)? else { return Ok(JsValue::UNDEFINED) };
     let line = room.line(&path_from_js(path)).map_err(|e| e.to_string())?;
-    let path = room.smooth(&line, &SmoothSetup::default(), false);
+    let path = room.smooth(&line, &request_from_js(request)?.smooth_setup(), false);
     Ok(path.map_or(JsValue::UNDEFINED, |path| trajectory_to_js(&path.trajectory).into()))
 }
 

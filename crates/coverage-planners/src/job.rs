@@ -31,6 +31,8 @@ pub struct JobPlace {
     pub floor: Arc<ReachableFloor>,
     /// The robot.
     pub robot: RobotModel,
+    /// Whether corners of a path in metres will be rounded.
+    pub is_rounded: bool,
 }
 
 impl CoverageJob {
@@ -63,7 +65,16 @@ impl CoverageJob {
 
     /// The same job for planners in metres, too.
     pub fn in_place(self, floor: &Arc<ReachableFloor>, robot: &RobotModel) -> Self {
-        Self { place: Some(Arc::new(JobPlace { floor: Arc::clone(floor), robot: robot.clone() })), ..self }
+        let place = JobPlace { floor: Arc::clone(floor), robot: robot.clone(), is_rounded: false };
+        Self { place: Some(Arc::new(place)), ..self }
+    }
+
+    /// The same job for a robot that rounds corners, or stops at them.
+    pub fn rounded(self, is_rounded: bool) -> Self {
+        let place = self.place.map(|place| {
+            if place.is_rounded == is_rounded { place } else { Arc::new(JobPlace { is_rounded, ..(*place).clone() }) }
+        });
+        Self { place, ..self }
     }
 
     /// Number of cells to be covered.

@@ -84,6 +84,12 @@ pub trait Planner {
         true
     }
 
+    /// The share of the floor that its path has to sweep, 0 to 1, if that is a parameter of it. Where corners will be rounded
+    /// ([`JobPlace::is_rounded`]), its path may sweep more, which curves can leave out.
+    fn asked_coverage(&self) -> Option<f64> {
+        None
+    }
+
     /// The planners whose walks, made with their defaults, this one begins with in `job`, and the job they are given; none
     /// for most.
     fn begins_with(&self, job: &CoverageJob) -> (CoverageJob, &'static [&'static PlannerInfo]) {

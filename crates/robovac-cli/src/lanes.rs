@@ -18,9 +18,6 @@ use robovac_sim::{
 use serde::Serialize;
 use std::{fs, ops::ControlFlow, path::PathBuf, sync::Arc, time::Instant};
 
-/// Share of the floor that rounded corners may leave out, which lanes must sweep in addition.
-const LEFT_OUT: f64 = 0.003;
-
 /// Plan lanes in metres: the shortest time found for a share of the floor
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -44,7 +41,7 @@ pub struct Arguments {
     /// Random seed
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
-    /// Round the corners as well: plans for a little more than the share asked for, so that what curves leave out isn't missed
+    /// Round the corners: the search counts the time of curves, and sweeps a little more than asked, which they may leave out
     #[arg(long)]
     smooth: bool,
     /// Drive the path in the simulator, too, without noise
@@ -110,10 +107,11 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let plan = arguments.source.plan()?;
     let floor = ReachableFloor::new(&plan, robot, None).map_err(PlanningError::from)?;
     let setup = LanesSetup {
-        coverage: planned_for(arguments),
+        coverage: arguments.coverage / 100.0,
         clearance: arguments.clearance,
         effort: if arguments.seconds.is_some() { LanesSetup::MOST_EFFORT } else { arguments.effort },
         seed: arguments.seed,
+        is_rounded: arguments.smooth,
     };
     let begin = Instant::now();
     let mut first_path_s = None;
@@ -133,11 +131,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let required = arguments.coverage / 100.0;
     let room = RoomSetup::on(&plan, floor, robot, robot.default_cell);
     let smooth = if arguments.smooth {
-        let setup = SmoothSetup {
-            loss: (found.coverage - required).max(0.0),
-            clearance: found.clearance,
-            ..SmoothSetup::default()
-        };
+        let setup = SmoothSetup { loss: 0.0, least: required, clearance: found.clearance, ..SmoothSetup::default() };
         let path = room.smooth(&found.path, &setup, false);
         Some(path.map_err(|error| Failure::usage(format!("--smooth: {error}")))?)
     } else {
@@ -171,12 +165,6 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         driven,
     };
     Ok(if arguments.json { output::json(&report) } else { summary(&report, robot) })
-}
-
-/// The share to plan for.
-fn planned_for(arguments: &Arguments) -> f64 {
-    let required = arguments.coverage / 100.0;
-    if arguments.smooth { required + LEFT_OUT.min(0.5 * (1.0 - required)) } else { required }
 }
 
 fn drive(room: &RoomSetup, found: &LanesPlan, smooth: Option<Arc<Trajectory>>) -> DrivenReport {

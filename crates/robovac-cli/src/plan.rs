@@ -34,7 +34,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let planner = planner(&arguments.planner)?;
     let params = arguments.params.checked(planner.params)?;
     let placement = arguments.placement.placement(CELL_ROBOT)?;
-    let mut task = PlanningTask { placement, planner, params, seed: arguments.params.seed };
+    let mut task = PlanningTask { placement, planner, params, seed: arguments.params.seed, is_rounded: false };
     arguments.coverage.fit_cells(&mut task)?;
     let begin = Instant::now();
     let solution = task.solve(|| begin.elapsed().as_secs_f64(), None)?;

@@ -165,7 +165,13 @@ impl<'a> NodeScene<'a> {
             Some(id) => {
                 let planner = plan::planner(id)?;
                 let params = arguments.params.checked(planner.params)?;
-                let task = PlanningTask { placement: placement.clone(), planner, params, seed: arguments.params.seed };
+                let task = PlanningTask {
+                    placement: placement.clone(),
+                    planner,
+                    params,
+                    seed: arguments.params.seed,
+                    is_rounded: false,
+                };
                 let began = Instant::now();
                 let solution = task.solve(|| began.elapsed().as_secs_f64(), None)?;
                 (solution.prepared, solution.planned.line.to_vec())

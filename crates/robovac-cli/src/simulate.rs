@@ -198,7 +198,7 @@ impl SimulatedTask {
         }
         let Some(planner) = self.algorithm.planner() else { return Ok((self.placement.prepare()?, None)) };
         let (placement, params) = (self.placement.clone(), self.params.clone());
-        let mut task = PlanningTask { placement, planner, params, seed: self.seed };
+        let mut task = PlanningTask { placement, planner, params, seed: self.seed, is_rounded: self.smooth };
         coverage.fit_cells(&mut task)?;
         self.placement.clone_from(&task.placement);
         let begin = Instant::now();

@@ -5,7 +5,7 @@ use crate::{
     place::{PlaceArguments, checked},
     watch::SignalWatch,
 };
-use coverage_planners::{Bounds, CoveragePath, PlannerInfo, find, metrics::METRICS};
+use coverage_planners::{Bounds, CoveragePath, PlannerInfo, find, metrics::METRICS, smooth::SmoothSetup};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::{prelude::*, types::PyDict};
 use robovac_core::{
@@ -34,6 +34,8 @@ pub struct PlanArguments<'a> {
     pub coverage_percent: Option<f64>,
     /// Seed of its random numbers.
     pub seed: u64,
+    /// Whether corners will be rounded.
+    pub is_rounded: bool,
 }
 
 /// The planner with that id.
@@ -49,7 +51,13 @@ impl PlanArguments<'_> {
     pub fn solve(&self, watch: &mut SignalWatch) -> Result<(PlanningTask, PlanSolution), Failure> {
         let planner = planner(self.planner)?;
         let params = checked(planner.params, self.params)?;
-        let mut task = PlanningTask { placement: self.place.placement()?, planner, params, seed: self.seed };
+        let mut task = PlanningTask {
+            placement: self.place.placement()?,
+            planner,
+            params,
+            seed: self.seed,
+            is_rounded: self.is_rounded,
+        };
         if let Some(percent) = self.coverage_percent {
             fit_cells(&mut task, percent, watch)?;
         }
@@ -89,7 +97,8 @@ pub fn plan<'py>(
     coverage_percent: Option<f64>,
     seed: u64,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let arguments = PlanArguments { place: &place, planner, params: &params, coverage_percent, seed };
+    let arguments =
+        PlanArguments { place: &place, planner, params: &params, coverage_percent, seed, is_rounded: false };
     let mut watch = SignalWatch::new();
     let solved = py.detach(|| arguments.solve(&mut watch));
     watch.finish()?;
@@ -139,7 +148,8 @@ pub fn plan_given<'py>(
         let answer = PlanAnswer { path, seconds: planning_s, proof: None, trace: Vec::new() };
         let planned = Planned::new(&prepared, &answer)
             .map_err(|error| Failure::contract(format!("planner \"{name}\" returned an invalid walk: {error}")))?;
-        Ok::<_, Failure>((placement, PlanSolution { prepared, path: answer.path, planned }))
+        let smooth = SmoothSetup::default();
+        Ok::<_, Failure>((placement, PlanSolution { prepared, path: answer.path, planned, smooth }))
     };
     let (placement, solution) = py.detach(solve)?;
     to_python(py, &placement, &solution, json!({ "planner": name, "params": {}, "seed": null }))
@@ -152,7 +162,7 @@ fn to_python<'py>(
     solution: &PlanSolution,
     mut report: serde_json::Value,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let PlanSolution { prepared, path, planned } = solution;
+    let PlanSolution { prepared, path, planned, .. } = solution;
     let numbers = py.detach(|| planned.numbers(prepared, Bounds::of(&prepared.job)));
     report["robot"] = json!(placement.robot.id);
     report["cell_m"] = json!(placement.cell_size);

@@ -119,12 +119,18 @@ impl DriverArguments {
         let (placement, prepared, mut run) = match (&self.planner, &self.behaviour, &self.cells, &self.object) {
             (Some(planner), ..) => {
                 let Self { params, coverage_percent, plan_seed, .. } = self;
-                let arguments =
-                    PlanArguments { place, planner, params, coverage_percent: *coverage_percent, seed: *plan_seed };
+                let arguments = PlanArguments {
+                    place,
+                    planner,
+                    params,
+                    coverage_percent: *coverage_percent,
+                    seed: *plan_seed,
+                    is_rounded: self.smooth,
+                };
                 let (task, solution) = arguments.solve(watch)?;
                 let mut planned = solution.planned;
                 if self.smooth {
-                    planned = planned.rounded(&solution.prepared)?;
+                    planned = planned.rounded(&solution.prepared, &solution.smooth)?;
                 }
                 line = planned.line.to_vec();
                 let run = planned.run(&solution.prepared, conditions, odometry, self.seed);

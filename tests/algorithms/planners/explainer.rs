@@ -20,7 +20,7 @@ fn job(id: &str) -> CoverageJob {
 fn cost(info: &PlannerInfo, job: &CoverageJob) -> f64 {
     if info.claims.in_metres {
         let path = build(info, usize::MAX).plan(job, &mut PlanContext::new(1)).expect("nobody cancels");
-        let JobPlace { floor, robot } = job.place.as_deref().expect("the room is laid out");
+        let JobPlace { floor, robot, .. } = job.place.as_deref().expect("the room is laid out");
         let drive = DriveMetrics::of(floor, robot, &path.line);
         return MetricExcess::of(floor, robot, &path.line, &drive).expect("its tool is a disc").above[1];
     }

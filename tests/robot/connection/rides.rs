@@ -100,9 +100,9 @@ fn smooth_over_the_line(plan: &FloorPlan, planner: &str) -> [f64; 2] {
     let prepared = RoomSetup::new(plan, &robot, 0.15, None).unwrap();
     let planner = coverage_planners::find(planner).unwrap();
     let params = Params::defaults(planner.params);
-    let job = prepared.job.clone();
-    let answer = PlanRequest { id: 1, planner, params, seed: 1, job }.serve(|| 0.0, None).unwrap();
-    let planned = Planned::new(&prepared, &answer).unwrap().rounded(&prepared).unwrap();
+    let request = PlanRequest { id: 1, planner, params, seed: 1, job: prepared.job.clone().rounded(true) };
+    let answer = request.serve(|| 0.0, None).unwrap();
+    let planned = Planned::new(&prepared, &answer).unwrap().rounded(&prepared, &request.smooth_setup()).unwrap();
     let trajectory = planned.smooth.clone().unwrap();
     let points = trajectory.points();
     let mut run = planned.run(&prepared, Conditions::default(), OdometryModel::Arc, 1);

@@ -44,7 +44,7 @@ const SHIFT: (f64, usize) = (0.4, 8);
 pub(super) struct LaneSearch<'a> {
     pub floor: &'a ReachableFloor,
     pub space: &'a FreeSpace,
-    pub times: MotionTimes,
+    pub times: &'a MotionTimes,
     pub heading: Vector,
     pub setup: &'a LanesSetup,
 }
@@ -60,7 +60,7 @@ struct MeasuredPath {
 
 impl LaneSearch<'_> {
     fn measure(&self, points: &[Point]) -> MeasuredPath {
-        let seconds = self.times.path(points, self.heading);
+        let seconds = self.times.path(points, self.heading, Some(self.space));
         let coverage = swept_share(self.floor, points);
         let missing = (self.setup.coverage - coverage).max(0.0) * self.floor.area();
         MeasuredPath { points: points.to_vec(), seconds, coverage, value: seconds + PRICE.2 * missing }
@@ -207,10 +207,10 @@ impl Walker<'_> {
             return 0.0;
         }
         let limit = -temperature * math::ln(1.0 - self.rng.random::<f64>());
-        let seconds = self.path.seconds_by(&edit);
         let exchange = self.path.exchange(&edit);
+        let mut seconds = self.path.seconds_by(&edit, &exchange, None);
         // So much may be missed, if as much more is swept anew as there is to sweep.
-        let may_miss = (limit - seconds) / self.price;
+        let mut may_miss = (limit - seconds) / self.price;
         if may_miss + self.path.raster.unswept_area() < 0.0 {
             return 0.0;
         }
@@ -220,6 +220,11 @@ impl Walker<'_> {
         }
         if !exchange.is_free(self.path.space) {
             return 0.0;
+        }
+        if self.path.times.has_curves() {
+            // Now that it may be worth it.
+            seconds = self.path.seconds_by(&edit, &exchange, Some(self.path.space));
+            may_miss = (limit - seconds) / self.price;
         }
         if self.path.missed_by(&exchange, most) > may_miss {
             return 0.0;

@@ -109,7 +109,7 @@ mod tests {
                 let bound = MetricBound::new(&floor, robot, swept_share(&floor, &path));
                 let length: f64 = path.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
                 let first = path[1] - path[0];
-                let duration = MotionTimes::of(robot).path(&path, first);
+                let duration = MotionTimes::of(robot, None).path(&path, first, None);
                 // The swept share is measured to 0.01 % of the floor.
                 assert!(bound.length_m <= length + 0.003 && bound.duration_s <= duration + 0.02, "{bound:?} {length}");
             }

@@ -17,6 +17,7 @@
 mod anneal;
 mod bound;
 mod cost;
+mod curves;
 mod error;
 mod free_space;
 mod lattice;
@@ -38,11 +39,15 @@ pub use scan::swept_share;
 
 use anneal::anneal;
 use cost::MotionTimes;
+use curves::CurveTimes;
 use lattice::Lattice;
 use layout::{Directions, LaneLayout};
 use raster::SweptRaster;
 use robovac_core::{coverage::ReachableFloor, geometry::Point, robot::RobotModel};
 use std::ops::ControlFlow;
+
+/// Share of the floor swept in addition where corners will be rounded: so much, or half of what may be missed, can curves leave out.
+const SPARE: f64 = 0.006;
 
 /// What to plan for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,11 +60,14 @@ pub struct LanesSetup {
     pub effort: f64,
     /// Seed of the search.
     pub seed: u64,
+    /// Whether corners will be rounded. Then the search counts the time of curves where they fit, and sweeps a little more than is
+    /// to be swept, which curves can leave out.
+    pub is_rounded: bool,
 }
 
 impl Default for LanesSetup {
     fn default() -> Self {
-        Self { coverage: 0.99, clearance: 0.003, effort: 10_000.0, seed: 0 }
+        Self { coverage: 0.99, clearance: 0.003, effort: 10_000.0, seed: 0, is_rounded: false }
     }
 }
 
@@ -111,10 +119,13 @@ pub fn plan_lanes(
     observer: LanesObserver<'_>,
 ) -> Result<LanesPlan, LanesError> {
     setup.check()?;
+    let asked = setup.coverage;
+    let setup = &LanesSetup { coverage: setup.with_spare(), ..*setup };
     let start = floor.start.position();
     let (space, clearance) = free_space(floor, setup.clearance);
     let heading = floor.start.direction();
-    let times = MotionTimes::of(robot);
+    let curves = setup.is_rounded.then(|| CurveTimes::of(robot)).flatten();
+    let times = MotionTimes::of(robot, curves);
     let cancelled = |flow: ControlFlow<(), f64>| if flow.is_break() { Err(LanesError::Cancelled) } else { Ok(()) };
     let mut report = |done: f64| observer(LanesProgress { done, path: &[], duration_s: 0.0, coverage: 0.0 });
     cancelled(report(0.0))?;
@@ -127,21 +138,21 @@ pub fn plan_lanes(
         let path = order::in_order(&space, &mut lattice, start, &layout.lanes(&space, directions));
         // Lanes at full speed sweep so much; what is missed takes three times as long.
         let price = 3.0 / (robot.tool_width * robot.cruise_speed);
-        let cost = times.path(&path, heading) + price * raster.left_by(&path);
+        let cost = times.path(&path, heading, Some(&space)) + price * raster.left_by(&path);
         starts.push((cost, path));
     }
     starts.sort_by(|(one, _), (other, _)| one.total_cmp(other));
     let starts: Vec<Vec<Point>> = starts.into_iter().map(|(_, path)| path).collect();
-    let search = anneal::LaneSearch { floor, space: &space, times, heading, setup };
+    let search = anneal::LaneSearch { floor, space: &space, times: &times, heading, setup };
     let path = anneal(&search, &raster, &starts, observer);
     let coverage = swept_share(floor, &path);
-    let (length_m, duration_s) = (cost::length(&path), times.path(&path, heading));
+    let (length_m, duration_s) = (cost::length(&path), MotionTimes::of(robot, None).path(&path, heading, None));
     Ok(LanesPlan {
         length_m,
         duration_s,
         coverage,
         clearance,
-        bound: MetricBound::new(floor, robot, setup.coverage),
+        bound: MetricBound::new(floor, robot, asked),
         excess: MetricBound::new(floor, robot, coverage).excess(length_m, duration_s),
         path,
     })
@@ -159,6 +170,11 @@ fn free_space(floor: &ReachableFloor, clearance: f64) -> (FreeSpace, f64) {
 impl LanesSetup {
     /// The most effort.
     pub const MOST_EFFORT: f64 = 1e9;
+
+    /// The share to sweep with what curves can leave out.
+    fn with_spare(&self) -> f64 {
+        if self.is_rounded { self.coverage + SPARE.min(0.5 * (1.0 - self.coverage)) } else { self.coverage }
+    }
 
     fn check(&self) -> Result<(), LanesError> {
         let value = |what, value: f64, is_good: bool, expected| {
@@ -287,7 +303,7 @@ mod tests {
     #[test]
     fn more_than_can_be_swept_is_swept_as_far_as_can_be() {
         let floor = floor(&random_flat(1, 1, 2));
-        let setup = LanesSetup { coverage: 1.0, clearance: 0.05, effort: 10.0 * EFFORT, seed: 0 };
+        let setup = LanesSetup { coverage: 1.0, clearance: 0.05, effort: 10.0 * EFFORT, ..LanesSetup::default() };
         let found = plan(&floor, &setup);
         let first = plan(&floor, &LanesSetup { effort: 0.0, ..setup });
         assert!(found.coverage < 1.0 && found.coverage > first.coverage, "{} {}", found.coverage, first.coverage);

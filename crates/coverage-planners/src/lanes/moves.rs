@@ -29,8 +29,11 @@ pub(super) struct SweptPath<'a> {
     pub points: Vec<Point>,
     pub raster: SweptRaster,
     pub space: &'a FreeSpace,
-    pub times: MotionTimes,
-    pub heading: Vector,
+    pub times: &'a MotionTimes,
+    /// Where the robot would come from with its heading.
+    before_start: Point,
+    /// Seconds that each corner takes; 0 at the end.
+    corner_s: Vec<f64>,
 }
 
 impl FewPoints {
@@ -74,25 +77,36 @@ impl<'a> SweptPath<'a> {
         points: Vec<Point>,
         raster: SweptRaster,
         space: &'a FreeSpace,
-        times: MotionTimes,
+        times: &'a MotionTimes,
         heading: Vector,
     ) -> Self {
-        let mut path = Self { points, raster, space, times, heading };
+        let before_start = MotionTimes::before_start(points[0], heading);
+        let corner_s = vec![0.0; points.len()];
+        let mut path = Self { points, raster, space, times, before_start, corner_s };
         for pair in path.points.windows(2) {
             path.raster.add(pair[0], pair[1]);
         }
+        (0..path.points.len()).for_each(|i| path.update_corner(i));
         path
     }
 
     /// The path's time, s.
     pub fn seconds(&self) -> f64 {
-        self.times.path(&self.points, self.heading)
+        let pieces: f64 = self.points.windows(2).map(|pair| self.times.straight((pair[1] - pair[0]).norm())).sum();
+        pieces + self.corner_s.iter().sum::<f64>()
     }
 
-    /// The point before another one; before the first, one from which the robot would come with its heading.
+    /// The point before another one.
     #[inline]
     fn before(&self, i: usize) -> Point {
-        if i == 0 { self.points[0] - self.heading } else { self.points[i - 1] }
+        if i == 0 { self.before_start } else { self.points[i - 1] }
+    }
+
+    fn update_corner(&mut self, i: usize) {
+        self.corner_s[i] = match self.points.get(i + 1) {
+            Some(&next) => self.times.corner(self.before(i), self.points[i], next, Some(self.space)),
+            None => 0.0,
+        };
     }
 
     /// Whether an edit can be made to this path.
@@ -110,83 +124,86 @@ impl<'a> SweptPath<'a> {
         }
     }
 
-    /// How much longer the path takes after a valid edit, s.
-    pub fn seconds_by(&self, edit: &Edit) -> f64 {
-        let p = &self.points;
-        let times = &self.times;
+    /// How much longer the path takes after a valid edit that exchanges these pieces, s. Curves round new corners must fit into
+    /// `space`; without one it's as if all did.
+    pub fn seconds_by(&self, edit: &Edit, exchange: &Exchange, space: Option<&FreeSpace>) -> f64 {
+        let pieces = |pieces: &[(Point, Point)]| -> f64 {
+            pieces.iter().map(|(a, b)| self.times.straight((b - a).norm())).sum()
+        };
+        let mut change = pieces(exchange.added()) - pieces(exchange.removed());
+        self.changed_corners(edit, |corner| change -= self.corner_s[corner]);
+        self.new_corners(edit, |a, at, b| change += self.times.corner(a, at, b, space));
+        change
+    }
+
+    /// Calls `tell` with the number of every corner that an edit changes.
+    #[inline]
+    fn changed_corners(&self, edit: &Edit, mut tell: impl FnMut(usize)) {
         match *edit {
-            Edit::Splice { from, to, ref new } => {
-                let mut old = Timed::new(times, self.before(from), p[from]);
-                let mut made = old;
-                p[from + 1..to].iter().for_each(|&point| old.go_to(point));
-                new.slice().iter().for_each(|&point| made.go_to(point));
-                for &point in &p[to..(to + 2).min(p.len())] {
-                    old.go_to(point);
-                    made.go_to(point);
-                }
-                made.seconds - old.seconds
-            }
+            Edit::Splice { from, to, .. } => (from..=to.min(self.points.len() - 1)).for_each(tell),
             Edit::Reverse { first, last } => {
-                let (a, b) = (p[first - 1], p[first]);
-                let (y, z) = (p[last], p.get(last + 1).copied());
-                let mut change = times.straight((y - a).norm()) - times.straight((b - a).norm());
-                let into = a - self.before(first - 1);
-                change += times.turn(into, y - a) - times.turn(into, b - a);
-                // Directions inside the part are those of the path now.
-                let (begin, end) = (p[first + 1] - b, y - p[last - 1]);
-                change += times.turn(y - a, -end) - times.turn(b - a, begin);
-                if let Some(z) = z {
-                    change += times.straight((z - b).norm()) - times.straight((z - y).norm());
-                    change += times.turn(-begin, z - b) - times.turn(end, z - y);
-                    if let Some(&next) = p.get(last + 2) {
-                        change += times.turn(z - b, next - z) - times.turn(z - y, next - z);
-                    }
+                for corner in [first - 1, first, last] {
+                    tell(corner);
                 }
-                change
+                if last + 1 < self.points.len() {
+                    tell(last + 1);
+                }
+            }
+            Edit::Carry { first, last, after, .. } => {
+                for corner in [first - 1, first, last + 1, after, after + 1] {
+                    tell(corner);
+                }
+                if last > first {
+                    tell(last);
+                }
+            }
+        }
+    }
+
+    /// Calls `tell` with every corner that an edit makes: the point before it, the corner, the point behind it.
+    #[inline]
+    fn new_corners(&self, edit: &Edit, mut tell: impl FnMut(Point, Point, Point)) {
+        let p = &self.points;
+        if let Edit::Splice { from, to, ref new } = *edit {
+            let (mut a, mut at) = (self.before(from), p[from]);
+            for &point in new.slice().iter().chain(&p[to..(to + 2).min(p.len())]) {
+                tell(a, at, point);
+                (a, at) = (at, point);
+            }
+            return;
+        }
+        let mut tell_last = |a: Point, at: Point, behind: usize| {
+            if let Some(&b) = p.get(behind) {
+                tell(a, at, b);
+            }
+        };
+        match *edit {
+            Edit::Splice { .. } => {}
+            Edit::Reverse { first, last } => {
+                let (a, b, y) = (p[first - 1], p[first], p[last]);
+                tell_last(self.before(first - 1), a, last);
+                tell_last(a, y, last - 1);
+                tell_last(p[first + 1], b, last + 1);
+                if let Some(&z) = p.get(last + 1) {
+                    tell_last(b, z, last + 2);
+                }
             }
             Edit::Carry { first, last, after, is_reversed } => {
                 let (a, b) = (p[first - 1], p[last + 1]);
-                let (c, d) = (p[first], p[last]);
+                tell_last(self.before(first - 1), a, last + 1);
+                tell_last(a, b, last + 2);
                 let (u, v) = (p[after], p[after + 1]);
-                let mut old = Timed::new(times, self.before(first - 1), a);
-                let mut made = old;
-                made.go_to(b);
-                old.go_to(c);
-                let mut inner = Timed::new(times, a, c);
+                let (enter, leave) = if is_reversed { (last, first) } else { (first, last) };
+                tell_last(self.before(after), u, enter);
                 if last > first {
-                    // The directions at both ends of the part.
-                    inner = Timed::new(times, p[last - 1], d);
-                    old.turn_only(p[first + 1] - c);
+                    let (second, last_but_one) =
+                        if is_reversed { (last - 1, first + 1) } else { (first + 1, last - 1) };
+                    tell_last(u, p[enter], second);
+                    tell_last(p[last_but_one], p[leave], after + 1);
+                } else {
+                    tell_last(u, p[enter], after + 1);
                 }
-                inner.go_to(b);
-                if let Some(&next) = p.get(last + 2) {
-                    inner.go_to(next);
-                    made.go_to(next);
-                    // Both count the piece after it.
-                }
-                let mut change = made.seconds - old.seconds - inner.seconds;
-                let mut there = Timed::new(times, self.before(after), u);
-                there.go_to(v);
-                let mut way = Timed::new(times, self.before(after), u);
-                let (enter, leave) = if is_reversed { (d, c) } else { (c, d) };
-                way.go_to(enter);
-                let mut out = Timed::new(times, u, enter);
-                if last > first {
-                    let (begin, end) = if is_reversed {
-                        (p[last - 1] - d, c - p[first + 1])
-                    } else {
-                        (p[first + 1] - c, d - p[last - 1])
-                    };
-                    way.turn_only(begin);
-                    out = Timed { times, at: leave, direction: end, seconds: 0.0 };
-                }
-                out.go_to(v);
-                if let Some(&next) = p.get(after + 2) {
-                    there.go_to(next);
-                    out.go_to(next);
-                }
-                change += way.seconds + out.seconds - there.seconds;
-                change
+                tell_last(p[leave], v, after + 2);
             }
         }
     }
@@ -248,57 +265,42 @@ impl<'a> SweptPath<'a> {
         match *edit {
             Edit::Splice { from, to, ref new } => {
                 self.points.splice(from + 1..to, new.slice().iter().copied());
+                self.corner_s.splice(from + 1..to, new.slice().iter().map(|_| 0.0));
+                (from..(from + new.count + 2).min(self.points.len())).for_each(|i| self.update_corner(i));
             }
-            Edit::Reverse { first, last } => self.points[first..=last].reverse(),
+            Edit::Reverse { first, last } => {
+                self.points[first..=last].reverse();
+                self.corner_s[first..=last].reverse();
+                for i in [first - 1, first, last, (last + 1).min(self.points.len() - 1)] {
+                    self.update_corner(i);
+                }
+            }
             Edit::Carry { first, last, after, is_reversed } => {
                 if is_reversed {
                     self.points[first..=last].reverse();
+                    self.corner_s[first..=last].reverse();
                 }
                 let length = last - first + 1;
-                if after < first {
-                    self.points[after + 1..=last].rotate_right(length);
+                // The part goes from one end of the range to the other; what lies between moves the other way.
+                let (range, start, gap) = if after < first {
+                    (after + 1..=last, after + 1, last + 1)
                 } else {
-                    self.points[first..=after].rotate_left(length);
+                    (first..=after, after + 1 - length, first)
+                };
+                let places = if after < first { length } else { after + 1 - first - length };
+                self.points[range.clone()].rotate_right(places);
+                self.corner_s[range].rotate_right(places);
+                for i in [start - 1, start, start + length - 1, start + length, gap - 1, gap] {
+                    self.update_corner(i);
                 }
             }
         }
     }
 }
 
-/// Time along points, with the turns between them.
-#[derive(Clone, Copy)]
-struct Timed<'t> {
-    times: &'t MotionTimes,
-    at: Point,
-    direction: Vector,
-    seconds: f64,
-}
-
-impl<'t> Timed<'t> {
-    /// At `at`, having come straight from `before`.
-    #[inline]
-    fn new(times: &'t MotionTimes, before: Point, at: Point) -> Self {
-        Self { times, at, direction: at - before, seconds: 0.0 }
-    }
-
-    #[inline]
-    fn go_to(&mut self, point: Point) {
-        let step = point - self.at;
-        self.turn_only(step);
-        self.seconds += self.times.straight(step.norm());
-        self.at = point;
-    }
-
-    #[inline]
-    fn turn_only(&mut self, direction: Vector) {
-        self.seconds += self.times.turn(self.direction, direction);
-        self.direction = direction;
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{super::curves::CurveTimes, *};
     use rand::RngExt;
     use robovac_core::{coverage::ReachableFloor, floor_plan::Sketch, rng::seeded, robot::model};
 
@@ -314,7 +316,6 @@ mod tests {
         let more: Vec<Point> = (0..3).map(&mut at).collect();
         let raster = SweptRaster::new(&floor, Vector::new(1.0, 0.0));
         let heading = Vector::new(0.6, 0.8);
-        let path = || SweptPath::new(points.clone(), raster.clone(), &space, MotionTimes::of(robot), heading);
         let mut edits = Vec::new();
         for a in 0..14 {
             for b in 0..=14 {
@@ -332,27 +333,39 @@ mod tests {
                 }
             }
         }
-        let mut kinds = [0; 3];
-        for edit in edits {
-            let mut path = path();
-            if !path.is_valid(&edit) {
-                continue;
+        // A robot that stops at corners, and one that rounds them.
+        for curves in [None, CurveTimes::of(robot)] {
+            let times = MotionTimes::of(robot, curves);
+            let path = |points: Vec<Point>| SweptPath::new(points, raster.clone(), &space, &times, heading);
+            let mut kinds = [0; 3];
+            for edit in &edits {
+                let mut path = path(points.clone());
+                if !path.is_valid(edit) {
+                    continue;
+                }
+                let before = path.seconds();
+                let exchange = path.exchange(edit);
+                let by = path.seconds_by(edit, &exchange, Some(&space));
+                assert!(
+                    path.seconds_by(edit, &exchange, None) <= by + 1e-9,
+                    "{edit:?}: fewer curves fit than if all did"
+                );
+                let left = path.raster.unswept_area() + path.missed_by(&exchange, 1e9);
+                path.apply(edit, &exchange);
+                assert!((path.raster.unswept_area() - left).abs() < 1e-9, "{edit:?}");
+                let after = path.seconds();
+                assert!((after - before - by).abs() < 1e-9, "{edit:?}: {by} s, not {}", after - before);
+                let fresh = SweptPath::new(path.points.clone(), raster.clone(), &space, &times, heading);
+                assert!((after - fresh.seconds()).abs() < 1e-9, "{edit:?}");
+                assert!((after - times.path(&path.points, heading, Some(&space))).abs() < 1e-9);
+                assert_eq!(path.raster.unswept_area(), fresh.raster.unswept_area(), "{edit:?}");
+                kinds[match edit {
+                    Edit::Splice { .. } => 0,
+                    Edit::Reverse { .. } => 1,
+                    Edit::Carry { .. } => 2,
+                }] += 1;
             }
-            let before = path.seconds();
-            let by = path.seconds_by(&edit);
-            let exchange = path.exchange(&edit);
-            let left = path.raster.unswept_area() + path.missed_by(&exchange, 1e9);
-            path.apply(&edit, &exchange);
-            assert!((path.raster.unswept_area() - left).abs() < 1e-9, "{edit:?}");
-            assert!((path.seconds() - before - by).abs() < 1e-9, "{edit:?}: {by} s, not {}", path.seconds() - before);
-            let fresh = SweptPath::new(path.points.clone(), raster.clone(), &space, path.times, heading);
-            assert_eq!(path.raster.unswept_area(), fresh.raster.unswept_area(), "{edit:?}");
-            kinds[match edit {
-                Edit::Splice { .. } => 0,
-                Edit::Reverse { .. } => 1,
-                Edit::Carry { .. } => 2,
-            }] += 1;
+            assert!(kinds.iter().all(|&count| count > 50), "{kinds:?}");
         }
-        assert!(kinds.iter().all(|&count| count > 50), "{kinds:?}");
     }
 }

@@ -67,7 +67,7 @@ pub(crate) const BUILD: BuildPlanner = |params| {
         coverage: params.number("coverage") / 100.0,
         clearance: params.number("clearance") / 1000.0,
         effort: MOVES * params.number("effort"),
-        seed: 0,
+        ..LanesSetup::default()
     }))
 };
 
@@ -80,7 +80,7 @@ impl Planner for Lanes {
         if place.robot.tool != Tool::CENTRED {
             return Err(PlanError::OtherTool);
         }
-        let setup = LanesSetup { seed: ctx.rng.random(), ..self.0 };
+        let setup = LanesSetup { seed: ctx.rng.random(), is_rounded: place.is_rounded, ..self.0 };
         let mut is_cancelled = false;
         let found = plan_lanes(&place.floor, &place.robot, &setup, &mut |LanesProgress { done, path, .. }| {
             is_cancelled = ctx.checkpoint_in_metres(done, path).is_err();
@@ -94,5 +94,9 @@ impl Planner for Lanes {
 
     fn is_complete(&self) -> bool {
         false
+    }
+
+    fn asked_coverage(&self) -> Option<f64> {
+        Some(self.0.coverage)
     }
 }

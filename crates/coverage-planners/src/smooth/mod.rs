@@ -33,13 +33,15 @@ pub struct SmoothSetup {
     pub cut: f64,
     /// Share of the reachable floor that rounding may leave out, 0 to 1.
     pub loss: f64,
+    /// Share that has to be swept, 0 to 1: what the line with its corners sweeps beyond that may be left out, too.
+    pub least: f64,
     /// Room between body and obstacles in curves, m, at least.
     pub clearance: f64,
 }
 
 impl Default for SmoothSetup {
     fn default() -> Self {
-        Self { cut: 0.08, loss: 0.001, clearance: 0.003 }
+        Self { cut: 0.08, loss: 0.001, least: 1.0, clearance: 0.003 }
     }
 }
 
@@ -71,7 +73,7 @@ pub enum SmoothError {
 /// Rounds `line` (corners in metres, from the start of `floor`) for `robot`, which drives no faster than `limits`.
 ///
 /// The result takes no longer than stopping at every corner within the same limits, its body touches nothing where the
-/// line's doesn't, and it sweeps at most `setup.loss` less.
+/// line's doesn't, and it sweeps at most `setup.loss` less, or `setup.least`.
 pub fn smooth(floor: &ReachableFloor, line: &[Point], limits: &DriveLimits, setup: &SmoothSetup) -> SmoothPath {
     let heading = floor.start.heading;
     let line = &distinct(line);
@@ -79,13 +81,14 @@ pub fn smooth(floor: &ReachableFloor, line: &[Point], limits: &DriveLimits, setu
     let corners = turns.iter().filter(|turn| **turn != 0.0).count();
     let stopped_coverage = swept_share(floor, line);
     let units = units(floor, line, limits, setup);
-    let budget = setup.loss.max(0.0) * floor.area();
+    let loss = setup.loss.max(stopped_coverage - setup.least).max(0.0);
+    let budget = loss * floor.area();
     let mut best = None;
     for unseen in UNSEEN {
         let roundings = choose(line, &units, &mut SweptCounts::new(floor), budget, unseen);
         let rounded = RoundedLine::new(line, heading, &roundings);
         let coverage = swept_share(floor, &rounded.points());
-        if coverage >= stopped_coverage - setup.loss - ACCURACY {
+        if coverage >= stopped_coverage - loss - ACCURACY {
             best = Some((rounded, coverage, roundings));
             break;
         }

@@ -5,7 +5,9 @@ use crate::{
     program::{WalkFault, check_walk},
 };
 use coverage_planners::{
-    Bounds, CoveragePath, Observer, PathError, PlanError, PlannerInfo, metrics::PlanNumbers, smooth::SmoothError,
+    Bounds, CoveragePath, Observer, PathError, PlanError, PlannerInfo,
+    metrics::PlanNumbers,
+    smooth::{SmoothError, SmoothSetup},
 };
 use robovac_core::{
     coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, grid::Cell, registry::Params, robot::RobotModel,
@@ -79,19 +81,26 @@ impl Arena {
         clock: impl Fn() -> f64,
         observer: Option<Observer<'_>>,
     ) -> Result<PlanOutcome, TrialError> {
-        let request = PlanRequest { id: 0, planner, params: params.clone(), seed, job: self.prepared.job.clone() };
-        self.outcome(request.serve(clock, observer)?)
+        let request = PlanRequest {
+            id: 0,
+            planner,
+            params: params.clone(),
+            seed,
+            job: self.prepared.job.clone().rounded(self.is_smooth),
+        };
+        self.outcome(request.serve(clock, observer)?, &request.smooth_setup())
     }
 
     /// The result of a walk that a user's program planned in `seconds`. That it misses cells is a result, too.
     pub fn judge(&self, cells: Vec<Cell>, seconds: f64) -> Result<PlanOutcome, TrialError> {
         check_walk(&self.prepared.job, &cells)?;
-        self.outcome(PlanAnswer { path: CoveragePath::walk(cells), seconds, proof: None, trace: Vec::new() })
+        let answer = PlanAnswer { path: CoveragePath::walk(cells), seconds, proof: None, trace: Vec::new() };
+        self.outcome(answer, &SmoothSetup::default())
     }
 
-    fn outcome(&self, answer: PlanAnswer) -> Result<PlanOutcome, TrialError> {
+    fn outcome(&self, answer: PlanAnswer, setup: &SmoothSetup) -> Result<PlanOutcome, TrialError> {
         let planned = Planned::new(&self.prepared, &answer)?;
-        let planned = if self.is_smooth { planned.rounded(&self.prepared)? } else { planned };
+        let planned = if self.is_smooth { planned.rounded(&self.prepared, setup)? } else { planned };
         let numbers = planned.numbers(&self.prepared, self.bounds);
         Ok(PlanOutcome { numbers, path: answer.path, smooth: planned.smooth })
     }

@@ -8,7 +8,7 @@ use crate::{
     },
     program::{CommandLog, Logged, SharedLog, check_walk},
 };
-use coverage_planners::{CoveragePath, Observer};
+use coverage_planners::{CoveragePath, Observer, smooth::SmoothSetup};
 use robovac_core::{
     coverage::{Boundary, BoundaryTracker, FloorError},
     floor_plan::FloorPlan,
@@ -86,12 +86,12 @@ impl Lab {
         let Algorithm::Planner(planner) = entrant.algorithm else { return Ok(()) };
         let plan = || {
             let params = entrant.params.clone();
-            let job = self.prepared.job.clone();
+            let job = self.prepared.job.clone().rounded(self.terms.smooth);
             let request = PlanRequest { id: 0, planner, params, seed: self.terms.plan_seed, job };
             let planned = request.serve(|| 0.0, observer).map_err(TrialError::from);
             let planned = planned.and_then(|answer| {
                 let planned = Planned::new(&self.prepared, &answer)?;
-                Ok(if self.terms.smooth { planned.rounded(&self.prepared)? } else { planned })
+                Ok(if self.terms.smooth { planned.rounded(&self.prepared, &request.smooth_setup())? } else { planned })
             });
             planned.map(|planned| planned.driven())
         };
@@ -147,7 +147,9 @@ impl Lab {
         check_walk(&room.job, &cells).map_err(|fault| format!("the plan can't be driven: {fault}"))?;
         let answer = PlanAnswer { path: CoveragePath::walk(cells), seconds: 0.0, proof: None, trace: Vec::new() };
         let planned = Planned::new(room, &answer).map_err(|error| error.to_string())?;
-        let planned = if self.terms.smooth { planned.rounded(room).map_err(|e| e.to_string())? } else { planned };
+        let setup = SmoothSetup::default();
+        let planned =
+            if self.terms.smooth { planned.rounded(room, &setup).map_err(|e| e.to_string())? } else { planned };
         let Terms { conditions, odometry, .. } = self.terms;
         Ok(seeds.iter().map(|&seed| self.outcome(planned.run(room, conditions, odometry, seed), seed)).collect())
     }

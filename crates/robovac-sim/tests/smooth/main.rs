@@ -10,7 +10,7 @@ use coverage_planners::{
 use robovac_core::{
     floor_plan::{generate::random_flat, room},
     geometry::{Point, nearest_on_segment},
-    registry::Params,
+    registry::{ParamValue, Params},
     robot::{MODELS, OdometryModel, WheelLayout, model},
     trajectory::{DriveLimits, Trajectory},
 };
@@ -92,12 +92,42 @@ fn rounded_corners_touch_nothing_and_keep_the_floor_swept() {
     }
 }
 
+/// Lanes for a robot that rounds corners beat lanes for one that stops there and whose corners are rounded afterwards.
+// slow: four searches
+#[test]
+fn lanes_that_expect_curves_are_faster_and_sweep_what_was_asked() {
+    let planner = find("lanes").unwrap();
+    for seed in [1, 2] {
+        let room = room_of(seed, "roomba600");
+        let [afterwards, expected] = [false, true].map(|is_rounded| {
+            let params = Params::checked(
+                planner.params,
+                [("coverage", ParamValue::Number(97.0)), ("effort", ParamValue::Number(0.4))],
+            )
+            .unwrap();
+            let job = room.job.clone().rounded(is_rounded);
+            let request = PlanRequest { id: 0, planner, params, seed: 1, job };
+            let plan = Planned::new(&room, &request.serve(|| 0.0, None).unwrap()).unwrap();
+            let path = room.smooth(&plan.line, &request.smooth_setup(), false).unwrap();
+            let swept = swept_share(&room.floor, &path.trajectory.points());
+            let least = if is_rounded { 0.97 } else { 0.97 - SmoothSetup::default().loss };
+            assert!(swept >= least - 2e-4, "seed {seed}, expected {is_rounded}: {swept}");
+            let touched = path.trajectory.knots().iter().find(|knot| {
+                room.floor.limits().nearest(knot.pose.position(), room.floor.limits().body_radius + 1e-3).is_some()
+            });
+            assert!(touched.is_none(), "seed {seed}, expected {is_rounded}: less than 1 mm of room at {touched:?}");
+            path.trajectory.duration_s()
+        });
+        assert!(expected < 0.98 * afterwards, "seed {seed}: {expected} s, not less than {afterwards} s");
+    }
+}
+
 // slow: whole runs
 #[test]
 fn a_run_takes_the_planned_time_and_keeps_to_the_path() {
     for (seed, planner) in CASES {
         let room = room_of(seed, "roomba600");
-        let plan = planned(&room, planner).rounded(&room).unwrap();
+        let plan = planned(&room, planner).rounded(&room, &SmoothSetup::default()).unwrap();
         let trajectory = plan.smooth.clone().unwrap();
         let mut run = plan.run(&room, Conditions::default(), OdometryModel::Arc, 1);
         let farthest = drive(&mut run, &trajectory);
@@ -112,7 +142,7 @@ fn a_run_takes_the_planned_time_and_keeps_to_the_path() {
 #[test]
 fn slipping_and_quantised_wheels_keep_to_the_path_by_the_estimate() {
     let room = room_of(1, "roomba600");
-    let plan = planned(&room, "boustrophedon").rounded(&room).unwrap();
+    let plan = planned(&room, "boustrophedon").rounded(&room, &SmoothSetup::default()).unwrap();
     let trajectory = plan.smooth.clone().unwrap();
     for (slip, quantised) in [(SlipLevel::Typical, false), (SlipLevel::None, true)] {
         let conditions = Conditions { slip, quantised, ..Conditions::default() };
@@ -133,7 +163,7 @@ fn stairs_are_as_safe_as_with_stops() {
     let robot = model("roomba600").unwrap();
     let plan = (room("stairs").unwrap().build)();
     let room = RoomSetup::new(&plan, robot, 0.2, None).unwrap();
-    let plan = planned(&room, "boustrophedon").rounded(&room).unwrap();
+    let plan = planned(&room, "boustrophedon").rounded(&room, &SmoothSetup::default()).unwrap();
     for seed in 0..3 {
         let conditions = Conditions { slip: SlipLevel::Harsh, ..Conditions::default() };
         let mut run = plan.run(&room, conditions, OdometryModel::Arc, seed);

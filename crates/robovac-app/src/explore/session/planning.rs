@@ -49,7 +49,7 @@ impl Session {
             Ok(answer) => {
                 self.plan_filmed(request.id, film.map_or(Vec::new(), |mut film| film.take_frames()));
                 self.plan_finished(request.id, answer);
-                self.smooth_now(request.id);
+                self.smooth_now(request.id, &request.smooth_setup());
             }
             Err(PlanError::Cancelled) => self.cancel_plan(),
             Err(error @ (PlanError::Unlisted | PlanError::NoFloor | PlanError::OtherTool)) => {
@@ -59,10 +59,10 @@ impl Session {
     }
 
     /// Rounds the corners of a plan synchronously, if that is chosen and the robot can.
-    fn smooth_now(&mut self, id: u32) {
+    fn smooth_now(&mut self, id: u32, setup: &SmoothSetup) {
         let (Some(prepared), Some(planned)) = (&self.prepared, &self.planned) else { return };
         if self.settings.smooth
-            && let Ok(path) = prepared.smooth(&planned.line, &SmoothSetup::default(), false)
+            && let Ok(path) = prepared.smooth(&planned.line, setup, false)
         {
             self.plan_smoothed(id, path.trajectory);
         }
@@ -312,7 +312,7 @@ impl Session {
                         self.planned = Some(Planned::along(&prepared, path, 0.0));
                     }
                     Algorithm::Planner(planner) => {
-                        let (params, job) = (params.clone(), prepared.job.clone());
+                        let (params, job) = (params.clone(), prepared.job.clone().rounded(self.settings.smooth));
                         let request = Some(PlanRequest { id: self.requests, planner, params, seed, job });
                         let (path, preview) = (CoveragePath::default(), Vec::new());
                         let id = self.requests;

@@ -232,6 +232,12 @@ impl PathToDrive {
 }
 
 impl PlanRequest {
+    /// What rounding the corners of its plan may do.
+    pub fn smooth_setup(&self) -> SmoothSetup {
+        let asked = self.planner.build(&self.params).asked_coverage();
+        SmoothSetup { least: asked.unwrap_or(1.0), ..SmoothSetup::default() }
+    }
+
     /// A film of the search, which takes the planner's reports; `None` for planners that aren't filmed, and for rooms of more than [`MOST_FILMED_CELLS`].
     pub fn film(&self) -> Option<Film> {
         let is_filmed = self.planner.shown_search() == ShownSearch::Film && self.job.cells() <= MOST_FILMED_CELLS;
@@ -303,8 +309,8 @@ impl Planned {
     }
 
     /// The same plan with rounded corners, as far as the robot can; see [`RoomSetup::smooth`].
-    pub fn rounded(self, prepared: &RoomSetup) -> Result<Self, SmoothError> {
-        let path = prepared.smooth(&self.line, &SmoothSetup::default(), false)?;
+    pub fn rounded(self, prepared: &RoomSetup, setup: &SmoothSetup) -> Result<Self, SmoothError> {
+        let path = prepared.smooth(&self.line, setup, false)?;
         Ok(self.driven_along(prepared, Arc::new(path.trajectory)))
     }
 

@@ -1,7 +1,7 @@
 //! Planning tasks of the command line, whose start in planning cells is used exactly or refused.
 
 use super::{PlanRequest, Planned, PlanningError, RoomSetup};
-use coverage_planners::{CoveragePath, Observer, PlannerInfo};
+use coverage_planners::{CoveragePath, Observer, PlannerInfo, smooth::SmoothSetup};
 use robovac_core::{
     coverage::{FloorError, ReachableFloor, fine_resolution},
     floor_plan::{FloorPlan, MAX_RESOLUTION},
@@ -41,6 +41,8 @@ pub struct PlanningTask {
     pub params: Params,
     /// Seed of its random numbers.
     pub seed: u64,
+    /// Whether corners will be rounded.
+    pub is_rounded: bool,
 }
 
 /// A walk with its setup and numbers.
@@ -52,6 +54,8 @@ pub struct PlanSolution {
     pub path: CoveragePath,
     /// Its line and numbers.
     pub planned: Planned,
+    /// What rounding its corners may do.
+    pub smooth: SmoothSetup,
 }
 
 /// The robot with that id and its planning cells in `plan`, m; `cell_size` overrides the default.
@@ -80,12 +84,12 @@ impl PlanningTask {
             planner: self.planner,
             params: self.params.clone(),
             seed: self.seed,
-            job: prepared.job.clone(),
+            job: prepared.job.clone().rounded(self.is_rounded),
         };
         let answer = request.serve(clock, observer)?;
         let planned = Planned::new(&prepared, &answer)
             .map_err(|error| PlanningError::BadPath { planner: self.planner.id, error })?;
-        Ok(PlanSolution { prepared, path: answer.path, planned })
+        Ok(PlanSolution { prepared, path: answer.path, planned, smooth: request.smooth_setup() })
     }
 }
 
@@ -193,6 +197,7 @@ mod tests {
             planner: snake(),
             params: Params::default(),
             seed: 0,
+            is_rounded: false,
         };
         task.solve(|| 0.0, None).map(|solution| PlanReport::new(&task, solution))
     }
@@ -267,6 +272,7 @@ mod tests {
             planner: snake(),
             params: Params::default(),
             seed: 0,
+            is_rounded: false,
         };
         let report = PlanReport::new(&task, task.solve(|| 0.0, None).unwrap());
         assert_eq!((report.task.start, report.walk.unwrap().steps), (Cell::new(0, 0), 0));
@@ -292,6 +298,7 @@ mod tests {
             planner: snake(),
             params: Params::default(),
             seed: 0,
+            is_rounded: false,
         };
         let now = Shared::new(10.0);
         let clock = || now.replace(now.get() + 2.5);
