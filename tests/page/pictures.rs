@@ -414,3 +414,39 @@ fn plans_on_paper_offer_its_scales() {
     let names: Vec<String> = opened(&sheet).view().units.into_iter().map(|unit| unit.name).collect();
     assert!(names.contains(&"A4 sheet, 1:100".to_owned()) && names.contains(&"A3 sheet, 1:50".to_owned()), "{names:?}");
 }
+
+/// A flat of 8.4 x 6.3 m with three rooms, 1:100 on A4 with a frame and a title block, at 60 pixels a metre.
+fn on_a_sheet() -> GrayImage {
+    const WALLS: [[f64; 4]; 8] = [
+        [0.0, 0.0, 8.4, 0.2],
+        [0.0, 6.1, 8.4, 6.3],
+        [0.0, 0.0, 0.2, 6.3],
+        [8.2, 0.0, 8.4, 6.3],
+        // With doors between them.
+        [4.0, 0.0, 4.1, 3.7],
+        [4.0, 4.6, 4.1, 6.3],
+        [4.1, 2.8, 5.6, 2.9],
+        [6.5, 2.8, 8.4, 2.9],
+    ];
+    let is_in =
+        |x: f64, y: f64, [left, low, right, high]: [f64; 4]| (left..right).contains(&x) && (low..high).contains(&y);
+    GrayImage::from_fn(1782, 1260, |x, y| {
+        let (x, y) = (f64::from(x) / 60.0, 21.0 - f64::from(y) / 60.0);
+        let is_line = |rectangle: [f64; 4]| {
+            let [left, low, right, high] = rectangle;
+            is_in(x, y, rectangle) && !is_in(x, y, [left + 0.05, low + 0.05, right - 0.05, high - 0.05])
+        };
+        let is_wall = WALLS.iter().any(|&wall| is_in(x - 7.0, y - 10.0, wall));
+        let is_sheet = is_line([0.7, 0.7, 29.0, 20.3]) || is_line([21.0, 0.7, 29.0, 3.2]);
+        Luma([if is_wall || is_sheet { 30 } else { 250 }])
+    })
+}
+
+#[test]
+fn a_small_flat_on_its_sheet_is_what_is_indoors() {
+    let mut session = DrawingSession::open(&[file(&on_a_sheet(), "a4.png", ImageFormat::Png)]).unwrap();
+    let paper = session.view().units.into_iter().find(|unit| unit.name == "A4 sheet, 1:100").unwrap();
+    change(&mut session, |settings| settings.metre = Some(paper.metre));
+    let found = session.floor_m2();
+    assert!((45.0..47.0).contains(&found), "8.0 x 5.9 m, 0.8 m² of it walls: {found}");
+}

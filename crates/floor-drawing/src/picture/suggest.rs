@@ -21,7 +21,7 @@ const CONTRAST: f64 = 0.15;
 /// Light lines on a dark ground are walls if they are less than this share of the picture, and if hardly any of them is
 /// wider than so much of the longer side.
 const LIGHT_LINES: f64 = 0.35;
-const LINE: usize = 60;
+const LINE: usize = 30;
 
 /// How an image is best read; `specks` is kept.
 pub fn suggest(shades: &Grid<u8>, specks: f64) -> WallShades {
@@ -149,13 +149,16 @@ mod tests {
     #[test]
     fn a_blueprint_has_light_walls() {
         let walls = sheet(3);
-        // Lines rather than areas: the edges of the walls.
         let depth = chessboard(&walls.map(|&is_wall| !is_wall));
-        let lines = depth.map(|&moves| moves == 1);
-        let blueprint = photograph(&lines, 3, [230.0, 60.0], 0.0, 4.0);
-        let how = suggest(&blueprint, 0.0);
-        assert_eq!((how.method, how.negate), (ShadeMethod::Level, true));
-        assert!(agreement(&how.cells(&blueprint), &lines) > 0.97);
+        let widest = walls.width().max(walls.height()) / 30;
+        // Lines rather than areas: the edges of the walls, or walls up to a thirtieth of the picture.
+        for inner in [1, widest as u16 / 2] {
+            let lines = depth.map(|&moves| (1..=inner).contains(&u16::from(moves)));
+            let blueprint = photograph(&lines, 3, [230.0, 60.0], 0.0, 4.0);
+            let how = suggest(&blueprint, 0.0);
+            assert_eq!((how.method, how.negate), (ShadeMethod::Level, true), "up to {inner}");
+            assert!(agreement(&how.cells(&blueprint), &lines) > 0.97, "up to {inner}");
+        }
     }
 
     #[test]

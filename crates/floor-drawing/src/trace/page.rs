@@ -20,8 +20,9 @@ const NEAR: f64 = 0.004;
 const NESTED: f64 = 0.85;
 /// Largest area of a title block, as a share of the frame's.
 const TITLE_BLOCK: f64 = 0.25;
-/// Least floor that walls within a frame enclose, as a share of the frame's area: without a building it is a room.
-const BUILDING: f64 = 0.12;
+/// Least floor that walls within a frame enclose, as a share of the frame's area: without a building it is a room. A flat of 50 m² at
+/// 1:100 is a twelfth of an A4 sheet.
+const BUILDING: f64 = 0.05;
 /// Cells along the longer side for that, and openings that are closed for it, in cells.
 const CELLS: f64 = 200.0;
 const DOOR: f64 = 6.0;
@@ -190,6 +191,15 @@ mod tests {
         // Frame and house on layers of their own: none is left empty.
         let apart = layers(&[("sheet A3", 0.0, 0.0, 420.0, 297.0), HOUSE[0], HOUSE[1]]);
         assert_eq!((apart.len(), walls(&apart)), (2, 2));
+    }
+
+    #[test]
+    fn a_small_flat_stands_on_its_sheet() {
+        // 7 x 5.6 m in two rooms, at 1:100 on A4: a fifteenth of the sheet.
+        let flat = [("0", 60.0, 90.0, 95.0, 146.0), ("0", 95.0, 90.0, 130.0, 146.0)];
+        let found = layers(&[("0", 5.0, 5.0, 292.0, 205.0), ("0", 200.0, 5.0, 292.0, 30.0), flat[0], flat[1]]);
+        let names: Vec<(&str, usize)> = found.iter().map(|layer| (layer.name.as_str(), layer.strokes)).collect();
+        assert_eq!(names, [("0", 2), ("page frame", 1), ("title block", 1)]);
     }
 
     #[test]

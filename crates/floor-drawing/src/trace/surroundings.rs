@@ -14,12 +14,14 @@ use std::{
 /// Fewest rooms of a building, unless a thin frame is round it: a column, a kiosk or a lift stands in a hall, too.
 const ROOMS: usize = 2;
 /// Least share of the floor that is the building's (ours). The core of an office floor is less; on a sheet, within a thin
-/// or standard frame, a building can be smaller.
+/// or standard frame, a building can be smaller: a flat of 50 m² at 1:100 is a twelfth of an A4 sheet.
 const SHARE: f64 = 0.25;
-const SHARE_IN_FRAME: f64 = 0.1;
+const SHARE_IN_FRAME: f64 = 0.05;
 /// Largest floor that stands at the outermost walls, as a share of the building's: a shed, a title block. Halls have
 /// their rooms there.
 const ATTACHED: f64 = 0.25;
+/// On a sheet, its share of all within the frame: the title block.
+const TITLE_BLOCK: f64 = 0.2;
 /// How much of its box a frame fills at least, and how thick its lines are at most beside those of the building.
 const RECTANGLE: f64 = 0.95;
 const THIN: f64 = 0.6;
@@ -102,15 +104,19 @@ fn within(
     let rooms = || others().filter(|part| !part.seeds.is_empty());
     let area = |is_free: bool| rooms().filter(|part| part.is_free() == is_free).map(|part| part.area).sum::<usize>();
     let (building, attached) = (area(true), area(false));
+    let blocks = rooms().filter(|part| !part.is_free()).count();
     let rooms = rooms().filter(|part| part.is_free()).count();
     let share = |part: usize, of: usize| part as f64 / of.max(1) as f64;
-    if yard.at_outer == 0 || rooms == 0 || share(attached, building) > ATTACHED {
+    let all = building + attached + yard.area;
+    if yard.at_outer == 0 || rooms == 0 {
         return None;
     }
     let frame = frame(walls, &labels, &outer, &parts);
-    let least = if frame.is_some() && rooms >= ROOMS { SHARE_IN_FRAME } else { SHARE };
+    let is_sheet = frame.is_some() && rooms >= ROOMS;
+    let has_title_block = is_sheet && blocks == 1 && share(attached, all) <= TITLE_BLOCK;
+    let least = if is_sheet { SHARE_IN_FRAME } else { SHARE };
     let is_alone = rooms < ROOMS && frame != Some(PageFrame::Thin);
-    if is_alone || share(building, building + attached + yard.area) < least {
+    if is_alone || share(attached, building) > ATTACHED && !has_title_block || share(building, all) < least {
         return None;
     }
     let mut shut = blocked.clone();
