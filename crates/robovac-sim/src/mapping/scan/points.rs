@@ -20,6 +20,8 @@ const BENT: f64 = 2.2;
 const VAGUE: f64 = 0.3;
 const GRAZING: f64 = 0.12;
 
+/// Distance from the line between its ends at which a wall has a corner, in standard deviations.
+const CORNER: f64 = 3.0;
 /// Shortest wall whose direction counts, m, and the least uncertainty of that, rad: a wall is seen in many scans, which
 /// share its error.
 const WALL: f64 = 0.8;
@@ -65,9 +67,14 @@ impl Line {
         (count > 0.0).then(|| Self { direction, along: middle + root, across: (middle - root).max(0.0), count })
     }
 
+    /// Mean square of the points' distances from it, m².
+    fn error(&self) -> f64 {
+        self.across / (self.count - 1.0)
+    }
+
     /// Whether the points lie on it, with errors of that standard deviation, m.
     fn is_straight(&self, deviation: f64) -> bool {
-        self.across < BENT * BENT * deviation * deviation * (self.count - 1.0)
+        self.error() < BENT * BENT * deviation * deviation
     }
 }
 
@@ -120,16 +127,10 @@ impl ScanSensor {
                 let gap = GAP.0 + GAP.1 * self.laser.step * hits[end].2;
                 (hits[end].0 - hits[end - 1].0).norm_squared() < gap * gap
             };
-            // A corner ends it, too.
-            let fits = |to: usize| {
-                let deviation = DEVIATION * hits[begin..=to].iter().map(|hit| hit.2).fold(1.0, f64::max);
-                to < begin + 3 || Line::through(&hits[begin..=to]).is_some_and(|line| line.is_straight(deviation))
-            };
-            if joins && fits(end) {
-                continue;
+            if !joins {
+                split(&hits[begin..end], &mut walls);
+                begin = end;
             }
-            walls.extend(wall(&hits[begin..end]));
-            begin = end;
         }
         walls
     }
@@ -162,16 +163,39 @@ impl ScanSensor {
         {
             high += 1;
         }
-        // Beside a corner, the points on one side still lie on a line.
-        let line = [(low, high), (low, index), (index, high)].into_iter().find_map(|(low, high)| {
+        let line = |low: usize, high: usize| {
             let line = Line::through(&hits[low..=high])?;
             let is_exact = line.along * VAGUE * VAGUE > deviation * deviation;
             (high - low >= 2 && line.is_straight(deviation) && is_exact).then_some(line)
+        };
+        // Beside a corner, the points on one side still lie on a line: on that which fits better. To prefer a side would turn
+        // the map, as scans always go around the same way.
+        let line = line(low, high).or_else(|| match (line(low, index), line(index, high)) {
+            (Some(right), Some(left)) => Some(if right.error() <= left.error() { right } else { left }),
+            (right, left) => right.or(left),
         })?;
         let (sin, cos) = math::sin_cos(line.direction);
         let normal = Vector::new(-sin, cos);
         let cosine = normal.dot(&direction);
         (cosine.abs() > GRAZING).then_some(if cosine > 0.0 { -normal } else { normal })
+    }
+}
+
+/// Adds the walls that joined points lie on. They are split at the point farthest from the line between the first and the last
+/// one (Ramer 1972, An iterative procedure for the polygonal approximation of plane curves): to follow a wall until points
+/// don't fit would take a few of the next one in, always at the same end, and so turn all walls the same way.
+fn split(hits: &[Hit], walls: &mut Vec<WallLine>) {
+    let [first, .., last] = hits else { return };
+    let chord = last.0 - first.0;
+    let off = |hit: &Hit| chord.perp(&(hit.0 - first.0)).abs() / (DEVIATION * hit.2.max(1.0));
+    let farthest = hits.iter().map(off).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+    match farthest {
+        Some((at, off)) if off > CORNER * chord.norm() => {
+            split(&hits[..=at], walls);
+            split(&hits[at..], walls);
+        }
+        // The first and the last point can lie on the next wall.
+        _ => walls.extend(wall(&hits[1..hits.len() - 1])),
     }
 }
 
@@ -188,7 +212,7 @@ fn wall(hits: &[Hit]) -> Option<WallLine> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use robovac_core::robot::model;
+    use robovac_core::{geometry::normalize, robot::model};
 
     fn sensor() -> ScanSensor {
         ScanSensor::new(model("cbot").unwrap().sensors.laser.unwrap())
@@ -246,9 +270,47 @@ mod tests {
         };
         let scan: Vec<f32> = sensor.directions.iter().map(distance).collect();
         let walls = sensor.walls(&scan);
-        assert_eq!(walls.len(), 2, "{walls:?}");
-        let between = (walls[0].direction - walls[1].direction).abs();
-        assert!((between - math::FRAC_PI_2).abs() < 0.05 && walls.iter().all(|wall| wall.length > 1.0), "{walls:?}");
+        let [first, .., last] = &*walls else { panic!("{walls:?}") };
+        let between = (first.direction - last.direction).abs();
+        assert!((between - math::FRAC_PI_2).abs() < 0.01 && first.length.min(last.length) > 1.0, "{walls:?}");
+        // One of them can be found in pieces.
+        assert!(walls.iter().all(|wall| normalize(4.0 * wall.direction).abs() < 0.01), "{walls:?}");
+    }
+
+    /// Distances to the walls of a corner, 1.5 m ahead and so far to one side, m: 1 for the left, -1 for the right; without
+    /// errors, or with ones that alternate.
+    fn corner(side: f64, error: f32) -> Vec<f32> {
+        let distance = |(beam, d): (usize, &Vector)| {
+            let [ahead, aside] =
+                [(1.5, d.x), (1.2, side * d.y)].map(|(off, along)| if along > 0.05 { off / along } else { 9.0 });
+            let range = ahead.min(aside) as f32;
+            let sign = if beam.is_multiple_of(2) { 1.0 } else { -1.0 };
+            if range < 4.0 { range * (1.0 + sign * error) } else { f32::INFINITY }
+        };
+        sensor().directions.iter().enumerate().map(distance).collect()
+    }
+
+    #[test]
+    fn the_next_wall_does_not_turn_the_one_before_it() {
+        // Beams go from right to left: on one side the long wall comes first, on the other one last.
+        for (side, error) in [(1.0, 0.0), (-1.0, 0.0), (1.0, 0.005), (-1.0, 0.005)] {
+            let walls = sensor().walls(&corner(side, error));
+            assert_eq!(walls.len(), 2, "{walls:?}");
+            for wall in walls {
+                let off = 0.25 * normalize(4.0 * wall.direction).abs();
+                assert!(off.to_degrees() < 0.3, "side {side}, error {error}: {} degrees", off.to_degrees());
+            }
+        }
+    }
+
+    #[test]
+    fn normals_beside_a_corner_do_not_prefer_a_side() {
+        let sum = |side: f64| {
+            let points = sensor().points(&corner(side, 0.0));
+            let turn = |normal: Vector| 0.25 * normalize(4.0 * math::atan2(normal.y, normal.x)) * side;
+            points.iter().filter_map(|point| point.normal).map(turn).sum::<f64>()
+        };
+        assert!((sum(1.0) - sum(-1.0)).abs() < 0.3, "{} and {}", sum(1.0), sum(-1.0));
     }
 
     #[test]
