@@ -245,7 +245,7 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   await cell.hover();
   const percent = Math.round((100 * (lengths[worst] - least)) / least);
   const tip = await app.text("#tip");
-  assert.match(tip, /^Length: (\d+) % more than the best \(/);
+  assert.match(tip, /^Distance: (\d+) % more than the best \(/);
   assert.ok(Math.abs(Number(/(\d+) %/.exec(tip)[1]) - percent) <= 1, tip);
   assert.ok(tip.includes(first.rows[lengths.indexOf(least)].name), tip);
 
@@ -402,6 +402,36 @@ test("table 2 of the thesis is one click away, with its printed values beside th
   assert.ok(charts.slice(3).every(([, printed]) => printed === 0));
   assert.match(await app.text("#charts"), /37 printed/);
   await screenshot("table-2");
+});
+
+test("a planner and its copy are named by the setting that differs, and heads don't cut that off", async (t) => {
+  const { page, app, screenshot } = await openCompare(t, { room: "room=bedroom", link: "vs=boustrophedon,boustrophedon~lanes:vertical,boustrophedon~lanes:horizontal&rooms=this", viewport: { width: 1000, height: 800 } });
+  await lanes(page, 3);
+  const names = await page.locator("#lanes .name").allInnerTexts();
+  assert.deepEqual(names.map((name) => /, ([^,]+)$/.exec(name.replaceAll(/\s+/g, " "))?.[1]), ["automatic", "vertical", "horizontal"]);
+  const cut = await page.locator("#lanes .uncut").evaluateAll((all) => all.filter((node) => node.scrollWidth > node.clientWidth + 1).map((node) => node.textContent));
+  assert.deepEqual(cut, []);
+  await screenshot("copies");
+  await page.locator("#view-numbers").click();
+  await tried(page, 3);
+  await app.poll(() => table(page), ({ rows }) => rows.some(({ name }) => name === "Boustrophedon (parallel lanes), vertical"));
+  assert.match(await app.text("#charts"), /Boustrophedon \(parallel lanes\), horizontal/);
+});
+
+test("numbers on paper have every column, say where they are from, and have nothing to press", async (t) => {
+  const { page, screenshot } = await openCompare(t, { room: "room=bedroom", view: "numbers", viewport: { width: 794, height: 1123 } });
+  await tried(page, 4);
+  await page.emulateMedia({ media: "print" });
+  t.after(() => page.emulateMedia({ media: null }));
+  await screenshot("numbers-print");
+  const { ends, width } = await page.evaluate(() => ({
+    ends: [...document.querySelectorAll("#compared thead th")].map((head) => Math.round(head.getBoundingClientRect().right)),
+    width: document.documentElement.clientWidth,
+  }));
+  assert.ok(ends.length > 15 && ends.every((end) => end <= width), `${ends} of ${width}`);
+  const shown = await page.locator("#panel-compare").innerText();
+  assert.match(shown, /Bedroom, 4\.0 × 4\.0 m, Roomba 600 .*cells of 12 cm/);
+  assert.doesNotMatch(shown, /\b(CSV|JSON|Many runs|Results for)\b/);
 });
 
 test("a room of one's own is compared in", async (t) => {

@@ -110,14 +110,8 @@ async function show(app, id, name, scenario, isRoom) {
   return true;
 }
 
-/** Shows a room of the list as it was kept. @param {App} app @param {string} id */
-export const openRoom = (app, id) => open(app, id, false);
-
-/** Chooses a room of the list: robot and algorithm stay. @param {App} app @param {string} id */
-export const chooseRoom = (app, id) => open(app, id, true);
-
-/** @param {App} app @param {string} id @param {boolean} isRoom */
-async function open(app, id, isRoom) {
+/** Shows a room of the list, with all that was chosen in it or only the room. @param {App} app @param {string} id @param {boolean} isRoom */
+export async function openRoom(app, id, isRoom = false) {
   const [room, scenario] = [list().find((one) => one.id === id), scenarioOf(id)];
   if (!room || !scenario) return false;
   return show(app, id, room.name, scenario, isRoom);

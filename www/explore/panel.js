@@ -96,8 +96,8 @@ export function startPanel(app) {
 
 /** @param {App} app @param {string} id */
 async function openOwnRoom(app, id) {
-  const { chooseRoom } = await import("./own-rooms.js");
-  await chooseRoom(app, id);
+  const { openRoom } = await import("./own-rooms.js");
+  await openRoom(app, id, true);
 }
 
 /** Cells wider than the tool leave strips between lanes unswept. @param {View} view @param {import("../types").RobotEntry[]} robots */
