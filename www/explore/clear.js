@@ -4,6 +4,8 @@ import { byId, changed } from "../dom.js";
 
 /** Pixels between the text and the room. */
 const GAP = 10;
+/** Height of the bar of a selected object, pixels. */
+const BAR = 50;
 /** Height of a note above the joystick, pixels: the room doesn't move whenever one comes or goes. */
 const NOTE = 48;
 
@@ -37,8 +39,8 @@ export function startClear(app) {
 
   return ({ search: { film, text } }) => {
     told = film === null && !text ? 0 : Math.max(told, below("#search-box"));
-    // Nor under the pointer.
-    if (!isPressed) palette = Math.max(palette, below("#kinds"), below("#selection"));
+    // Nor under the pointer; what is placed is selected, and its bar is below the palette.
+    if (!isPressed) palette = Math.max(palette, below("#kinds", GAP + BAR), below("#selection"));
     const next = Math.max(told, palette, below("#message"), below("#ending"), below("#game"), below(".over-floor"), below(".embed .to-page"), below("#tools", 2));
     // In a frame, on the full screen, beside a lesson on a phone.
     const foot = stage.checkVisibility() && !byId("tools").checkVisibility() ? Math.max(above(byId("legend")), above(byId("zoom-in"))) : undefined;

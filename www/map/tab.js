@@ -61,7 +61,7 @@ export function startMap(app) {
   const picture = startCanvas(it, canvas);
   const playbar = startPlaybar(it);
   const program = startProgram(it, () => session.program_job(mirror()));
-  const updates = [startSetup(it), playbar.update, startNumbers(it), program.update, startEnding()];
+  const updates = [startSetup(it), playbar.update, startNumbers(it), program.update, startEnding(it)];
   const uses = startUses(it, keeping);
   startSheets(byId("panel-map"), canvas);
   const isDue = atMostEvery(PAUSE);
