@@ -180,7 +180,7 @@ fn a_path_stays_with_the_room_that_it_was_planned_in() {
         |session, _| session.select_room("living").unwrap(),
         |session, drawing| session.take_import(drawing.import(false).unwrap()).unwrap(),
         |session, _| {
-            session.take_import(Import { plan: "7".parse::<FlatId>().unwrap().build(), choices: None }).unwrap()
+            session.take_import(Import { plan: "7".parse::<FlatId>().unwrap().build(), choices: None }).unwrap();
         },
     ];
     for choose in choices {

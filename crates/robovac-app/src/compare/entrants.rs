@@ -183,12 +183,12 @@ impl Entrants {
                 && self.copy_number(index) > 0
         };
         let others: Vec<&Params> = (0..self.all.len()).filter(is_other).map(|index| &self.all[index].params).collect();
-        let mut words = differing(algorithm.params(), params, &others);
-        if copy > 1 && others.contains(&params) {
-            words.push_str(if words.is_empty() { "" } else { " " });
-            words.push_str(&format!("({copy})"));
+        let words = differing(algorithm.params(), params, &others);
+        match others.contains(&params) && copy > 1 {
+            true if words.is_empty() => format!("({copy})"),
+            true => format!("{words} ({copy})"),
+            false => words,
         }
-        words
     }
 
     /// The chosen entrants that can take part, in the order in which they were chosen.
