@@ -109,7 +109,6 @@ fn a_connection_says_what_it_is_doing() {
     assert!(view.readings.is_some() && view.diagnosis.is_shown, "what was heard last");
     wire.ask(Request::Disconnect);
     assert!(wire.view().readings.is_none() && !wire.view().is_open);
-    assert!(!wire.view().is_moving, "so that what waits for it to stand can be chosen again");
     let recording = recorded.of_recording("a.txt");
     assert_eq!((recording.line.title.as_str(), recording.doing.title.as_str()), ("Recording a.txt", "Recording"));
     assert!(recording.can.disconnect && !recording.can.arm);
