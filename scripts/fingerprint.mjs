@@ -44,8 +44,14 @@ document = document.replace(/(?:<link rel="stylesheet" href="(?!www\/small\.css)
   }
   return `<link rel="stylesheet" href="${path.relative(page, first)}" />\n`;
 });
-if (PAGE_URL) document = document.replace('content="screenshot.png"', `content="${new URL("screenshot.png", PAGE_URL)}"`);
+if (PAGE_URL) {
+  const picture = '<meta property="og:image" content="';
+  document = document.replace(`${picture}screenshot.png"`, `<meta property="og:url" content="${new URL(PAGE_URL)}" />\n    ${picture}${new URL("screenshot.png", PAGE_URL)}"`);
+}
 fs.writeFileSync(index, document);
+
+// As text, which browsers show.
+for (const licence of ["LICENSE-MIT", "LICENSE-APACHE"]) fs.copyFileSync(licence, path.join(page, `${licence}.txt`));
 
 // What the page tells about itself.
 const release = /^version = "(.*)"$/m.exec(fs.readFileSync("Cargo.toml", "utf8"))?.[1] ?? "";

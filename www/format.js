@@ -27,7 +27,10 @@ export function percent(share, digits = 1) {
 }
 
 /** An excess as a percentage; never 0.0 unless it is nothing. @param {number} share */
-export const shareAbove = (share) => `${(Math.ceil(share * 1000 - 1e-6) / 10).toFixed(1)} %`;
+export const shareAbove = (share) => `${(perMilleAbove(share) / 10).toFixed(1)} %`;
+
+/** The same in whole per mille: what looks alike is equal. @param {number} share */
+export const perMilleAbove = (share) => Math.ceil(share * 1000 - 1e-6);
 
 /** @param {number} metres */
 export const metres = (metres) => (metres < 1000 ? metres.toFixed(1) : count(metres));

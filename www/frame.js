@@ -1,6 +1,6 @@
 // @ts-check
 // The floor for others: on the full screen, in a frame of another page (`?embed`), on paper. Loaded with the first input.
-import { byId, make } from "./dom.js";
+import { byId, make, setText } from "./dom.js";
 import { toast } from "./messages.js";
 import { style } from "./parts.js";
 import { caption } from "./show.js";
@@ -13,15 +13,16 @@ export async function startFrame(app) {
   await style(new URL("./frame.css", import.meta.url).href);
   const root = document.documentElement;
   const isEmbedded = root.classList.contains(ALONE);
-  if (isEmbedded) linkToPage(app);
+  const name = isEmbedded ? linkToPage(app) : () => {};
   if (document.fullscreenEnabled) startFullScreen(root, isEmbedded);
   startPrint(app, root);
-  return () => {};
+  return name;
 }
 
-/** From a frame to the page with all its menus. @param {import("./main.js").App} app */
+/** From a frame to the page with all its menus: says what is shown, too. @param {import("./main.js").App} app */
 function linkToPage(app) {
-  const link = make("a", { className: "to-page", target: "_blank", rel: "noopener" }, "Robovac Playground");
+  const what = make("b", {});
+  const link = make("a", { className: "to-page", target: "_blank", rel: "noopener" }, what, "Robovac Playground");
   const lead = () => {
     const page = new URL(location.href);
     page.search = "";
@@ -31,6 +32,7 @@ function linkToPage(app) {
   lead();
   for (const sign of ["pointerdown", "focus"]) link.addEventListener(sign, lead);
   byId("stage").append(link);
+  return () => setText(what, caption(app)[0] ?? "");
 }
 
 /** @param {HTMLElement} root @param {boolean} isEmbedded */

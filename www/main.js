@@ -30,7 +30,7 @@ import { compile, missing } from "./wasm.js";
  * @property {View} view The latest view.
  * @property {(what: (playground: Playground) => void) => boolean} act Runs an action that can fail; returns whether it
  * succeeded.
- * @property {(files: { name: string, bytes: Uint8Array }[]) => Promise<boolean>} takeFiles Reads a map and takes it; says whether it worked.
+ * @property {(files: { name: string, bytes: Uint8Array }[], isRoom?: boolean) => Promise<boolean>} takeFiles Reads a map and takes it, or only its room; says whether it worked.
  * @property {(files: File[]) => void} bring Shows files as a floor plan, before they become the room.
  * @property {() => void} cancelPlanning
  * @property {() => void} keepPlan Ends planning with the best plan so far.
@@ -82,7 +82,7 @@ async function start() {
       if (worked) forgive();
       return worked;
     },
-    takeFiles: async (files) => {
+    takeFiles: async (files, isRoom = false) => {
       /** @type {import("./worker-types").ReadMap} */
       let map;
       try {
@@ -93,7 +93,7 @@ async function start() {
         complain(error instanceof Error ? `The map could not be read (${error.message}). Check the connection, then try again.` : textOf(error));
         return false;
       }
-      return app.act((p) => p.take_map(map));
+      return app.act((p) => (isRoom ? p.take_room(map) : p.take_map(map)));
     },
     bring: (files) => {
       const lesson = files.find(({ name }) => /\.md$/i.test(name));

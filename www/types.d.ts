@@ -307,8 +307,10 @@ remedy: string,
 can_rearm: boolean, };
 
 export type EntrantView = { id: string, kind: "planner" | "behaviour",
-/** With a number for copies. */
-title: string, mark: Mark,
+/** With what tells it from its copies. */
+title: string,
+/** That alone, such as "vertical"; empty without copies. */
+distinction: string, mark: Mark,
 /** 1, or 2 and up for copies; 0 for one that was removed, and for a program that isn't there. */
 copy: number, chosen: boolean, params: Params,
 /** `out`, `trying`, `done` or `failed`. */

@@ -15,6 +15,7 @@ use robovac_app::{
     map::{self, MapView},
 };
 use robovac_core::floor_plan::{FloorPlan, MapImage, OccupancyMode, to_ros_map};
+use robovac_core::geometry::Vector;
 use robovac_playground::wire::message;
 use robovac_playground::wire::{clock, map_file, to_js};
 use robovac_sim::experiment::Algorithm;
@@ -257,6 +258,11 @@ impl MapSession {
     /// Zooms by `factor` around (`x`, `y`), CSS pixels.
     pub fn zoom(&mut self, x: f64, y: f64, factor: f64) {
         self.viewport.zoom_at(x, y, factor);
+    }
+
+    /// Keeps the uppermost `told` CSS pixels free while all of the room is shown.
+    pub fn keep_clear(&mut self, told: f64) {
+        self.viewport.keep_clear(told, None, Vector::zeros());
     }
 
     /// Shows all of the room.

@@ -216,7 +216,7 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   assert.ok(column(first, "Coverage").every((share) => share > 95 && share <= 100));
   assert.ok(column(first, "Above the minimum").every((percent) => percent >= 0));
 
-  for (const [name, lower] of [["Length", true], ["Time", true], ["Quarter turns", true], ["Coverage", false]]) {
+  for (const [name, lower] of [["Distance", true], ["Time", true], ["Quarter turns", true], ["Coverage", false]]) {
     const at = first.columns.indexOf(name);
     const heading = page.locator("#compared thead button", { hasText: new RegExp(`^${name}$`) });
     await heading.focus();
@@ -238,14 +238,14 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   }
 
   // How far behind, in words.
-  const lengths = column(first, "Length");
+  const lengths = column(first, "Distance");
   const least = Math.min(...lengths);
   const worst = lengths.indexOf(Math.max(...lengths));
-  const cell = page.locator("#compared tbody tr").nth(worst).locator("td").nth(first.columns.indexOf("Length") - 1);
+  const cell = page.locator("#compared tbody tr").nth(worst).locator("td").nth(first.columns.indexOf("Distance") - 1);
   await cell.hover();
   const percent = Math.round((100 * (lengths[worst] - least)) / least);
   const tip = await app.text("#tip");
-  assert.match(tip, /^Length: (\d+) % more than the best \(/);
+  assert.match(tip, /^Distance: (\d+) % more than the best \(/);
   assert.ok(Math.abs(Number(/(\d+) %/.exec(tip)[1]) - percent) <= 1, tip);
   assert.ok(tip.includes(first.rows[lengths.indexOf(least)].name), tip);
 
@@ -275,7 +275,7 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   // What has one name is one number.
   const { cells } = first.rows.find(({ name }) => name === "Growing spirals");
   await app.poll(() => app.metric("Above the minimum"), ({ plan }) => /%/.test(plan));
-  for (const [there, here] of [["Coverage"], ["Above the minimum"], ["Length", "Distance"], ["Time"], ["Turned in all"], ["Steps"], ["Revisits"], ["Swept again"]]) {
+  for (const [there, here] of [["Coverage"], ["Above the minimum"], ["Distance"], ["Time"], ["Turned in all"], ["Steps"], ["Revisits"], ["Swept again"]]) {
     const { plan } = await app.metric(here ?? there);
     assert.equal(plan.replace(/ ?(%|m|turns)$/, ""), cells[first.columns.indexOf(there) - 1], there);
   }
@@ -398,10 +398,40 @@ test("table 2 of the thesis is one click away, with its printed values beside th
   assert.match(await app.text("#table-note"), /Table 2 as Emu & Obaida print it/);
   // Figures 5.4 to 5.6, in this order.
   const charts = await page.locator("#charts figure").evaluateAll((all) => all.map((figure) => [figure.querySelector("figcaption").textContent, figure.querySelectorAll("rect.printed").length]));
-  assert.deepEqual(charts.slice(0, 3), [["Length, m", 3], ["Direction changes", 3], ["Revisits", 3]]);
+  assert.deepEqual(charts.slice(0, 3), [["Distance, m", 3], ["Direction changes", 3], ["Revisits", 3]]);
   assert.ok(charts.slice(3).every(([, printed]) => printed === 0));
   assert.match(await app.text("#charts"), /37 printed/);
   await screenshot("table-2");
+});
+
+test("a planner and its copy are named by the setting that differs, and heads don't cut that off", async (t) => {
+  const { page, app, screenshot } = await openCompare(t, { room: "room=bedroom", link: "vs=boustrophedon,boustrophedon~lanes:vertical,boustrophedon~lanes:horizontal&rooms=this", viewport: { width: 1000, height: 800 } });
+  await lanes(page, 3);
+  const names = await page.locator("#lanes .name").allInnerTexts();
+  assert.deepEqual(names.map((name) => /, ([^,]+)$/.exec(name.replaceAll(/\s+/g, " "))?.[1]), ["automatic", "vertical", "horizontal"]);
+  const cut = await page.locator("#lanes .uncut").evaluateAll((all) => all.filter((node) => node.scrollWidth > node.clientWidth + 1).map((node) => node.textContent));
+  assert.deepEqual(cut, []);
+  await screenshot("copies");
+  await page.locator("#view-numbers").click();
+  await tried(page, 3);
+  await app.poll(() => table(page), ({ rows }) => rows.some(({ name }) => name === "Boustrophedon (parallel lanes), vertical"));
+  assert.match(await app.text("#charts"), /Boustrophedon \(parallel lanes\), horizontal/);
+});
+
+test("numbers on paper have every column, say where they are from, and have nothing to press", async (t) => {
+  const { page, screenshot } = await openCompare(t, { room: "room=bedroom", view: "numbers", viewport: { width: 794, height: 1123 } });
+  await tried(page, 4);
+  await page.emulateMedia({ media: "print" });
+  t.after(() => page.emulateMedia({ media: null }));
+  await screenshot("numbers-print");
+  const { ends, width } = await page.evaluate(() => ({
+    ends: [...document.querySelectorAll("#compared thead th")].map((head) => Math.round(head.getBoundingClientRect().right)),
+    width: document.documentElement.clientWidth,
+  }));
+  assert.ok(ends.length > 15 && ends.every((end) => end <= width), `${ends} of ${width}`);
+  const shown = await page.locator("#panel-compare").innerText();
+  assert.match(shown, /Bedroom, 4\.0 × 4\.0 m, Roomba 600 .*cells of 12 cm/);
+  assert.doesNotMatch(shown, /\b(CSV|JSON|Many runs|Results for)\b/);
 });
 
 test("a room of one's own is compared in", async (t) => {
@@ -418,7 +448,7 @@ test("a room of one's own is compared in", async (t) => {
   await app.poll(() => table(page), ({ rows }) => rows.some(({ cells }, row) => cells[0] !== "–" && cells.join() !== open.rows[row]?.cells.join()));
   await tried(page, 4);
   const drawn = await app.poll(() => table(page), isFilled);
-  const [before, now] = [open, drawn].map((shown) => column(shown, "Length"));
+  const [before, now] = [open, drawn].map((shown) => column(shown, "Distance"));
   assert.ok(now.every((length, row) => length < before[row]), `${now} m, before ${before} m: the wall stands on floor`);
   await page.locator("#view-race").click();
   await lanes(page, 4);

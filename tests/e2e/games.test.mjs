@@ -91,6 +91,11 @@ test("who draws the worst room for a planner is told how bad it is", async (t) =
   const most = Math.max(parseFloat(first), parseFloat(await excess(0)));
   await app.poll(() => excess(1), (text) => parseFloat(text) >= most);
   await app.linked("worst", (value) => Number(value) >= most);
+  // Whoever gets the link sees the same number, and has beaten nothing yet.
+  await app.linked("map");
+  const { hash } = new URL(page.url());
+  const { page: other } = await openApp(t, { address: hash });
+  await other.locator("#game", { hasText: `To beat: ${await excess(1)}, by whoever sent this.` }).waitFor();
   await game.getByRole("button", { name: "End the game" }).click();
   await app.poll(() => app.link(), (link) => link.worst === undefined);
 

@@ -15,7 +15,7 @@ test("lanes in metres are kept early, told above the least, and driven", async (
   await page.locator("#planning-keep").click();
   await app.settled();
   assert.equal(await app.message(), "");
-  await app.poll(() => app.metric("Excess length"), ({ plan }) => /^[\d.]+ % over [\d.,]+ m$/.test(plan));
+  await app.poll(() => app.metric("Excess distance"), ({ plan }) => /^[\d.]+ % over [\d.,]+ m$/.test(plan));
   const { plan: time } = await app.metric("Excess time");
   assert.match(time, /^[\d.]+ % over [\d:]+$/);
   assert.ok(await page.getByRole("rowheader", { name: "Cells visited" }).isHidden(), "there are no cells");

@@ -89,6 +89,26 @@ test("works without a mouse", async (t) => {
   assert.deepEqual(await names(page), []);
 });
 
+test("the legend names what is on the floor, and the bar of a selected object doesn't lie on the room", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=living&behaviour=bounce&speed=1", viewport: { width: 1440, height: 900 } });
+  await app.pause();
+  const legend = await page.locator("#legend").innerText();
+  for (const name of ["Furniture", "Pet", "Carpet", "Dirt", "Dock"]) assert.ok(legend.includes(name), `${name} in ${legend}`);
+  assert.doesNotMatch(legend, /Person|Low obstacle/);
+  await page.locator("#floor").focus();
+  await page.keyboard.press("n");
+  await page.locator("#selection").waitFor();
+  /** Colours of the floor's picture below the bar: without the room there is one. */
+  const covered = () =>
+    page.evaluate(() => {
+      const [floor, bar] = ["floor", "selection"].map((id) => document.getElementById(id));
+      const [at, it] = [floor.getBoundingClientRect(), bar.getBoundingClientRect()];
+      const { data } = floor.getContext("2d").getImageData(it.left - at.left, it.top - at.top, it.width, it.height);
+      return new Set(new Uint32Array(data.buffer)).size;
+    });
+  await app.poll(covered, (colours) => colours === 1);
+});
+
 test("what can't be there says why, and what is kept survives a reload", async (t) => {
   const { page, app } = await openApp(t, { address: ROOM });
   await app.pause();
@@ -157,7 +177,8 @@ test("who is placed outside the room is told in plain words that nobody was", as
   await page.mouse.click(...(await app.spot(0.02, 0.5)));
   await app.says(/^Nobody was placed: that is outside the room\. Click on free floor\.$/);
   assert.deepEqual(await names(page), []);
-  await page.mouse.click(...(await app.spot(0.5, 0.5)));
+  // The room gives way to the message.
+  await page.mouse.click(...(await app.spot(0.5, 0.7)));
   await app.settled();
   assert.deepEqual([await names(page), await app.message()], [["Person"], ""]);
 });

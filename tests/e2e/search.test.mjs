@@ -52,6 +52,15 @@ test("the snake's decisions follow steps and scrubs, in words and on the floor",
   assert.ok((await toggle.isHidden()) && (await note.isHidden()), "a behaviour has no search");
 });
 
+test("at the end of a run with a film the floor and what was reached are shown", async (t) => {
+  const { page, app } = await openApp(t, { ...LAPTOP, address: "#room=lshape&planner=boustrophedon&search=1&speed=0" });
+  await app.poll(() => page.locator("#stage").getAttribute("data-film"), (shown) => shown === "true");
+  await app.press("Play");
+  await app.until("finished");
+  await page.locator("#ending", { hasText: /^Done: .*Try next/s }).waitFor();
+  assert.equal(await page.locator("#stage").getAttribute("data-film"), "false");
+});
+
 test("the search fits a phone", async (t) => {
   const { page, app, screenshot } = await openApp(t, { ...PHONE, address: `${SNAKE}&speed=1` });
   await app.pause();

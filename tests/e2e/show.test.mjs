@@ -59,6 +59,14 @@ test("in a frame of another page there are floor and play bar alone, and the way
   const link = page.locator("a.to-page");
   await link.focus();
   assert.match(await link.getAttribute("href"), /\/#room=lshape&planner=snake/);
+  // It says what is shown; and its end takes one line, so that the floor stays large.
+  assert.match(await link.innerText(), /^L-shaped room: Improved snake, .*Robovac Playground$/s);
+  await page.evaluate(() => (location.hash = "room=lshape&planner=snake&speed=0"));
+  await app.until("finished");
+  await page.locator("#ending", { hasText: /^Done/ }).waitFor();
+  await screenshot("embed-end");
+  const [end, stage] = [await page.locator("#ending").boundingBox(), await page.locator("#stage").boundingBox()];
+  assert.ok(end.height <= 48 && end.y + end.height < stage.y + 0.3 * stage.height, JSON.stringify(end));
 });
 
 test("copying a link offers the HTML for a frame, which leads to the same", async (t) => {
@@ -101,6 +109,12 @@ test("Help tells version, licence and whose algorithms these are; links to the p
   await page.locator(".about summary").click();
   await screenshot("about");
   assert.equal(await page.locator("#authors li").count(), await page.locator("#algorithm option").count());
+  for (const [name, words] of [["MIT licence", /Permission is hereby granted/], ["Apache License 2.0", /Version 2\.0, January 2004/]]) {
+    const licence = await fetch(new URL(await page.locator(".about").getByRole("link", { name }).getAttribute("href"), server.url));
+    assert.match(await licence.text(), words);
+  }
+  const description = (property) => page.locator(`meta[${property}]`).getAttribute("content");
+  assert.equal(await description("property='og:description'"), await description("name='description'"));
   const picture = await page.locator("meta[property='og:image']").getAttribute("content");
   const response = await fetch(new URL(picture, server.url));
   assert.equal(response.status, 200);

@@ -112,9 +112,11 @@ test("own rooms are a list: new by size, renamed, duplicated, deleted and brough
   await app.settled();
   await page.mouse.move(5, 5);
   await page.locator("#room optgroup[label='Your rooms'] option", { hasText: "Loft copy" }).waitFor({ state: "attached" });
+  await app.choose("algorithm", "contour");
   await page.locator("#room").selectOption({ label: "Loft copy" });
   await app.poll(() => app.room(), (name) => name === "Loft copy");
   await app.poll(() => app.reachableArea(), (now) => now === area);
+  assert.equal(await page.locator("#algorithm").inputValue(), "contour", "as with a room that ships, the algorithm stays");
 });
 
 test("undo in an own room to which one comes back takes its last wall away", async (t) => {

@@ -428,7 +428,10 @@ fn a_planner_races_against_itself_with_other_parameters() {
     comparison.copy(snake);
     let copy = comparison.entrants().len() - 1;
     assert_eq!((comparison.copy_number(snake), comparison.copy_number(copy)), (1, 2));
+    let told = |comparison: &Comparison| [snake, copy].map(|index| comparison.distinction(index));
+    assert_eq!(told(&comparison), ["", "(2)"], "alike, they are counted");
     comparison.set_param(copy, "patience", "0").expect("it is in range");
+    assert_eq!(told(&comparison), ["patience 2", "patience 0"], "each is named by what differs");
     assert_eq!(work(&mut comparison), ["snake", "snake~patience:0"]);
     assert_eq!(comparison.race().map_or(0, |race| race.lanes().len()), 2);
     assert_eq!(comparison.table(None).rows.len(), 2);
@@ -439,6 +442,7 @@ fn a_planner_races_against_itself_with_other_parameters() {
     assert_eq!(other.to_link(), link);
     comparison.remove_copy(copy);
     assert!(comparison.copy_number(copy) == 0 && !comparison.is_chosen(copy));
+    assert_eq!(comparison.distinction(snake), "");
     assert_eq!(comparison.race().map_or(0, |race| race.lanes().len()), 1);
     comparison.remove_copy(snake);
     assert!(comparison.is_chosen(snake), "an original stays");

@@ -1,11 +1,12 @@
 //! Robots of one's own, and paths in metres that Explore drives as they were planned.
 
 use robovac_app::{
-    explore::{Session, SessionState},
+    Import,
+    explore::{Brush, Session, SessionState},
     floor_plan::{BodyChoice, DrawingSession},
 };
 use robovac_core::{
-    floor_plan::SourceFile,
+    floor_plan::{SourceFile, generate::FlatId},
     geometry::{MetricPath, Point, Pose},
 };
 use std::ops::ControlFlow;
@@ -168,6 +169,66 @@ fn a_path_too_long_for_a_link_stays_with_the_room() {
     }
     let error = Session::new().restore(&link).unwrap_err().to_string();
     assert!(error.contains("ask its author for the scenario file"), "{error}");
+}
+
+#[test]
+fn a_path_stays_with_the_room_that_it_was_planned_in() {
+    let board = swept("ushape", BodyChoice::Model { id: "roomba600".into() });
+    let path = explored(&board).settings().path.clone();
+    let other_drawing = swept("lshape", BodyChoice::Model { id: "roomba600".into() });
+    let choices: [fn(&mut Session, &DrawingSession); 3] = [
+        |session, _| session.select_room("living").unwrap(),
+        |session, drawing| session.take_import(drawing.import(false).unwrap()).unwrap(),
+        |session, _| {
+            session.take_import(Import { plan: "7".parse::<FlatId>().unwrap().build(), choices: None }).unwrap();
+        },
+    ];
+    for choose in choices {
+        let mut session = explored(&board);
+        choose(&mut session, &other_drawing);
+        assert_eq!((session.settings().path.clone(), session.view().path_corners), (None, 0));
+        let told = session.view().message;
+        assert!(told.starts_with("The path from Floor plan belongs to another room. Here the algorithm is "), "{told}");
+        session.plan_now(|| 0.0);
+        assert!(session.recording().is_some(), "something else drives");
+        // Undo brings room and path back, redo leaves them again.
+        session.undo();
+        assert_eq!(session.settings().path, path);
+        assert!(session.planned().is_some() && session.view().message.is_empty());
+        session.redo();
+        assert_eq!(session.settings().path, None);
+    }
+    // The same room, its walls, a reload and links leave it.
+    let mut session = explored(&board);
+    session.begin_stroke(Brush::Wall, Point::new(0.5, 0.5));
+    session.end_stroke();
+    session.undo();
+    assert_eq!(session.settings().path, path);
+    for other in again(&session) {
+        assert_eq!(other.settings().path, path);
+    }
+    session.restore("room=lshape").unwrap();
+    assert_eq!(session.settings().path, None);
+}
+
+#[test]
+fn an_own_room_that_is_chosen_brings_only_a_path_with_it() {
+    let kept = |text: String| Import::read(&[file("kept.json", text)]).unwrap();
+    let room = kept(opened("room=lshape&planner=boustrophedon&seed=5").scenario_json());
+    let mut session = opened("room=empty&planner=contour&robot=octagon&seed=9");
+    session.take_room(room.clone()).unwrap();
+    let has = |session: &Session| {
+        let settings = session.settings();
+        (settings.algorithm.id(), settings.robot, settings.seed, settings.path.is_some())
+    };
+    assert_eq!(
+        (has(&session), session.plan().name.as_str()),
+        (("contour", "octagon", 9, false), room.plan.name.as_str())
+    );
+    let swept = explored(&swept("ushape", BodyChoice::Model { id: "roomba600".into() }));
+    session.take_room(kept(swept.scenario_json())).unwrap();
+    assert_eq!(session.settings().path, swept.settings().path);
+    assert_eq!(session.settings().robot, "roomba600");
 }
 
 #[test]

@@ -9,7 +9,7 @@ import { workshop } from "../workers.js";
 /** @param {import("../main.js").App} app @param {(what: () => void) => boolean} guard */
 export async function enterCompare(app, guard) {
   // Each address by itself, as the build looks for them.
-  const sheets = [new URL("./compare.css", import.meta.url), new URL("./montecarlo.css", import.meta.url)];
+  const sheets = [new URL("./compare.css", import.meta.url), new URL("./montecarlo.css", import.meta.url), new URL("./print.css", import.meta.url)];
   const [module, fragment] = await Promise.all([workshop(), text(new URL("./compare.html", import.meta.url)), ...sheets.map(({ href }) => style(href))]);
   await init({ module_or_path: module });
   byId("panel-compare").innerHTML = fragment;

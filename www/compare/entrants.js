@@ -20,6 +20,15 @@ export function swatch(mark) {
 }
 
 /**
+ * The name of an algorithm; what tells it from its copies stays when it is cut off.
+ * @param {{ title: string, distinction: string } | undefined} entrant
+ */
+export function nameOf({ title, distinction } = { title: "", distinction: "" }) {
+  const start = title.slice(0, title.length - distinction.length);
+  return [make("span", { className: "cut" }, start.trimEnd()), ...(distinction ? [make("span", { className: "uncut" }, `\u00a0${distinction}`)] : [])];
+}
+
+/**
  * An item of a list of algorithms.
  * @param {{ id: string, title: string, params: import("../types").Param[] }} algorithm
  * @param {HTMLElement} mark
@@ -52,7 +61,7 @@ export function entrantItem({ id, title, params }, mark, scope, { choose, setPar
   return item;
 }
 
-/** The user's program can get another name. @param {Element | null | undefined} item @param {string} title */
+/** A program can get another name, a copy another value. @param {Element | null | undefined} item @param {string} title */
 export function showTitle(item, title) {
   if (item && changed(/** @type {HTMLElement} */ (item), "title", title)) item.querySelector("label")?.lastChild?.replaceWith(title);
 }

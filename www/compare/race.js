@@ -1,7 +1,7 @@
 // @ts-check
 // The race: a canvas for every robot, one clock for all.
 import { byId, changed, make, setAttribute, setHidden, setText } from "../dom.js";
-import { swatch } from "./entrants.js";
+import { nameOf, swatch } from "./entrants.js";
 import { clock, metres, percent } from "../format.js";
 import { sentence, textOf } from "../messages.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
@@ -71,7 +71,7 @@ function hint({ view: { entrants, done, total, cancelled } }) {
 function buildLanes({ act, view, comparison, about }, race) {
   const panes = (race?.lanes ?? []).map(({ entrant }) => {
     const { title = "", mark } = view.entrants[entrant] ?? {};
-    const name = make("button", { type: "button", className: "link", onclick: () => about(entrant) }, title);
+    const name = make("button", { type: "button", className: "link name", title, onclick: () => about(entrant) }, ...nameOf(view.entrants[entrant]));
     const out = make("button", { type: "button", className: "quiet square small", "aria-label": `Take ${title} out of the race`, title: "Take out of the race", onclick: () => act((c) => c.set_racing(entrant, false)) });
     out.innerHTML = '<svg class="icon" aria-hidden="true"><use href="#i-close" /></svg>';
     const rank = make("span", { className: "rank", "data-tip": RANK });

@@ -1,7 +1,7 @@
 // @ts-check
 // The choices of a comparison: entrants, rooms and seeds, and how far their plans are.
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
-import { showChoice } from "./entrants.js";
+import { showChoice, showTitle } from "./entrants.js";
 import { showItems } from "./items.js";
 
 /** @typedef {import("./tab.js").Comparing} Comparing */
@@ -36,12 +36,13 @@ let items = [];
 /** @param {Comparing} it */
 export function updateSetup(it) {
   const { view } = it;
-  if (changed(byId("entrants"), "copies", view.entrants.map(({ copy, title }) => `${copy} ${title}`).join())) items = showItems(it);
+  if (changed(byId("entrants"), "copies", view.entrants.map(({ copy }) => copy).join())) items = showItems(it);
   if (changed(select("compare-rooms"), "set", view.set)) select("compare-rooms").value = view.set;
   if (changed(select("compare-seeds"), "seeds", view.seeds)) select("compare-seeds").value = String(view.seeds);
   view.entrants.forEach((entrant, index) => {
     const item = items[index];
     showChoice(item, entrant);
+    showTitle(item, entrant.title);
     const status = item?.querySelector(".status");
     const busy = view.done < view.total && !view.cancelled;
     const words = { out: "", done: "✓", failed: "failed", trying: busy ? `${Math.floor(entrant.progress * 100)} %` : "–" };

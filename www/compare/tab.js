@@ -2,7 +2,7 @@
 // The tab Compare: the entrants, the progress of trials, and the current view of them.
 import { Comparison, SessionMirror } from "../../workshop.js";
 import { startAbout } from "./about.js";
-import { button, byId, input, setText } from "../dom.js";
+import { button, byId, input, select, setText } from "../dom.js";
 import { startExports } from "./exports.js";
 import { startMirror } from "../session-mirror.js";
 import { startNumbers } from "./numbers.js";
@@ -156,5 +156,9 @@ function updatePlace({ view: { room, robot, cell_size_m, seed, slip }, catalogue
   setText(byId("compare-room"), room.title);
   const title = catalogue.robots.find(({ id }) => id === robot)?.title ?? robot;
   const slips = slip === "none" ? "" : `, ${slip} wheel slip${shownView() === "runs" ? "" : " in the race"}`;
-  setText(byId("compare-robot"), `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}${slips}.`);
+  const where = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}${slips}.`;
+  setText(byId("compare-robot"), where);
+  // On paper, where the choices aren't.
+  const results = shownView() === "numbers" ? select("table-room").selectedOptions[0]?.text : "";
+  setText(byId("compare-place"), `${room.title}, ${where}${results && results !== room.title ? ` Results for ${results}.` : ""}`);
 }

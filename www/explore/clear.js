@@ -4,17 +4,23 @@ import { byId, changed } from "../dom.js";
 
 /** Pixels between the text and the room. */
 const GAP = 10;
+/** Height of the bar of a selected object, pixels. */
+const BAR = 50;
 /** Height of a note above the joystick, pixels: the room doesn't move whenever one comes or goes. */
 const NOTE = 48;
 
 /** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */
 export function startClear(app) {
   const stage = byId("stage");
+  const isNarrow = matchMedia("(max-width: 900px)");
   /** The lower end of the text about a search, which never moves up, so that the pictures of its film stay in place. */
   let told = 0;
-  /** That of the palette: the room moves once, and not whenever another tool is chosen. */
+  /** That of the palette and the bar of a selected object: the room moves once, and not whenever another tool is chosen. */
   let palette = 0;
   addEventListener("resize", () => (told = palette = 0));
+  let isPressed = false;
+  addEventListener("pointerdown", () => (isPressed = true), { capture: true });
+  for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => (isPressed = false), { capture: true });
   const below = (/** @type {string} */ what, gap = GAP) => {
     const node = document.querySelector(what);
     return node?.checkVisibility() ? node.getBoundingClientRect().bottom - stage.getBoundingClientRect().top + gap : 0;
@@ -26,13 +32,15 @@ export function startClear(app) {
     const [manual, pad] = [byId("manual"), byId("pad")];
     if (!manual.checkVisibility()) return [0, 0];
     const { right, bottom } = stage.getBoundingClientRect();
-    const notes = byId("manual-note").checkVisibility() ? 2 : 1;
+    // On a phone they are beside it.
+    const notes = isNarrow.matches ? 0.2 : byId("manual-note").checkVisibility() ? 2 : 1;
     return [right - manual.getBoundingClientRect().left + GAP, bottom - pad.getBoundingClientRect().top + notes * NOTE];
   };
 
   return ({ search: { film, text } }) => {
     told = film === null && !text ? 0 : Math.max(told, below("#search-box"));
-    palette = Math.max(palette, below("#kinds"));
+    // Nor under the pointer; what is placed is selected, and its bar is below the palette.
+    if (!isPressed) palette = Math.max(palette, below("#kinds", GAP + BAR), below("#selection"));
     const next = Math.max(told, palette, below("#message"), below("#ending"), below("#game"), below(".over-floor"), below(".embed .to-page"), below("#tools", 2));
     // In a frame, on the full screen, beside a lesson on a phone.
     const foot = stage.checkVisibility() && !byId("tools").checkVisibility() ? Math.max(above(byId("legend")), above(byId("zoom-in"))) : undefined;

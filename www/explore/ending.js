@@ -34,7 +34,7 @@ export function startEnding(app) {
     const text = shown && `${shown}${bound(view)}`;
     setHidden(card, shown === "" || shown === dismissed || view.search.film !== null && view.search.film.at < view.search.film.pictures);
     if (text === "" || !changed(card, "text", text)) return;
-    words.textContent = text;
+    words.replaceChildren(shown, make("span", { className: "ending-bound" }, bound(view)));
     const ways = suggestions(app, view);
     next.replaceChildren("Try next: ", ...ways.flatMap((way, i) => [i > 0 ? (i === ways.length - 1 ? " or " : ", ") : "", way]), ".");
   };

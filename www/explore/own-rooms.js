@@ -95,10 +95,10 @@ export function pairOf(app) {
   return flat ? `flat=${flat}` : `kept=${currentId(app)}`;
 }
 
-/** Shows a scenario as the room with that id. @param {App} app @param {string} id @param {string} name @param {string} scenario */
-async function show(app, id, name, scenario) {
+/** Shows a scenario as the room with that id. @param {App} app @param {string} id @param {string} name @param {string} scenario @param {boolean} isRoom Whether its other choices are left out. */
+async function show(app, id, name, scenario, isRoom) {
   const bytes = new TextEncoder().encode(scenario);
-  if (!(await app.takeFiles([{ name: `the room "${name}"`, bytes }]))) return false;
+  if (!(await app.takeFiles([{ name: `the room "${name}"`, bytes }], isRoom))) return false;
   // Undo takes back what was changed in it, not the way through the rooms.
   for (const [lineage, one] of [...ids].reverse()) {
     if (one === id) app.act((p) => p.resume_room(lineage));
@@ -110,11 +110,11 @@ async function show(app, id, name, scenario) {
   return true;
 }
 
-/** Shows a room of the list. @param {App} app @param {string} id */
-export async function openRoom(app, id) {
+/** Shows a room of the list, with all that was chosen in it or only the room. @param {App} app @param {string} id @param {boolean} isRoom */
+export async function openRoom(app, id, isRoom = false) {
   const [room, scenario] = [list().find((one) => one.id === id), scenarioOf(id)];
   if (!room || !scenario) return false;
-  return show(app, id, room.name, scenario);
+  return show(app, id, room.name, scenario, isRoom);
 }
 
 /** Adds a room and shows it. @param {App} app @param {string} name @param {string} scenario */

@@ -97,7 +97,7 @@ export function startPanel(app) {
 /** @param {App} app @param {string} id */
 async function openOwnRoom(app, id) {
   const { openRoom } = await import("./own-rooms.js");
-  await openRoom(app, id);
+  await openRoom(app, id, true);
 }
 
 /** Cells wider than the tool leave strips between lanes unswept. @param {View} view @param {import("../types").RobotEntry[]} robots */

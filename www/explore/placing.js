@@ -27,11 +27,11 @@ export async function startPlacing(app) {
   /** @type {string[]} */
   let names = [];
   return (view) => {
-    const { tool, objects, placing, selected } = view;
+    const { tool, objects, placing, selected, is_carried } = view;
     setHidden(byId("kinds"), tool !== "place");
     for (const node of kinds) setAttribute(node, "aria-pressed", String(node.dataset.kind === placing));
     // Over the floor only while it serves. By keyboard, N selects the next object.
-    setHidden(byId("selection"), selected < 0);
+    setHidden(byId("selection"), selected < 0 || is_carried);
     if (changed(menu, "names", objects.join())) {
       names = numbered(objects);
       fill(menu, [["", "Nothing selected"], ...names.map((name, index) => /** @type {[string, string]} */ ([String(index), name]))]);

@@ -61,7 +61,7 @@ async function build(app) {
   /** @param {import("./own-rooms.js").OwnRoom} room */
   const item = ({ id, name }) => {
     const isHere = currentId(app) === id;
-    const open = make("button", { type: "button", className: "quiet own-name", onclick: () => done(openRoom(app, id)) }, name);
+    const open = make("button", { type: "button", className: "quiet own-name", onclick: () => done(openRoom(app, id, true)) }, name);
     if (isHere) open.setAttribute("aria-current", "true");
     const rename = () => {
       const box = make("input", { type: "text", value: name, maxLength: 60, "aria-label": `New name of ${name}` });

@@ -1,7 +1,7 @@
 // @ts-check
 // Break it: draw the room in which a planner does worst, measured by how far its plan is above the proven minimum.
 import { make, setText } from "../dom.js";
-import { shareAbove } from "../format.js";
+import { perMilleAbove, shareAbove } from "../format.js";
 import { act, send } from "./games.js";
 import { addRoom } from "./own-rooms.js";
 import { emptyRoom } from "./rooms.js";
@@ -77,12 +77,12 @@ export function startWorst(app, card) {
       again.disabled = challenge.disabled = !best;
     },
     end: () => void (app.view.tool === "wall" && app.act((p) => p.set_tool("view"))),
-    link: () => (best ? (100 * best.excess).toFixed(1) : toBeat === null ? "" : (100 * toBeat).toFixed(1)),
+    link: () => (best ? perMilleAbove(best.excess) / 10 : toBeat === null ? "" : perMilleAbove(toBeat) / 10).toString(),
   };
 
   function told() {
     if (toBeat === null) return "";
-    const isBeaten = best && best.excess > toBeat;
+    const isBeaten = best && perMilleAbove(best.excess) > perMilleAbove(toBeat);
     return isBeaten ? `You beat the ${shareAbove(toBeat)} of whoever sent this.` : `To beat: ${shareAbove(toBeat)} above, by whoever sent this.`;
   }
 }

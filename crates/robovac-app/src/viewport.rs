@@ -80,14 +80,17 @@ impl Viewport {
         let [left, top, right, bottom] = self.margins();
         let mut view = self.between([left, top, right, bottom]);
         let (size, mut corner) = (self.size, self.corner);
-        if !self.is_bare && self.cleared.is_none() && self.scale_bar().is_some() && size.x < BESIDE_ZOOM {
+        let has_scale = !self.is_bare && self.cleared.is_none() && self.scale_bar().is_some() && size.x < BESIDE_ZOOM;
+        // Below the room that lies beside the corner is the scale bar.
+        let below = if has_scale && corner.x > 0.0 { bottom.max(SCALE_CORNER[1]) } else { bottom };
+        if has_scale {
             corner = corner.sup(&Vector::from(SCALE_CORNER));
         }
         let end = view.to_screen(Point::new(self.room.x, 0.0));
         if end.x > size.x - corner.x && end.y > size.y - corner.y {
             // Left of the corner or above it, whichever shows the room larger, but two fifths of the canvas are left to the room.
             let most = Vector::new(0.6 * size.x - left, 0.6 * size.y - top);
-            let beside = self.between([left, top, right.max(corner.x.min(most.x)), bottom]);
+            let beside = self.between([left, top, right.max(corner.x.min(most.x)), below]);
             let above = self.between([left, top, right, bottom.max(corner.y.min(most.y))]);
             let (fits_beside, fits_above) = (corner.x <= most.x, corner.y <= most.y);
             let is_above = if fits_beside == fits_above { above.scale > beside.scale } else { fits_above };
@@ -156,6 +159,8 @@ impl Viewport {
         let [width, height] = LEAST_WITH_SCALE;
         let place = match self.size.x {
             _ if self.is_bare => [10.0, 10.0],
+            // Left of what lies in the corner.
+            x if x < BESIDE_ZOOM && self.corner.x > 0.0 => [self.corner.x, 72.0],
             x if x < BESIDE_ZOOM => [20.0, 72.0],
             _ => [204.0, 24.0],
         };
@@ -206,8 +211,8 @@ impl Viewport {
             let foot = if foot < 0.2 * self.size.y { foot } else { 0.0 };
             [BARE_MARGIN, BARE_MARGIN, BARE_MARGIN, foot.max(BARE_MARGIN)]
         });
-        // At least two fifths of the canvas are left to the room.
-        [left, top.max(self.told.min(0.6 * self.size.y - bottom)), right, bottom]
+        // At least a third of the canvas is left to the room.
+        [left, top.max(self.told.min(0.67 * self.size.y - bottom)), right, bottom]
     }
 
     /// Keeps some of the room in view.
@@ -252,7 +257,11 @@ mod tests {
         assert!(view.to_screen(Point::new(0.0, 6.0)).y >= 130.0 - 1e-9);
         view.keep_clear(0.0, None, Vector::zeros());
         assert_eq!(view.scale, before.scale);
-        // Never more than three fifths of the canvas, and not when zoomed in.
+        // The tallest card on a phone leaves the room a third of the canvas.
+        let mut phone = Viewport::new(10.6, 8.4, 390.0, 458.0, 1.0);
+        phone.keep_clear(239.7, None, Vector::zeros());
+        assert!(phone.to_screen(Point::new(0.0, 8.4)).y >= 239.7 - 1e-9 && phone.scale > 10.0);
+        // Never more than two thirds of it, and not when zoomed in.
         view.keep_clear(5000.0, None, Vector::zeros());
         assert!(view.scale > 0.0 && view.to_screen(Point::new(0.0, 6.0)).y < 420.0);
         view.zoom_at(300.0, 200.0, 2.0);
@@ -290,6 +299,12 @@ mod tests {
         let end = view.to_screen(Point::new(4.0, 0.0));
         assert!(end.x > 350.0 && end.y <= 440.0 - SCALE_CORNER[1], "{end}");
         assert_eq!(view.scale_bar(), Some([20.0, 72.0]));
+        // Beside a joystick it has its place, too.
+        let mut driven = Viewport::new(10.0, 8.0, 390.0, 458.0, 1.0);
+        driven.keep_clear(0.0, None, Vector::new(162.0, 166.0));
+        let end = driven.to_screen(Point::new(10.0, 0.0));
+        assert!(driven.scale_bar() == Some([162.0, 72.0]) && end.y <= 458.0 - 166.0 + 1e-9, "{end}");
+        assert!(10.0 * driven.scale > 270.0, "above the joystick the floor is larger than beside it");
         // Without zoom buttons it needs no place of its own.
         let bare = {
             let mut view = Viewport::bare();

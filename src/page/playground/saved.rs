@@ -13,6 +13,12 @@ impl Playground {
         self.session.take_import(import).map_err(|e| JsValue::from(e.to_string()))
     }
 
+    /// Takes only the room of a scenario read by `read_map`; all of it if a path was planned in that room.
+    pub fn take_room(&mut self, read: &JsValue) -> Result<(), JsValue> {
+        let import = map_file::import_from_js(read)?;
+        self.session.take_room(import).map_err(|e| JsValue::from(e.to_string()))
+    }
+
     /// The room and the settings as a scenario file.
     pub fn scenario_json(&self) -> Result<String, JsValue> {
         json(&self.session.scenario())

@@ -136,3 +136,38 @@ fn what_is_clean_stays_clean_when_the_room_is_changed() {
     session.plan_now(|| 0.0);
     assert!(session.view().coverage < 0.02);
 }
+
+#[test]
+fn what_is_clean_stays_clean_with_rounded_corners_too() {
+    let mut session = opened();
+    session
+        .configure(|settings| {
+            settings.smooth = true;
+            Ok(())
+        })
+        .unwrap();
+    session.plan_now(|| 0.0);
+    session.run_ahead(600.0);
+    let before = session.view().coverage;
+    assert!(before > 0.1, "{before}");
+    session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
+    session.go_on_stroke(Point::new(2.4, 1.5));
+    session.end_stroke();
+    session.plan_now(|| 0.0);
+    for change in [None, Some(Session::undo as fn(&mut Session)), Some(Session::redo)] {
+        if let Some(change) = change {
+            change(&mut session);
+            session.plan_now(|| 0.0);
+        }
+        let view = session.view();
+        assert!(session.planned().unwrap().smooth.is_some());
+        assert!((view.coverage - before).abs() < 0.05 && view.swept_before > 0.1, "{} after {before}", view.coverage);
+    }
+    // Back at the start the floor is dirty, and the corners are still rounded.
+    session.reset();
+    assert!(session.view().coverage < 0.02 && session.view().swept_before == 0.0);
+    let expected = session.planned().unwrap().drive.duration_s;
+    session.run_ahead(6.0 * 3600.0);
+    let view = session.view();
+    assert!((view.time_s - expected).abs() < 0.03 * expected, "{} s, not {expected} s", view.time_s);
+}

@@ -1,6 +1,6 @@
 //! Films of improvements, and the decisions of planners.
 
-use super::opened;
+use super::{finish, opened};
 use coverage_planners::ProgressReport;
 use robovac_app::explore::{Session, SessionState};
 use std::ops::ControlFlow;
@@ -73,6 +73,25 @@ fn film_waits_while_the_robot_drives() {
     assert!(session.view().search.text.contains("is hidden while the robot drives"), "{}", session.view().search.text);
     session.pause();
     assert_eq!(session.view().search.text, first, "it hasn't gone on meanwhile");
+}
+
+#[test]
+fn film_does_not_come_back_over_the_end_of_the_run() {
+    for planner in ["near_optimal", "boustrophedon", "genetic"] {
+        let mut session = Session::new();
+        session.restore(&format!("room=lshape&planner={planner}")).unwrap();
+        session.show_search(true);
+        session.plan_now(|| 0.0);
+        assert!(session.picture().is_some(), "{planner}: a film has the floor first");
+        finish(&mut session);
+        session.frame(1.0 / 60.0, &mut || true);
+        assert_eq!(session.state(), SessionState::Finished);
+        assert!(session.picture().is_none() && session.scene().robot.is_some(), "{planner}: what was swept is seen");
+        let film = session.view().search.film.unwrap();
+        assert_eq!(film.at, film.pictures, "{planner}: so the page says what was reached");
+        session.hold_film(false);
+        assert!(session.picture().is_some(), "{planner}: it can be watched again");
+    }
 }
 
 #[test]

@@ -136,6 +136,16 @@ fn brushes_switched_on_by_hand_outlast_the_stick_and_other_rides() {
     assert_eq!(motors(&mut wire), [0; 2]);
 }
 
+#[test]
+fn whoever_disconnects_in_mid_ride_can_choose_again() {
+    let mut wire = riding(false);
+    assert!(wire.view().is_moving);
+    wire.ask(Request::Disconnect);
+    wire.pass(0.5);
+    let view = wire.view();
+    assert!(!view.is_open && !view.is_moving, "odometry and algorithm wait for a robot that stands");
+}
+
 /// Flags of the trace since the last call: whether it swept at all, and all the time.
 fn swept(wire: &mut Wire) -> [bool; 2] {
     let trace = wire.link.take_trace();

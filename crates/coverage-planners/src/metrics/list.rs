@@ -133,7 +133,7 @@ pub const METRICS: &[MetricInfo] = &[
             PlanNumbers::above_bound_percent,
         )
     },
-    lower("length", "Length", ("m", 1), "Length of the path that the robot drives.", |n| Some(n.drive.length_m)),
+    lower("length", "Distance", ("m", 1), "Length of the path that the robot drives.", |n| Some(n.drive.length_m)),
     lower(
         "duration",
         "Time",
@@ -145,9 +145,9 @@ pub const METRICS: &[MetricInfo] = &[
         rounding: RoundingMode::Up,
         ..lower(
             "excess_length",
-            "Excess length",
+            "Excess distance",
             ("%", 1),
-            "Length above the proven least of any path that sweeps as much floor.",
+            "Distance above the proven least of any path that sweeps as much floor.",
             |n| Some(100.0 * n.excess?.above[0].max(0.0)),
         )
     },

@@ -102,7 +102,12 @@ impl Comparison {
         self.entrants.copy_number(entrant)
     }
 
-    /// Name of an entrant for users, without the number of a copy.
+    /// What tells an entrant from its copies; empty if it has none.
+    pub fn distinction(&self, entrant: usize) -> String {
+        self.entrants.distinction(entrant)
+    }
+
+    /// Name of an entrant for users, without what tells it from its copies.
     pub fn title(&self, entrant: &Entrant) -> String {
         self.entrants.title(entrant)
     }

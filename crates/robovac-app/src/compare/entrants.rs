@@ -1,8 +1,11 @@
 //! The entrants of a comparison, and which of them were chosen.
 
-use super::race::MOST_LANES;
+use super::{differing::differing, race::MOST_LANES};
 use coverage_planners::PLANNERS;
-use robovac_core::program::{Program, ProgramKind};
+use robovac_core::{
+    program::{Program, ProgramKind},
+    registry::Params,
+};
 use robovac_sim::experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, SettingsError};
 use std::{collections::BTreeSet, sync::Arc};
 
@@ -166,6 +169,26 @@ impl Entrants {
             (one.kind(), one.id()) == (other.kind(), other.id()) && !self.removed.contains(&index)
         };
         2 + (self.originals..entrant).filter(is_same).count()
+    }
+
+    /// What tells an entrant from its copies, or from what it was copied of: the values in which they differ, and a number if
+    /// another has the same. Empty if it is the only one of its algorithm.
+    pub fn distinction(&self, entrant: usize) -> String {
+        let copy = self.copy_number(entrant);
+        let Entrant { algorithm, params } = &self.all[entrant];
+        let is_other = |&index: &usize| {
+            let other = self.all[index].algorithm;
+            index != entrant
+                && (other.kind(), other.id()) == (algorithm.kind(), algorithm.id())
+                && self.copy_number(index) > 0
+        };
+        let others: Vec<&Params> = (0..self.all.len()).filter(is_other).map(|index| &self.all[index].params).collect();
+        let words = differing(algorithm.params(), params, &others);
+        match others.contains(&params) && copy > 1 {
+            true if words.is_empty() => format!("({copy})"),
+            true => format!("{words} ({copy})"),
+            false => words,
+        }
     }
 
     /// The chosen entrants that can take part, in the order in which they were chosen.

@@ -5,6 +5,7 @@
 
 mod base;
 mod comparison;
+mod differing;
 mod entrants;
 mod export;
 mod kept_paths;

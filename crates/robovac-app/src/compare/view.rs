@@ -34,8 +34,10 @@ struct EntrantView<'a> {
     id: &'static str,
     #[cfg_attr(feature = "types", ts(type = "\"planner\" | \"behaviour\""))]
     kind: &'static str,
-    /// With a number for copies.
+    /// With what tells it from its copies.
     title: String,
+    /// That alone, such as "vertical"; empty without copies.
+    distinction: String,
     mark: Mark,
     /// 1, or 2 and up for copies; 0 for one that was removed, and for a program that isn't there.
     copy: usize,
@@ -93,7 +95,7 @@ impl<'a> ComparisonView<'a> {
                 TrialProgress::Failed(message) => ("failed", 1.0, message),
             };
             let (algorithm, copy) = (entrant.algorithm, comparison.copy_number(index));
-            let title = comparison.title(entrant);
+            let (title, distinction) = (comparison.title(entrant), comparison.distinction(index));
             let mut mark = Mark::of(algorithm);
             if copy > 1 {
                 mark = mark.copied(&marks);
@@ -102,7 +104,12 @@ impl<'a> ComparisonView<'a> {
             EntrantView {
                 id: algorithm.id(),
                 kind: algorithm.kind(),
-                title: if copy > 1 { format!("{title} ({copy})") } else { title },
+                title: match distinction.as_str() {
+                    "" => title,
+                    number if number.starts_with('(') => format!("{title} {number}"),
+                    values => format!("{title}, {values}"),
+                },
+                distinction,
                 mark,
                 copy,
                 chosen: comparison.is_chosen(index),

@@ -351,7 +351,9 @@ impl Connection {
 
     /// Whether the robot is driven by this program, or is about to be.
     fn is_moving(&self) -> bool {
-        self.driver.wheels().sent() != (0, 0) || self.driver.wheels().is_other() || self.rides()
+        // Once the line is closed, what was commanded last isn't any more.
+        let is_commanded = self.driver.wheels().sent() != (0, 0) || self.driver.wheels().is_other() || self.rides();
+        is_commanded && self.driver.phase() != ConnectionPhase::Closed
     }
 
     /// Whether its main brush sweeps: as commanded, or by the robot's own report while it cleans by itself.

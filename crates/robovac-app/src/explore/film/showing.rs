@@ -74,6 +74,11 @@ impl Showing {
         (self.at, self.since) = (0, 0.0);
     }
 
+    /// Goes to the end.
+    pub fn skip(&mut self) {
+        (self.at, self.since) = (self.pictures.len(), 0.0);
+    }
+
     /// Advances by a time, s.
     pub fn go_on(&mut self, elapsed_s: f64) {
         let Some(picture) = self.picture().filter(|_| !self.is_held) else { return };

@@ -1,12 +1,13 @@
 //! Changes of the session's room: walls, start and name.
 
 use super::{Session, rounded, sentence};
-use crate::explore::Brush;
+use crate::explore::{Brush, Editor};
 use robovac_core::{
     floor_plan::FloorPlan,
     geometry::{Point, Pose},
 };
 use robovac_sim::experiment::planning::RoomSetup;
+use std::sync::Arc;
 
 impl Session {
     /// Begins to draw or erase walls at a point in metres.
@@ -59,24 +60,26 @@ impl Session {
 
     /// Undoes the last change of the room.
     pub fn undo(&mut self) {
-        let lineage = self.editor.lineage();
-        if self.editor.undo() {
-            self.message = None;
-            self.prepare_if_same(lineage);
-        }
+        self.go_to_room(Editor::undo);
     }
 
     /// Redoes the last undone change.
     pub fn redo(&mut self) {
-        let lineage = self.editor.lineage();
-        if self.editor.redo() {
-            self.message = None;
-            self.prepare_if_same(lineage);
-        }
+        self.go_to_room(Editor::redo);
     }
 
-    fn prepare_if_same(&mut self, lineage: u32) {
-        if self.editor.lineage() == lineage { self.prepare_changed() } else { self.prepare() }
+    fn go_to_room(&mut self, go: fn(&mut Editor) -> bool) {
+        let (lineage, before) = (self.editor.lineage(), Arc::clone(self.plan()));
+        if !go(&mut self.editor) {
+            return;
+        }
+        self.message = None;
+        if self.editor.lineage() == lineage {
+            return self.prepare_changed();
+        }
+        let parted = self.change_path(lineage, &before);
+        self.prepare();
+        self.tell_parted(parted);
     }
 
     /// A number that changes with the room, but not with changes of it.

@@ -2,6 +2,7 @@
 
 mod editing;
 mod objects;
+mod parted;
 mod planning;
 mod program;
 mod saved;
@@ -10,6 +11,7 @@ mod snapshot;
 
 pub use self::saved::{LinkOutline, LoadError};
 
+use self::parted::PartedPath;
 pub(super) use self::saved::known_room;
 use crate::explore::{Action, Editor, PlanSearch, SessionState, Showing};
 use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
@@ -63,6 +65,8 @@ pub struct Session {
     /// Whether the planner's decisions are shown, and the decisions, once known.
     shows_search: bool,
     search: Option<PlanSearch>,
+    /// A path that stayed with its room when another one was chosen.
+    parted: Option<PartedPath>,
     /// The film of the plan, if there is one, and whether films wait for the user.
     film: Option<Showing>,
     holds_films: bool,
@@ -118,6 +122,7 @@ impl Session {
             message: None,
             shows_search: false,
             search: None,
+            parted: None,
             film: None,
             holds_films: false,
             film_at: None,
@@ -217,6 +222,8 @@ impl Session {
                 self.pacer.frame(elapsed_s, self.settings.speed, |steps| recording.advance(steps, has_time));
                 if recording.run().is_finished() {
                     self.playing = false;
+                    // The end is shown, not the film that the drive cut short.
+                    self.film.iter_mut().for_each(Showing::skip);
                 }
             }
             _ => self.pacer.rest(),
@@ -339,8 +346,10 @@ impl Session {
     pub fn select_room(&mut self, id: &str) -> Result<(), SettingsError> {
         let room = known_room(id)?;
         self.message = None;
+        let parted = self.part_with_path(&(room.build)());
         self.editor.replace((room.build)(), Some(room.id), None);
         self.prepare();
+        self.tell_parted(parted);
         Ok(())
     }
 

@@ -74,10 +74,10 @@ impl Session {
             return;
         }
         let (Some(prepared), Some(planned)) = (&self.prepared, self.planned.take()) else { return };
-        let planned = planned.driven_along(prepared, Arc::new(trajectory));
-        let Settings { conditions, odometry, seed, .. } = self.settings;
-        self.recording = Some(RunRecording::new(planned.run(prepared, conditions, odometry, seed)));
-        self.planned = Some(planned);
+        self.planned = Some(planned.driven_along(prepared, Arc::new(trajectory)));
+        if let Some(run) = self.fresh_run() {
+            self.record(run);
+        }
         self.pacer.restart();
     }
 
@@ -259,6 +259,12 @@ impl Session {
 
     /// A run from the start, once there is a path for those that need one.
     pub(super) fn fresh_run(&self) -> Option<Run> {
+        if let (Some(prepared), Some(planned)) = (&self.prepared, &self.planned)
+            && planned.smooth.is_some()
+        {
+            let Settings { conditions, odometry, seed, .. } = self.settings;
+            return Some(planned.run(prepared, conditions, odometry, seed));
+        }
         let line = self.planned.as_ref().map(|planned| Arc::clone(&planned.line));
         let needs_line = self.settings.path.is_some() || self.settings.algorithm.planner().is_some();
         if needs_line && line.is_none() { None } else { self.new_run(&line.unwrap_or_default()) }

@@ -56,16 +56,27 @@ impl Session {
 
     /// Takes the result of reading files. Changes nothing on an error.
     pub fn take_import(&mut self, import: Import) -> Result<(), ScenarioError> {
-        if let Some(choices) = &import.choices {
-            self.settings = choices.settings(&self.settings)?;
-        }
+        let brings_path = import.choices.as_ref().is_some_and(|choices| choices.path.is_some());
+        let settings = import.choices.map(|choices| choices.settings(&self.settings)).transpose()?;
         self.message = None;
+        let parted = !brings_path && self.part_with_path(&import.plan);
+        if let Some(mut settings) = settings {
+            settings.path = settings.path.filter(|_| !parted);
+            self.settings = settings;
+        }
         // A room that ships comes back as that room: with its name, all of it fits into a link.
         let plan = import.plan;
         let ships = floor_plan::ROOMS.iter().find(|room| room.title == plan.name && (room.build)() == plan);
         self.editor.replace(plan, ships.map(|room| room.id), None);
         self.prepare();
+        self.tell_parted(parted);
         Ok(())
+    }
+
+    /// Takes the room only, as when a room that ships is chosen; with all the rest if a path was planned in it.
+    pub fn take_room(&mut self, import: Import) -> Result<(), ScenarioError> {
+        let choices = import.choices.filter(|choices| choices.path.is_some());
+        self.take_import(Import { choices, ..import })
     }
 
     /// Takes a link's `key=value` pairs, joined by `&`. Changes nothing on an error.
@@ -114,6 +125,12 @@ impl Session {
             }
         }
         let room = room.filter(|&id| id != OWN_ROOM).map(known_room).transpose()?;
+        if let Some(room) = room
+            && pairs(link).all(|(key, _)| key != "path")
+            && !self.is_same_floor(&(room.build)())
+        {
+            settings.path = None;
+        }
         Ok(Linked { settings, room, shows_search: shows_search.unwrap_or(self.shows_search) })
     }
 
