@@ -9,7 +9,7 @@ const GAP = 10;
 /** @param {import("./tab.js").MapTab} it @returns {(view: import("../types").MapView) => void} */
 export function startEnding({ session }) {
   const words = make("p", { role: "status" });
-  const lose = make("button", { type: "button", className: "link", onclick: () => byId("map-lose").click() }, "kidnap the robot, which then has to find itself on this map");
+  const lose = make("button", { type: "button", className: "link", onclick: () => byId("map-lose").click() }, "kidnap the robot, and let it relocalise on this map");
   const next = make("p", { className: "ending-next" }, "Try next: ", lose, ".");
   const close = make("button", { type: "button", className: "quiet square", "aria-label": "Dismiss" });
   close.append(/** @type {Node} */ (byId("message-close").firstElementChild).cloneNode(true));
@@ -31,7 +31,7 @@ export function startEnding({ session }) {
     if (!isOver) return;
     const [swept, all] = by_map;
     const believed = `By its map the robot has swept ${percent(swept / Math.max(all, 1e-9))} %; the other ${(all - swept).toFixed(1)} m² are spots too small or too narrow.`;
-    const text = `${believed} In truth it has swept ${percent(coverage)} % of the room's floor: neither map nor position is exact.`;
+    const text = `${believed} Actually swept: ${percent(coverage)} % of the floor, as neither map nor position is exact.`;
     if (changed(card, "text", text)) words.textContent = text;
     setHidden(next, !can.open || !can.use_map);
   };
