@@ -13,7 +13,7 @@ import { compile } from "./wasm.js";
 /** What the page shows, for people. @type {Format[]} */
 const SHOWN = [
   { id: "picture", title: "Picture (PNG)", note: "The floor as it is shown, with its numbers", needs_path: false },
-  { id: "film", title: "Film of the run (WebM)", note: "The run so far, in at most 12 seconds", needs_path: false },
+  { id: "film", title: "Film of the run (WebM)", note: "The run so far, in at most 14 seconds", needs_path: false },
 ];
 
 /** @type {Promise<(app: import("./main.js").App, why: string) => void> | undefined} */

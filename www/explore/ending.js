@@ -36,7 +36,8 @@ export function startEnding(app) {
     if (text === "" || !changed(card, "text", text)) return;
     words.replaceChildren(shown, make("span", { className: "ending-bound" }, bound(view)));
     const ways = suggestions(app, view);
-    next.replaceChildren("Try next: ", ...ways.flatMap((way, i) => [i > 0 ? (i === ways.length - 1 ? " or " : ", ") : "", way]), ".");
+    const before = (/** @type {number} */ i) => (i === 0 ? "" : i === ways.length - 1 ? " or " : ", ");
+    next.replaceChildren("Try next: ", ...ways.map((way, i) => make("span", {}, before(i), way)), ".");
   };
 }
 

@@ -1,9 +1,9 @@
 // @ts-check
 // The tab Program: an editor beside the floor of Explore, and the program that runs on it.
-import { button, byId, make, setHidden, setText } from "../dom.js";
+import { button, byId, make, select, setHidden, setText } from "../dom.js";
 import { clock } from "../format.js";
 import { tellMore } from "../explore/more-events.js";
-import { complain, textOf } from "../messages.js";
+import { complain, textOf, toast } from "../messages.js";
 import { settingsOf } from "../settings-link.js";
 import { planWith } from "../start-planning.js";
 import { currentTab } from "../tabs.js";
@@ -151,7 +151,11 @@ export async function startProgram(app) {
   const enter = async (link) => {
     isOpened = true;
     await open(link);
-    if (!isHeld && (run.state === "idle" || !app.view.program)) await start(!calm);
+    if (isHeld || (run.state !== "idle" && app.view.program)) return;
+    // What drove until now begins anew when it is chosen again.
+    const before = app.view.program ? undefined : select("algorithm").selectedOptions[0]?.text;
+    await start(!calm);
+    if (before && app.view.program) toast(`Your program drives now, instead of ${before}.`);
   };
 
   return {

@@ -164,46 +164,45 @@ impl<'a> SweptPath<'a> {
     #[inline]
     fn new_corners(&self, edit: &Edit, mut tell: impl FnMut(Point, Point, Point)) {
         let p = &self.points;
-        if let Edit::Splice { from, to, ref new } = *edit {
-            let (mut a, mut at) = (self.before(from), p[from]);
-            for &point in new.slice().iter().chain(&p[to..(to + 2).min(p.len())]) {
-                tell(a, at, point);
-                (a, at) = (at, point);
-            }
-            return;
-        }
-        let mut tell_last = |a: Point, at: Point, behind: usize| {
-            if let Some(&b) = p.get(behind) {
-                tell(a, at, b);
+        // At the end of the path is no corner.
+        let mut corner = |before: Point, at: Point, behind: usize| {
+            if let Some(&behind) = p.get(behind) {
+                tell(before, at, behind);
             }
         };
         match *edit {
-            Edit::Splice { .. } => {}
+            Edit::Splice { from, to, ref new } => {
+                let (mut before, mut at) = (self.before(from), p[from]);
+                for &point in new.slice().iter().chain(&p[to..(to + 2).min(p.len())]) {
+                    tell(before, at, point);
+                    (before, at) = (at, point);
+                }
+            }
             Edit::Reverse { first, last } => {
                 let (a, b, y) = (p[first - 1], p[first], p[last]);
-                tell_last(self.before(first - 1), a, last);
-                tell_last(a, y, last - 1);
-                tell_last(p[first + 1], b, last + 1);
+                corner(self.before(first - 1), a, last);
+                corner(a, y, last - 1);
+                corner(p[first + 1], b, last + 1);
                 if let Some(&z) = p.get(last + 1) {
-                    tell_last(b, z, last + 2);
+                    corner(b, z, last + 2);
                 }
             }
             Edit::Carry { first, last, after, is_reversed } => {
                 let (a, b) = (p[first - 1], p[last + 1]);
-                tell_last(self.before(first - 1), a, last + 1);
-                tell_last(a, b, last + 2);
+                corner(self.before(first - 1), a, last + 1);
+                corner(a, b, last + 2);
                 let (u, v) = (p[after], p[after + 1]);
                 let (enter, leave) = if is_reversed { (last, first) } else { (first, last) };
-                tell_last(self.before(after), u, enter);
+                corner(self.before(after), u, enter);
                 if last > first {
                     let (second, last_but_one) =
                         if is_reversed { (last - 1, first + 1) } else { (first + 1, last - 1) };
-                    tell_last(u, p[enter], second);
-                    tell_last(p[last_but_one], p[leave], after + 1);
+                    corner(u, p[enter], second);
+                    corner(p[last_but_one], p[leave], after + 1);
                 } else {
-                    tell_last(u, p[enter], after + 1);
+                    corner(u, p[enter], after + 1);
                 }
-                tell_last(p[leave], v, after + 2);
+                corner(p[leave], v, after + 2);
             }
         }
     }

@@ -37,9 +37,11 @@ pub fn suggest(shades: &Grid<u8>, specks: f64) -> WallShades {
     if is_map || shades.len() < SMALL {
         return WallShades { method: ShadeMethod::Map, level: default, contrast: CONTRAST, negate: false, specks };
     }
-    let is_even = shadow(shades, level) <= SHADOW;
+    // Thin light lines have no ink beside them, and the dark ground would be taken for shadow.
+    let negate = has_light_lines(shades, level);
+    let is_even = negate || shadow(shades, level) <= SHADOW;
     let method = if is_even { ShadeMethod::Level } else { ShadeMethod::Local };
-    WallShades { method, level, contrast: CONTRAST, negate: is_even && has_light_lines(shades, level), specks }
+    WallShades { method, level, contrast: CONTRAST, negate, specks }
 }
 
 /// The share of pixels that are darker than `level`, but not than those around them, and not as dark as ink: the insides of
@@ -159,6 +161,14 @@ mod tests {
             assert_eq!((how.method, how.negate), (ShadeMethod::Level, true), "up to {inner}");
             assert!(agreement(&how.cells(&blueprint), &lines) > 0.97, "up to {inner}");
         }
+    }
+
+    #[test]
+    fn thin_light_lines_on_a_dark_ground_without_noise_are_walls() {
+        let lines =
+            Grid::from_rows(900, (0..900 * 600).map(|i| i % 900 % 300 < 3 || i / 900 % 200 < 3).collect()).unwrap();
+        let how = suggest(&lines.map(|&is_line| if is_line { 240 } else { 70 }), 0.0);
+        assert_eq!((how.method, how.negate), (ShadeMethod::Level, true));
     }
 
     #[test]

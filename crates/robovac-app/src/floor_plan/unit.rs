@@ -43,13 +43,19 @@ pub fn paper_units(source: &DrawingSource) -> Vec<(String, f64)> {
 /// ```
 /// use robovac_app::floor_plan::size_in_words;
 /// assert_eq!(size_in_words(12.42, 8.1), "12.4 × 8.1 m");
+/// assert_eq!(size_in_words(59.25, 47.2), "59.3 × 47.2 m");
 /// assert_eq!(size_in_words(0.0124, 0.0081), "12 × 8 mm");
 /// assert_eq!(size_in_words(12400.0, 8100.0), "12.4 × 8.1 km");
 /// ```
 pub fn size_in_words(width: f64, height: f64) -> String {
     match width.max(height) {
         large if large >= 10_000.0 => format!("{:.1} × {:.1} km", width / 1000.0, height / 1000.0),
-        large if large >= 1.0 => format!("{width:.1} × {height:.1} m"),
+        large if large >= 1.0 => format!("{:.1} × {:.1} m", halves_up(width), halves_up(height)),
         _ => format!("{:.0} × {:.0} mm", width * 1000.0, height * 1000.0),
     }
+}
+
+/// To tenths, halves up as on the page.
+fn halves_up(metres: f64) -> f64 {
+    (10.0 * metres).round() / 10.0
 }
