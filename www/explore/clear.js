@@ -40,7 +40,9 @@ export function startClear(app) {
   return ({ search: { film, text } }) => {
     told = film === null && !text ? 0 : Math.max(told, below("#search-box"));
     // Nor under the pointer; what is placed is selected, and its bar is below the palette.
-    if (!isPressed) palette = Math.max(palette, below("#kinds", GAP + BAR), below("#selection"));
+    const bars = Math.max(below("#kinds", GAP + BAR), below("#selection"));
+    // On a phone the floor needs the room again.
+    if (!isPressed) palette = isNarrow.matches ? bars : Math.max(palette, bars);
     const next = Math.max(told, palette, below("#message"), below("#ending"), below("#game"), below(".over-floor"), below(".embed .to-page"), below("#tools", 2));
     // In a frame, on the full screen, beside a lesson on a phone.
     const foot = stage.checkVisibility() && !byId("tools").checkVisibility() ? Math.max(above(byId("legend")), above(byId("zoom-in"))) : undefined;

@@ -9,8 +9,7 @@ use robovac_core::{
     math::{cos, sin},
 };
 
-/// Shorter by longer side of sheets of paper (ISO 216), and how much an image can differ from it.
-const SHEET: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// How much the ratio of an image's sides can differ from that of a sheet of paper.
 const SHEET_NEAR: f64 = 0.02;
 /// Longer side of the largest sheet, A0 with some margin, m.
 const LARGEST_SHEET: f64 = 1.3;
@@ -134,8 +133,8 @@ impl DrawingSource {
     }
 
     /// Metres per unit on paper, if it can be a sheet of paper: of the file's unit, or of an image's pixel on a sheet with
-    /// this longer side, m. Drawings without unit are in pixels of 1/96 inch.
-    pub fn paper(&self, longer: f64) -> Option<f64> {
+    /// these sides, m, the longer first. Drawings without unit are in pixels of 1/96 inch.
+    pub fn paper(&self, [longer, shorter]: [f64; 2]) -> Option<f64> {
         let size = self.extent().1;
         match self {
             Self::Drawing { drawing, original, .. } => {
@@ -143,7 +142,7 @@ impl DrawingSource {
                 Some(drawing.metre.unwrap_or(unknown)).filter(|metre| size.max() * metre <= LARGEST_SHEET)
             }
             Self::Image { .. } => {
-                let is_sheet = (size.min() / size.max() / SHEET - 1.0).abs() <= SHEET_NEAR;
+                let is_sheet = (size.min() * longer / (size.max() * shorter) - 1.0).abs() <= SHEET_NEAR;
                 is_sheet.then(|| longer / size.max())
             }
             Self::Map { .. } => None,

@@ -22,18 +22,26 @@ pub const UNITS: [Unit; 5] = [
 ];
 
 /// Scales of plans on paper, with their names in menus.
-const SCALES: [(f64, &str); 3] = [(50.0, "1:50"), (100.0, "1:100"), (200.0, "1:200")];
-/// Longer sides of sheets that are scanned, m, with their names.
-const SHEETS: [(f64, &str); 2] = [(0.297, "A4"), (0.42, "A3")];
+type Scales = [(f64, &'static str); 3];
+const SCALES: Scales = [(50.0, "1:50"), (100.0, "1:100"), (200.0, "1:200")];
+/// A quarter, an eighth and a sixteenth of an inch for a foot.
+const US_SCALES: Scales = [(48.0, "1:48"), (96.0, "1:96"), (192.0, "1:192")];
+/// Sheets that are scanned: longer and shorter side, m, name, and scales (ISO 216; ANSI/ASME Y14.1, A and B).
+const SHEETS: [([f64; 2], &str, Scales); 4] = [
+    ([0.297, 0.21], "A4", SCALES),
+    ([0.42, 0.297], "A3", SCALES),
+    ([0.2794, 0.2159], "Letter", US_SCALES),
+    ([0.4318, 0.2794], "Tabloid", US_SCALES),
+];
 
 /// The units of a plan that was drawn for paper: name and metres per unit.
 pub fn paper_units(source: &DrawingSource) -> Vec<(String, f64)> {
     let is_image = matches!(source, DrawingSource::Image { .. });
     let sheets = SHEETS.iter().take(if is_image { SHEETS.len() } else { 1 });
-    let units = sheets.flat_map(|&(side, sheet)| {
-        let paper = source.paper(side);
+    let units = sheets.flat_map(|&(sides, sheet, scales)| {
+        let paper = source.paper(sides);
         let of = if is_image { format!("{sheet} sheet") } else { "on paper".to_owned() };
-        SCALES.iter().filter_map(move |&(scale, name)| Some((format!("{of}, {name}"), scale * paper?)))
+        scales.into_iter().filter_map(move |(scale, name)| Some((format!("{of}, {name}"), scale * paper?)))
     });
     units.collect()
 }
