@@ -34,16 +34,22 @@ export function startEnding(app) {
     const text = shown && `${shown}${bound(view)}`;
     setHidden(card, shown === "" || shown === dismissed || view.search.film !== null && view.search.film.at < view.search.film.pictures);
     if (text === "" || !changed(card, "text", text)) return;
-    words.replaceChildren(shown, make("span", { className: "ending-bound" }, bound(view)));
+    const far = driven(view);
+    const start = shown.slice(0, shown.length - far.length - 1);
+    words.replaceChildren(start, make("span", { className: "ending-distance" }, far), ".", make("span", { className: "ending-bound" }, bound(view)));
     const ways = suggestions(app, view);
     const before = (/** @type {number} */ i) => (i === 0 ? "" : i === ways.length - 1 ? " or " : ", ");
     next.replaceChildren("Try next: ", ...ways.map((way, i) => make("span", {}, before(i), way)), ".");
   };
 }
 
+/** @param {View} view */
+const driven = ({ distance_m }) => `, driving ${metres(distance_m)} m`;
+
 /** @param {App} app @param {View} view */
-function reached({ catalogue }, { coverage, time_s, distance_m, kind, activity, algorithm }) {
-  const swept = `${percent(coverage)} % of the reachable floor swept in ${clock(time_s)}, driving ${metres(distance_m)} m.`;
+function reached({ catalogue }, view) {
+  const { coverage, time_s, kind, activity, algorithm } = view;
+  const swept = `${percent(coverage)} % of the reachable floor swept in ${clock(time_s)}${driven(view)}.`;
   if (kind !== "behaviour") return `Done: ${swept}`;
   const ends = catalogue.behaviours.find(({ id }) => id === algorithm)?.ends;
   return `${ends ? "The robot has stopped by itself" : "The robot has stopped"}${activity && activity !== "done" ? ` (${activity})` : ""}: ${swept}`;
