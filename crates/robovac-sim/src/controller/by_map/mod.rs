@@ -312,7 +312,7 @@ impl Behaviour for ByMap {
             CleaningPhase::Search => "relocalising on its map",
             CleaningPhase::Return { .. } => "driving back to its dock",
             CleaningPhase::Dock { .. } => self.dock.activity(),
-            CleaningPhase::Done(RunEnd::Clean) => "done: on its map nothing is left that is worth a pass",
+            CleaningPhase::Done(RunEnd::Clean) => "done: nothing on its map is worth another pass",
             CleaningPhase::Done(RunEnd::NothingReachable) => "done: the remaining floor is unreachable",
             CleaningPhase::Done(RunEnd::Lost) => "done: relocalisation failed",
             CleaningPhase::Done(RunEnd::Stuck) => "done: the robot is stuck",
