@@ -148,7 +148,8 @@ fn details(
     if let Some(light) = robot.suite.light_bumper {
         context.set_fill_style_str(palette.body);
         for angle in light.angles {
-            let (x, y) = (0.925 * radius * math::cos(angle), -0.925 * radius * math::sin(angle));
+            let edge = 0.925 * unit * robot.body.reach(robot.radius, angle);
+            let (x, y) = (edge * math::cos(angle), -edge * math::sin(angle));
             disc(context, x, y, (0.035 * radius).max(1.0), palette.body)?;
         }
     }

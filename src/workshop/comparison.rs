@@ -283,7 +283,7 @@ impl Comparison {
 
     /// Sets the speed, times real time; 0 for as fast as possible.
     pub fn set_speed(&mut self, times: f64) {
-        self.race(|race| race.set_speed(times));
+        self.state.set_speed(times);
     }
 
     fn race(&mut self, what: impl FnOnce(&mut compare::Race)) {

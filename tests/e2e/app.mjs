@@ -122,7 +122,7 @@ export class App {
   /** Square metres of floor that the robot reaches, as the note under the menu of rooms says. */
   async reachableArea() {
     const note = (await this.page.locator("#room-note").textContent()) ?? "";
-    return Number(/([\d.]+) m² reachable/.exec(note)?.[1]);
+    return Number(/([\d.]+)\sm² reachable/.exec(note)?.[1]);
   }
 
   /** The name of the room, as the menu shows it. */

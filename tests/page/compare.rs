@@ -209,14 +209,33 @@ fn link_brings_the_comparison_back() {
     comparison.set_seeds(5);
     let link = comparison.to_link();
     assert_eq!(link, "vs=boustrophedon,snake~patience:5&rooms=all&seeds=5");
+    comparison.set_speed(0.0);
+    let link = comparison.to_link();
+    assert!(link.ends_with("&seeds=5&pace=0"), "{link}");
     let mut other = Comparison::new();
     other.take(&session);
     other.restore(&format!("#room=thesis8&place=compare&{link}")).expect("it was just written");
     assert_eq!(other.to_link(), link);
-    for wrong in ["vs=snail", "vs=snake~patience:much", "rooms=none", "seeds=0", "seeds=1000"] {
+    for wrong in ["vs=snail", "vs=snake~patience:much", "rooms=none", "seeds=0", "seeds=1000", "pace=fast"] {
         assert!(other.restore(wrong).is_err(), "{wrong}");
         assert_eq!(other.to_link(), link, "{wrong} changed something");
     }
+}
+
+#[test]
+fn behaviours_that_the_robot_lacks_a_laser_for_stay_out_of_the_race() {
+    let (blind, mut seeing) = (session("thesis8"), session("thesis8"));
+    seeing.configure(|s| s.select_robot("roomba600_lidar")).expect("it is in the registry");
+    let mut comparison = comparison(&blind, &["boustrophedon"]);
+    comparison.restore("vs=boustrophedon&behaviours=online_snake").expect("it is in the registry");
+    let snake = comparison.entrants().iter().position(|entrant| entrant.id() == "online_snake").expect("it cleans");
+    for (session, lacks, lanes) in [(&blind, "needs a laser scanner", 1), (&seeing, "", 2)] {
+        comparison.take(session);
+        work(&mut comparison);
+        assert_eq!(comparison.lacks(snake), lacks);
+        assert_eq!(comparison.race().expect("there is a plan").lanes().len(), lanes);
+    }
+    assert!(comparison.to_link().contains("online_snake"), "it takes part again with another robot");
 }
 
 #[test]

@@ -69,12 +69,13 @@ export function showTitle(item, title) {
 /**
  * Shows the choices in an item.
  * @param {Element | null | undefined} item
- * @param {{ chosen: boolean, params: Record<string, string | number | boolean> }} entrant
+ * @param {{ chosen: boolean, lacks: string, params: Record<string, string | number | boolean> }} entrant `lacks`: why it can't take part.
  */
-export function showChoice(item, { chosen, params }) {
+export function showChoice(item, { chosen, lacks, params }) {
   const box = item?.querySelector("input");
   if (!item || !box) return;
   if (changed(item, "chosen", chosen)) box.checked = chosen;
+  if (changed(item, "lacks", lacks)) box.disabled = lacks !== "";
   if (!changed(item, "params", JSON.stringify(params))) return;
   for (const control of item.querySelectorAll("[data-param]")) {
     const value = params[/** @type {HTMLElement} */ (control).dataset.param ?? ""];

@@ -164,8 +164,6 @@ function updateChoices(view, offer, items) {
     if (!status) return;
     const words = entrant.failure ? "failed" : entrant.runs >= view.seeds ? "✓" : entrant.runs > 0 ? String(entrant.runs) : "";
     setText(status, entrant.lacks || (entrant.chosen ? words : ""));
-    const box = item?.querySelector("input");
-    if (box) box.disabled = entrant.lacks !== "";
     setAttribute(status, "data-tip", entrant.failure);
     setAttribute(status, "tabindex", entrant.failure ? "0" : "-1");
   });

@@ -66,7 +66,7 @@ export function startNumbers(it) {
 /** @param {import("../types").ComparisonView} view @param {boolean} together */
 function note({ seeds, entrants }, together) {
   const chance = seeds > 1 && entrants.some(({ chosen }) => chosen) ? ` Randomised algorithms: median of ${seeds} seeds, range below it.` : "";
-  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} As planned, without wheel slip; in the race, tracking the path and correcting at corners takes a few percent longer. Click a row to see its path.`.trim();
+  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance} As planned, without wheel slip; in the race, tracking the path and correcting at corners takes a few percent longer.`.trim();
 }
 
 /** @param {Table} table */

@@ -47,7 +47,7 @@ export function updateSetup(it) {
     const busy = view.done < view.total && !view.cancelled;
     const words = { out: "", done: "✓", failed: "failed", trying: busy ? `${Math.floor(entrant.progress * 100)} %` : "–" };
     if (status) {
-      setText(status, words[entrant.state]);
+      setText(status, entrant.lacks || words[entrant.state]);
       setAttribute(status, "data-tip", entrant.message);
       setAttribute(status, "tabindex", entrant.state === "failed" ? "0" : "-1");
     }

@@ -14,7 +14,7 @@ export const STOP = Uint8Array.of(145, 0, 0, 0, 0, 145, 0, 0, 0, 0, 138, 0, 128)
 export const HALT = STOP.slice(0, 10);
 
 /** How long a page that goes away waits for its workers, ms. */
-const HOLD_MS = 60;
+const HOLD_MS = 100;
 
 /** Pages that are left say so two or three times. */
 const ONCE_MS = 500;

@@ -128,6 +128,7 @@ function showRoom(room, shipped) {
     menu.prepend(make("option", { value: room.id, "data-own": "" }, room.title || "Your room"));
     menu.value = room.id;
   } else if (!isOwn) own?.remove();
-  const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${room.reachable_m2.toFixed(1)} m² reachable${room.left_out_m2 >= 0.05 ? `, ${room.left_out_m2.toFixed(1)} m² not (hatched)` : ""}.`;
+  const [reached, not] = [room.reachable_m2, room.left_out_m2].map((area) => `${area.toFixed(1)}\u00a0m²`);
+  const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)}\u00a0m, ${reached} reachable${room.left_out_m2 >= 0.05 ? `, ${not} not (hatched)` : ""}.`;
   setText(byId("room-note"), room.note ? `${room.note.replace(/\.?$/, ".")} ${size}` : size);
 }

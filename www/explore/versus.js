@@ -32,6 +32,8 @@ export function startVersus(app, card) {
   let last = 0;
   let counts = true;
   let score = 0;
+  /** The speed at which the user watches algorithms; the rival's is the fastest meanwhile. @type {number | undefined} */
+  let pace;
   let told = () => {};
 
   const titleOf = (/** @type {string} */ id) => rivals.find((one) => one.id === id)?.title ?? id;
@@ -60,6 +62,7 @@ export function startVersus(app, card) {
     phase = "rival";
     const worked = app.act((p) => {
       p.select_algorithm(terms.rival);
+      pace ??= p.view().speed;
       p.set_speed(0);
       p.reset();
       p.play();
@@ -71,12 +74,19 @@ export function startVersus(app, card) {
     told = () => void (bar.value = Math.min(1, app.view.time_s / terms.seconds));
   }
 
+  /** @param {import("../main.js").App["playground"]} p */
+  function atUsualPace(p) {
+    if (pace !== undefined) p.set_speed(pace);
+    pace = undefined;
+  }
+
   /** The algorithm has had its time. */
   function yourTurn() {
     phase = "you";
     counts = true;
     last = 0;
     const worked = app.act((p) => {
+      atUsualPace(p);
       p.select_algorithm(person);
       p.set_tool("view");
       p.set_speed(1);
@@ -166,6 +176,7 @@ export function startVersus(app, card) {
     },
     end() {
       phase = "terms";
+      if (pace !== undefined) app.act(atUsualPace);
     },
     link: () => (phase === "terms" || phase === "rival" ? "" : [terms.rival, terms.seconds, ...(phase === "over" && counts ? [percent(score)] : terms.beat === null ? [] : [percent(terms.beat)])].join(",")),
   };

@@ -49,9 +49,13 @@ function showCut(view) {
   // Beside a question and a notice it would be too much at once.
   const cut = view?.doors || (view?.asks && view.notice) ? 0 : (view?.room?.cut_off_m2 ?? 0);
   setHidden(byId("floor-plan-cut"), !cut);
-  if (!view || !cut) return;
+  if (!view?.room || !cut) return;
+  const { floor_m2: all, reachable_m2: reached } = view.room;
+  const rest = reached === null ? 0 : all - reached - cut;
+  const besides = rest < 0.1 ? "" : ` Another ${rest.toFixed(1)} m² are corners and edges that its brush doesn't reach.`;
+  const start = cut > all / 2 ? "If it starts in the wrong part, move the start in Explore. " : "";
   const mend = view.kind === "drawing" ? "make its layer Ignored" : view.kind === "image" ? "read the walls in another way" : "widen the way";
-  setText(byId("floor-plan-cut-text"), `A robot as wide as a Roomba can't get to ${cut.toFixed(1)} m² of this floor. If furniture stands there, all is well. Otherwise a line, an arc of a door or a narrow door is in its way: ${mend}, or use this room and rub the way free with Erase.`);
+  setText(byId("floor-plan-cut-text"), `A robot as wide as a Roomba can't get to ${cut.toFixed(1)} m² of this floor.${besides} ${start}If furniture stands there, all is well. Otherwise a line, an arc of a door or a narrow door is in its way: ${mend}, or use this room and rub the way free with Erase.`);
 }
 
 /** What is marked in the picture. @param {FloorPlanView | undefined} view */

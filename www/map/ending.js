@@ -3,11 +3,8 @@
 import { byId, changed, make, setHidden } from "../dom.js";
 import { percent } from "../format.js";
 
-/** Pixels between the card and the map. */
-const GAP = 10;
-
-/** @param {import("./tab.js").MapTab} it @returns {(view: import("../types").MapView) => void} */
-export function startEnding({ session }) {
+/** @returns {(view: import("../types").MapView) => void} */
+export function startEnding() {
   const words = make("p", { role: "status" });
   const lose = make("button", { type: "button", className: "link", onclick: () => byId("map-lose").click() }, "kidnap the robot, and let it relocalise on this map");
   const next = make("p", { className: "ending-next" }, "Try next: ", lose, ".");
@@ -25,9 +22,6 @@ export function startEnding({ session }) {
     const isOver = phase === "finished" && by_map !== null && activity.startsWith("done");
     if (!isOver) isDismissed = false;
     setHidden(card, !isOver || isDismissed);
-    // The map gives way.
-    const below = card.hidden ? 0 : card.getBoundingClientRect().bottom - byId("map-stage").getBoundingClientRect().top + GAP;
-    if (changed(card, "below", below)) session.keep_clear(below);
     if (!isOver) return;
     const [swept, all] = by_map;
     const believed = `By its map the robot has swept ${percent(swept / Math.max(all, 1e-9))} %; the other ${(all - swept).toFixed(1)} m² are spots too small or too narrow.`;

@@ -48,7 +48,7 @@ export function startPlaybar(it) {
       top = drawDrift(curve, view.end_s);
       if (isLost) drawError(curve, range, top);
       else drawBoundary(curve, range);
-      setText(byId("map-curve-name"), isLost ? "Position error over time; shaded while it is lost" : "Boundary mapped over time");
+      setText(byId("map-curve-name"), isLost ? "Position error over time; shaded where it has no estimate" : "Boundary mapped over time");
       setText(byId("map-curve-top"), isLost ? length(top) : "100 %");
     }
     const height = isLost ? (view.figures?.position_m ?? top) / top : (view.figures?.boundary ?? 0);
@@ -85,7 +85,7 @@ function drawBoundary(curve, range) {
   setAttribute(byId("map-astray"), "d", "");
 }
 
-/** The error of a robot that is lost on a map, and when it had no idea. @param {Float64Array} curve @param {number} range @param {number} top */
+/** The error of a robot that is lost on a map, and when it had no estimate. @param {Float64Array} curve @param {number} range @param {number} top */
 function drawError(curve, range, top) {
   const points = samples(curve).map(([time, , here]) => /** @type {[number, number]} */ ([(1000 * time) / range, 99.5 - (99 * here) / top]));
   setAttribute(byId("map-curve"), "d", through(points));
@@ -98,7 +98,7 @@ function drawError(curve, range, top) {
 function drawDrift(curve, end) {
   const all = samples(curve);
   const most = Math.max(0.1, ...all.flatMap(([, , here, odometry]) => [here || 0, odometry || 0]));
-  const top = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50].find((limit) => limit >= most) ?? 100;
+  const top = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500].find((limit) => limit >= most) ?? most;
   const across = (/** @type {number} */ time) => (1000 * time) / Math.max(end, 1);
   setAttribute(byId("map-drift-here"), "d", through(all.map(([time, , here]) => [across(time), 100 - (100 * here) / top])));
   setAttribute(byId("map-drift-odometry"), "d", through(all.map(([time, , , odometry]) => [across(time), 100 - (100 * odometry) / top])));

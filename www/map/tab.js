@@ -8,6 +8,7 @@ import { startMirror } from "../session-mirror.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { startSheets } from "../sheets.js";
 import { startCanvas } from "./canvas.js";
+import { startClear } from "./clear.js";
 import { startEnding } from "./ending.js";
 import { startKeeping } from "./keep.js";
 import { startNumbers } from "./numbers.js";
@@ -61,7 +62,7 @@ export function startMap(app) {
   const picture = startCanvas(it, canvas);
   const playbar = startPlaybar(it);
   const program = startProgram(it, () => session.program_job(mirror()));
-  const updates = [startSetup(it), playbar.update, startNumbers(it), program.update, startEnding(it)];
+  const updates = [startSetup(it), playbar.update, startNumbers(it), program.update, startEnding(), startClear(it)];
   const uses = startUses(it, keeping);
   startSheets(byId("panel-map"), canvas);
   const isDue = atMostEvery(PAUSE);

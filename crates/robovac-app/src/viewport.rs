@@ -10,6 +10,8 @@ const BARE_MARGIN: f64 = 6.0;
 const SCALES: std::ops::RangeInclusive<f64> = 0.5..=2000.0;
 /// Width of the canvas below which the scale bar has no place between legend and zoom and stands above the zoom, CSS pixels.
 const BESIDE_ZOOM: f64 = 626.0;
+/// Width and height of the lower right corner in which it lies where nothing else does, CSS pixels.
+const BARE_SCALE: (f64, f64) = (130.0, 32.0);
 /// Size of the canvas below which there is none, CSS pixels.
 const LEAST_WITH_SCALE: [f64; 2] = [240.0, 160.0];
 /// Width and height of the lower right corner with a scale bar above the zoom, CSS pixels.
@@ -157,6 +159,11 @@ impl Viewport {
     /// Where the scale bar ends, CSS pixels from the right and from the bottom; `None` if there is no place for it.
     pub fn scale_bar(&self) -> Option<[f64; 2]> {
         let [width, height] = LEAST_WITH_SCALE;
+        let end = self.to_screen(Point::new(self.room.x, 0.0));
+        // Of several small panes, each can do without.
+        if self.is_bare && end.x > self.size.x - BARE_SCALE.0 && end.y > self.size.y - BARE_SCALE.1 {
+            return None;
+        }
         let place = match self.size.x {
             _ if self.is_bare => [10.0, 10.0],
             // Left of what lies in the corner.

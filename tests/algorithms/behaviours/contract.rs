@@ -176,3 +176,26 @@ fn nobody_jams_in_a_corner() {
         }
     }
 }
+
+/// Behind a cupboard of the office the `CBot`, twice as long as wide, once turned against both sides for ever.
+#[test]
+fn a_long_body_comes_out_of_where_it_can_not_turn() {
+    let sides = [[0.0, 0.0, 0.8, 0.8], [0.0, 1.2, 0.8, 2.0]];
+    let plan = Sketch::open(3.0, 2.0, 0.05).fill(&sides).start(1.5, 1.0, 180.0).finish("niche", "");
+    let setup = lay_out(&plan, model("cbot").expect("it is in the registry"), conditions(NoiseLevel::Typical))
+        .expect("it fits");
+    for id in ["wall_follow", "bounce", "random_walk"] {
+        let info = controller::find(id).expect("it is in the registry");
+        for seed in 0..4 {
+            let mut run = run(&setup, info, seed);
+            let mut comes = |is_there: fn(f64) -> bool| {
+                (0..120).any(|_| {
+                    drive(&mut run, 1.0 / 60.0);
+                    is_there(run.pose().x)
+                })
+            };
+            assert!(comes(|x| x < 0.4), "{id} {seed}: it wasn't in the niche");
+            assert!(comes(|x| x > 1.1), "{id} {seed}: it is still in the niche");
+        }
+    }
+}

@@ -34,14 +34,14 @@ pub(super) struct ComparisonBase {
 }
 
 /// Initial speed of a race, times real time: cleaning a flat takes most of an hour.
-const SPEED: f64 = 64.0;
+pub(super) const SPEED: f64 = 64.0;
 
 /// Prefix of the names of rooms that aren't built in.
 pub(super) const OWN: &str = "own";
 
 impl ComparisonBase {
-    /// The session's settings; races run at `speed`, or at [`SPEED`].
-    pub fn of(session: &Session, speed: Option<f64>) -> Self {
+    /// The session's settings; races run at `speed`.
+    pub fn of(session: &Session, speed: f64) -> Self {
         let settings = session.settings();
         Self {
             plan: Arc::clone(session.plan()),
@@ -58,7 +58,7 @@ impl ComparisonBase {
                 odometry: settings.odometry,
                 smooth: settings.smooth,
                 seed: settings.seed,
-                speed: speed.unwrap_or(SPEED),
+                speed,
             },
             program: settings.program().cloned(),
             snapshot: session.snapshot(),

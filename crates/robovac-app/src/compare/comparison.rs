@@ -2,7 +2,7 @@
 
 use super::{
     ComparisonTable, PrintedRow, Race, RaceSetup, Record, RoomChoice, RoomSet, Row, Trial, TrialProgress,
-    base::{ComparisonBase, OWN},
+    base::{ComparisonBase, OWN, SPEED},
     entrants::Entrants,
     kept_paths::{KeptPath, KeptPaths},
     race::{MOST_LANES, Racer},
@@ -32,6 +32,8 @@ pub struct Comparison {
     trials: Trials,
     paths: KeptPaths,
     race: Option<Race>,
+    /// How fast it runs, times real time; 0 for as fast as possible.
+    speed: f64,
     races: u32,
     race_log: RaceLog,
     version: u32,
@@ -48,6 +50,7 @@ impl Comparison {
             trials: Trials::default(),
             paths: KeptPaths::default(),
             race: None,
+            speed: SPEED,
             races: 0,
             race_log: RaceLog::default(),
             version: 0,
@@ -63,8 +66,9 @@ impl Comparison {
         if self.base.as_ref().is_some_and(|base| base.is_of(session)) {
             return;
         }
-        self.base = Some(ComparisonBase::of(session, self.race.as_ref().map(Race::speed)));
+        self.base = Some(ComparisonBase::of(session, self.speed));
         self.entrants.set_program(session.settings().program().cloned());
+        self.entrants.set_robot(session.settings().robot_model());
         // Earlier states of an own room aren't kept.
         let here = self.place(self.here());
         self.trials.retain(|key| !key.starts_with(OWN) || key.starts_with(&here));
@@ -105,6 +109,11 @@ impl Comparison {
     /// What tells an entrant from its copies; empty if it has none.
     pub fn distinction(&self, entrant: usize) -> String {
         self.entrants.distinction(entrant)
+    }
+
+    /// What the robot lacks for an entrant to do anything; it then doesn't take part. Empty if nothing.
+    pub fn lacks(&self, entrant: usize) -> &'static str {
+        self.entrants.lacks(entrant)
     }
 
     /// Name of an entrant for users, without what tells it from its copies.
@@ -155,15 +164,17 @@ impl Comparison {
     pub fn to_link(&self) -> String {
         let behaviours = self.entrants.to_link(true);
         let behaviours = if behaviours.is_empty() { behaviours } else { format!("&behaviours={behaviours}") };
-        format!("vs={}{behaviours}&rooms={}&seeds={}", self.entrants.to_link(false), self.set.id(), self.seeds)
+        let pace = if self.speed == SPEED { String::new() } else { format!("&pace={}", self.speed) };
+        format!("vs={}{behaviours}&rooms={}&seeds={}{pace}", self.entrants.to_link(false), self.set.id(), self.seeds)
     }
 
     /// Reads the pairs that [`Comparison::to_link`] wrote, among others, joined by `&`. Changes nothing on an error.
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
-        let (mut entrants, mut set, mut number) = (self.entrants.clone(), self.set, self.seeds);
+        let (mut entrants, mut set, mut number, mut speed) = (self.entrants.clone(), self.set, self.seeds, self.speed);
         let pairs = || link.trim_start_matches('#').split('&').filter_map(|pair| pair.split_once('='));
         if pairs().any(|(key, _)| key == "vs" || key == "behaviours") {
             entrants.clear();
+            speed = SPEED;
         }
         for (key, value) in pairs() {
             match key {
@@ -171,10 +182,12 @@ impl Comparison {
                 "behaviours" => entrants.choose_behaviours(value)?,
                 "rooms" => set = RoomSet::parse(value)?,
                 "seeds" => number = seeds(value)?,
+                "pace" => speed = pace(value)?,
                 _ => {}
             }
         }
         (self.entrants, self.set, self.seeds) = (entrants, set, number);
+        self.set_speed(speed);
         self.changed();
         Ok(())
     }
@@ -383,6 +396,14 @@ impl Comparison {
         self.race.as_ref()
     }
 
+    /// Sets the speed of races, times real time; 0 for as fast as possible.
+    pub fn set_speed(&mut self, times: f64) {
+        self.speed = if times.is_finite() { times.max(0.0) } else { 0.0 };
+        if let Some(race) = &mut self.race {
+            race.set_speed(self.speed);
+        }
+    }
+
     /// The race, mutably.
     pub fn race_mut(&mut self) -> Option<&mut Race> {
         self.race.as_mut()
@@ -416,7 +437,7 @@ impl Comparison {
                 self.paths.get(&key).map(|_| Racer { entrant, planned_s, key })
             })
             .collect();
-        let setup = RaceSetup { speed: self.race.as_ref().map_or(base.setup.speed, Race::speed), ..base.setup };
+        let setup = RaceSetup { speed: self.speed, ..base.setup };
         if self.race.as_ref().is_some_and(|race| race.is_of(setup, &racers)) {
             return;
         }
@@ -478,6 +499,15 @@ fn seeds(text: &str) -> Result<u32, SettingsError> {
         kind: "the number of seeds",
         value: text.to_owned(),
         expected: "a whole number from 1 to 20",
+    })
+}
+
+/// The speed of races in a link.
+fn pace(text: &str) -> Result<f64, SettingsError> {
+    text.parse().ok().filter(|times: &f64| times.is_finite() && *times >= 0.0).ok_or_else(|| SettingsError::Invalid {
+        kind: "the speed of the race",
+        value: text.to_owned(),
+        expected: "a number, 0 for as fast as possible",
     })
 }
 

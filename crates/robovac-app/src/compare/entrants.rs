@@ -5,6 +5,7 @@ use coverage_planners::PLANNERS;
 use robovac_core::{
     program::{Program, ProgramKind},
     registry::Params,
+    robot::RobotModel,
 };
 use robovac_sim::experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, SettingsError};
 use std::{collections::BTreeSet, sync::Arc};
@@ -18,6 +19,12 @@ const FIRST: [&str; 4] = ["boustrophedon", "snake", "spiral_stc", "wavefront_pat
 pub(super) fn titled(algorithm: Algorithm, program: Option<&Program>) -> String {
     let title = algorithm.title();
     program.map_or_else(|| title.to_owned(), |program| format!("{title}: {}", program.name))
+}
+
+/// What a robot lacks for an algorithm to do anything; empty if nothing.
+pub(super) fn lacking(algorithm: Algorithm, robot: &RobotModel) -> &'static str {
+    let is_blind = algorithm.behaviour().is_some_and(|info| info.claims.needs_laser) && robot.sensors.laser.is_none();
+    if is_blind { "needs a laser scanner" } else { "" }
 }
 
 /// Every entrant has a number, which stays.
@@ -36,6 +43,7 @@ pub(super) struct Entrants {
     benched: BTreeSet<usize>,
     /// The user's program.
     program: Option<Arc<Program>>,
+    robot: Option<RobotModel>,
 }
 
 impl Entrants {
@@ -53,11 +61,16 @@ impl Entrants {
             removed: BTreeSet::new(),
             benched: BTreeSet::new(),
             program: None,
+            robot: None,
         }
     }
 
     pub fn set_program(&mut self, program: Option<Arc<Program>>) {
         self.program = program;
+    }
+
+    pub fn set_robot(&mut self, robot: RobotModel) {
+        self.robot = Some(robot);
     }
 
     pub fn all(&self) -> &[Entrant] {
@@ -139,6 +152,11 @@ impl Entrants {
         !entrant.algorithm.is_program() || self.program_of(entrant).is_some()
     }
 
+    /// What the robot lacks for an entrant to do anything; empty if nothing.
+    pub fn lacks(&self, entrant: usize) -> &'static str {
+        self.robot.as_ref().map_or("", |robot| lacking(self.all[entrant].algorithm, robot))
+    }
+
     /// The user's program that an entrant stands for.
     pub fn program_of(&self, entrant: &Entrant) -> Option<&Arc<Program>> {
         self.program.as_ref().filter(|program| entrant.algorithm == Algorithm::of_program(program.kind))
@@ -193,7 +211,7 @@ impl Entrants {
 
     /// The chosen entrants that can take part, in the order in which they were chosen.
     pub fn taking_part(&self) -> impl Iterator<Item = usize> {
-        self.chosen.iter().copied().filter(|&entrant| self.is_there(entrant))
+        self.chosen.iter().copied().filter(|&entrant| self.is_there(entrant) && self.lacks(entrant).is_empty())
     }
 
     /// Those of them that race.

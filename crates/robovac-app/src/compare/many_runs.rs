@@ -1,6 +1,6 @@
 //! View model of many runs: entrants, number of runs, missing runs, results.
 
-use super::entrants::titled;
+use super::entrants::{lacking, titled};
 use crate::explore::{ProgramJob, Session, SessionSnapshot};
 use robovac_core::{
     floor_plan::{FloorPlan, Scenario},
@@ -215,10 +215,8 @@ impl ManyRuns {
     /// What the robot lacks for an algorithm to do anything; empty if nothing.
     pub fn lacks(&self, entrant: usize) -> &'static str {
         let robot = self.base.as_ref().map(|base| base.settings.robot_model());
-        let behaviour = self.entrants.get(entrant).and_then(|entrant| entrant.algorithm.behaviour());
-        let is_blind = behaviour.is_some_and(|info| info.claims.needs_laser)
-            && robot.is_some_and(|robot| robot.sensors.laser.is_none());
-        if is_blind { "needs a laser scanner" } else { "" }
+        let algorithm = self.entrants.get(entrant).map(|entrant| entrant.algorithm);
+        algorithm.zip(robot).map_or("", |(algorithm, robot)| lacking(algorithm, &robot))
     }
 
     /// Name of an algorithm for users.

@@ -42,6 +42,8 @@ struct EntrantView<'a> {
     /// 1, or 2 and up for copies; 0 for one that was removed, and for a program that isn't there.
     copy: usize,
     chosen: bool,
+    /// What the robot lacks for it; it then doesn't take part.
+    lacks: &'static str,
     params: &'a Params,
     /// `out`, `trying`, `done` or `failed`.
     #[cfg_attr(feature = "types", ts(type = "\"out\" | \"trying\" | \"done\" | \"failed\""))]
@@ -112,7 +114,8 @@ impl<'a> ComparisonView<'a> {
                 distinction,
                 mark,
                 copy,
-                chosen: comparison.is_chosen(index),
+                chosen: comparison.is_chosen(index) && comparison.lacks(index).is_empty(),
+                lacks: comparison.lacks(index),
                 params: &entrant.params,
                 state,
                 progress,

@@ -317,9 +317,11 @@ impl DrawingSession {
             } else {
                 "Check the size; if it is right, choose Rectangle or Polygon.".to_owned()
             };
+            let counts =
+                if room.is_open { "so the outside counts as floor, too" } else { "so they don't count as floor" };
             return format!(
                 "About {floor_m2:.0} m² are open to the outside through a gap about {width:.1} m wide, where the ring is, \
-                 so they don't count as floor. {mend}"
+                 {counts}. {mend}"
             );
         }
         let notice = match self.source() {

@@ -13,7 +13,7 @@ use rand::RngExt;
 use robovac_core::{
     math,
     rng::Rng,
-    robot::{Drive, RobotModel, SensorReadings},
+    robot::{Body, Drive, RobotModel, SensorReadings},
 };
 use std::collections::VecDeque;
 
@@ -33,6 +33,14 @@ const OFF_TURN: f64 = 0.04;
 const MOST_UNDONE: u32 = 5;
 /// Least distance between two hits that counts as progress; below it the robot keeps turning the same way, m.
 const NOWHERE: f64 = 0.03;
+/// Time for which the bumper is pressed on the side to which a body with corners turns until it counts as wedged, s, and until
+/// it is known how far it can turn the other way.
+const WEDGED_S: f64 = 0.5;
+const PRESSED_S: f64 = 0.2;
+/// Way back out of where it was wedged, m, the least turn there, and the turn the other way after which it wasn't, rad.
+const OFF_WEDGE: f64 = 0.3;
+const WEDGE_TURN: f64 = 1.2;
+const FREE_TURN: f64 = 1.6;
 
 /// How distances and angles are measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,6 +64,10 @@ pub(in crate::controller) enum Move {
     Turn(f64),
     /// Back from a turn that would have brought a wheel over an edge.
     Undo(f64),
+    /// On the spot, rad, until something presses the bumper, and half of it back.
+    Swing(f64),
+    /// Straight back by a distance, m, from where a body with corners can't turn: it can only have come from behind.
+    BackOut(f64),
     /// These wheel speeds for so long, s, without waiting for rest before or after: motors that are switched, whatever
     /// comes of it.
     Timed(Drive, f64),
@@ -99,6 +111,8 @@ pub(in crate::controller) struct Pilot {
     travel: EncoderTravel,
     trail: WheelTrail,
     voids: Voids,
+    /// For how long the bumper has been pressed on the side to which it turns, s, and the turn at which that began, rad.
+    pressed: (f64, f64),
     /// Whether it reverses along the trail.
     is_retreating: bool,
     /// Number of undone turns in the present motions.
@@ -129,6 +143,7 @@ impl Pilot {
             travel: EncoderTravel::new(&robot),
             trail: WheelTrail::default(),
             voids: Voids::new(&robot),
+            pressed: (0.0, 0.0),
             is_retreating: false,
             undone: 0,
             moves: VecDeque::new(),
@@ -150,8 +165,17 @@ impl Pilot {
         let is_backing = self.is_retreating || self.moves.front().is_some_and(|step| !step.is_ahead());
         self.trail.roll(rolled, sensed.bumped(), is_backing);
         self.is_retreating = false;
+        self.pressed =
+            if self.presses(sensed) { (self.pressed.0 + dt_s, self.pressed.1) } else { (0.0, self.travel.turned()) };
         self.beam_unseen = if sensed.virtual_wall { 0.0 } else { self.beam_unseen + dt_s };
         self.leaving_beam &= self.beam_unseen < BEAM_GONE_S;
+    }
+
+    /// Whether it turns a body with corners towards what presses the bumper.
+    fn presses(&self, sensed: &SensorReadings) -> bool {
+        let Some(Move::Turn(angle) | Move::Swing(angle)) = self.moves.front() else { return false };
+        let is_towards = if *angle > 0.0 { sensed.bump_left } else { sensed.bump_right };
+        is_towards && self.robot.body != Body::Round && self.phase != MotionPhase::Settle
     }
 
     /// Resets all motions and knowledge: the robot was kidnapped.
@@ -321,12 +345,17 @@ impl Pilot {
                     return Some(Drive::STOP);
                 }
                 self.phase = MotionPhase::Under { ahead: self.begin(step), turned: self.travel.turned(), clock: 0.0 };
+                if let Move::BackOut(distance) = step {
+                    self.trail.assume(distance);
+                }
             }
             let MotionPhase::Under { ahead, turned, clock } = self.phase else { return Some(Drive::STOP) };
             self.phase = MotionPhase::Under { ahead, turned, clock: clock + dt_s };
             let drive = match step {
                 Move::Timed(drive, _) => Some(drive),
-                Move::Back(distance) => self.back(distance - (ahead - self.travel.ahead()), distance, (clock, dt_s)),
+                Move::Back(distance) | Move::BackOut(distance) => {
+                    self.back(distance - (ahead - self.travel.ahead()), distance, (clock, dt_s))
+                }
                 Move::BackOutOfBeam => self.back_out(sensed),
                 Move::Ahead(distance) => {
                     let left = distance - (self.travel.ahead() - ahead);
@@ -348,7 +377,19 @@ impl Pilot {
                     self.phase = MotionPhase::Settle;
                     continue;
                 }
-                Move::Turn(angle) | Move::Undo(angle) => {
+                Move::Turn(angle) if self.pressed.0 > WEDGED_S => {
+                    self.phase = MotionPhase::Settle;
+                    self.moves[0] = Move::Turn(angle.signum() * angle.abs().max(WEDGE_TURN));
+                    self.moves.push_front(Move::BackOut(OFF_WEDGE));
+                    self.moves.push_front(Move::Swing(-angle.signum() * FREE_TURN));
+                    continue;
+                }
+                Move::Swing(_) if self.pressed.0 > PRESSED_S => {
+                    self.phase = MotionPhase::Settle;
+                    self.moves[0] = Move::Undo(0.5 * (turned - self.pressed.1));
+                    continue;
+                }
+                Move::Turn(angle) | Move::Undo(angle) | Move::Swing(angle) => {
                     let half = 0.5 * self.robot.wheel_base * angle.signum();
                     let left = (angle - (self.travel.turned() - turned)) * half;
                     let speed = self.pace(left, angle * half, self.turn_speed, (clock, dt_s));
@@ -359,6 +400,10 @@ impl Pilot {
                 return drive;
             }
             self.moves.pop_front();
+            if matches!(step, Move::Swing(_)) {
+                // There is room enough to turn.
+                self.moves.clear();
+            }
             if !self.moves.is_empty() {
                 self.phase = MotionPhase::Settle;
             }
@@ -428,10 +473,10 @@ impl Pilot {
     pub(super) fn activity(&self) -> &'static str {
         match self.moves.front() {
             None => "",
-            Some(Move::Back(_) | Move::BackOutOfBeam) => "backing up",
+            Some(Move::Back(_) | Move::BackOut(_) | Move::BackOutOfBeam) => "backing up",
             Some(step) if step.is_ahead() => "driving a short distance",
             Some(Move::Timed(drive, _)) if drive.left < 0.0 && drive.right < 0.0 => "backing up",
-            Some(Move::Turn(angle) | Move::Undo(angle)) if *angle > 0.0 => "turning left",
+            Some(Move::Turn(angle) | Move::Undo(angle) | Move::Swing(angle)) if *angle > 0.0 => "turning left",
             Some(Move::Timed(drive, _)) if drive.right > 0.0 => "turning left",
             Some(_) => "turning right",
         }

@@ -176,7 +176,7 @@ impl Mapper {
         if rolled > TELLS || !tells {
             *is_blocked = tells && moved < HELD * rolled;
         }
-        if let Some(pose) = laser.add(self.ekf.pose(), scan, &points, &fit) {
+        if let Some(pose) = laser.add(self.ekf.pose(), scan, (&points, &walls), &fit) {
             self.ekf.shift(pose);
         }
         if laser.is_outdated() {

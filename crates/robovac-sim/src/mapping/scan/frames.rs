@@ -2,7 +2,8 @@
 
 use super::{
     CorrelationGrid, ScanPoint, ScanSensor, SearchWindow, SurfaceMap,
-    graph::{Edge, PoseGraph, between, compose},
+    axes::WallAxes,
+    graph::{Edge, KnownHeading, PoseGraph, between, compose},
     paint::{paint_body, paint_scan},
     surfaces::ScanFit,
 };
@@ -41,6 +42,10 @@ const TELLING: usize = 100;
 const MATCHED: [f64; 2] = [0.003, 0.0015];
 const CLOSED: [f64; 2] = [0.006, 0.003];
 const ROLLED: [f64; 4] = [0.003, 0.02, 0.01, 0.03];
+/// Accuracy of a key frame's heading by the walls around it, rad: those of real buildings aren't quite at right angles. Mean error of
+/// so many headings from which the poses are adjusted, rad.
+const BY_WALLS: f64 = 0.006;
+const MISSED: (usize, f64) = (6, 0.003);
 /// Distance from all key frames at which a pose in doubt makes one, m.
 const LEFT: f64 = 0.8;
 /// Most scans that make a key frame.
@@ -79,6 +84,7 @@ pub(in crate::mapping) struct ScanMapper {
     open: Vec<ScanPoint>,
     scans: usize,
     graph: PoseGraph,
+    axes: WallAxes,
     /// Way along the edges from the current key frame to each, m; infinite beyond [`LINKED`].
     ways: Vec<f64>,
     /// The key frame that the present pose refers to: the nearest linked one.
@@ -107,6 +113,7 @@ impl ScanMapper {
             open: Vec::new(),
             scans: 0,
             graph: PoseGraph::default(),
+            axes: WallAxes::default(),
             ways: Vec::new(),
             current: 0,
             views: Vec::new(),
@@ -209,9 +216,15 @@ impl ScanMapper {
         found.first().map(|best| surfaces.align(best.pose, scan, &tether))
     }
 
-    /// Adds a scan that was matched at `pose`, with what it says about that pose. Returns the adjusted pose if a loop was
-    /// closed.
-    pub fn add(&mut self, pose: Pose, scan: &Arc<[f32]>, points: &[ScanPoint], fit: &ScanFit) -> Option<Pose> {
+    /// Adds a scan that was matched at `pose`, with its points and walls, and with what it says about that pose. Returns the adjusted
+    /// pose if the map was adjusted.
+    pub fn add(
+        &mut self,
+        pose: Pose,
+        scan: &Arc<[f32]>,
+        (points, walls): (&[ScanPoint], &[WallLine]),
+        fit: &ScanFit,
+    ) -> Option<Pose> {
         let is_near = |other: Pose| {
             (other.position() - pose.position()).norm() < APART.0
                 && difference(other.heading, pose.heading).abs() < APART.1
@@ -235,6 +248,9 @@ impl ScanMapper {
             adjusted
         };
         let pose = adjusted.unwrap_or(pose);
+        if !is_doubtful {
+            self.axes.add(self.current, pose.heading - self.graph.poses[self.current].heading, walls);
+        }
         let sector = math::floor((pose.heading + math::PI) / math::TAU * SECTORS).clamp(0, SECTORS as i32 - 1);
         let cell = Cell::at(pose.position(), VIEW);
         if self.viewed.get(cell) & (1 << sector) == 0 && (!is_doubtful || !is_covered) {
@@ -264,14 +280,28 @@ impl ScanMapper {
         }
     }
 
-    /// Completes the latest key frame by the scans near it, and searches a loop there. Returns the robot's adjusted pose if
-    /// one was closed.
+    /// Completes the latest key frame by the scans near it, searches a loop there, and turns it along the walls. Returns the robot's
+    /// pose if that adjusted the map.
     fn close_frame(&mut self, pose: Pose) -> Option<Pose> {
         let latest = self.frames.len().checked_sub(1)?;
         self.frames[latest] = condensed(&std::mem::take(&mut self.open)).into();
         let relative = between(self.graph.poses[latest], pose);
         self.ways = self.graph.ways(latest, LINKED);
-        self.close_loop(latest).then(|| compose(self.graph.poses[latest], relative))
+        let is_closed = self.close_loop(latest);
+        let is_turned = self.turn_along_walls(latest);
+        (is_closed || is_turned).then(|| compose(self.graph.poses[latest], relative))
+    }
+
+    /// Learns a key frame's heading from the walls around it, and adjusts all poses if the last ones have missed theirs; returns
+    /// whether it did.
+    fn turn_along_walls(&mut self, frame: usize) -> bool {
+        let Some(heading) = self.axes.heading(frame, &self.graph.poses) else { return false };
+        self.graph.face(KnownHeading { pose: frame, heading, deviation: BY_WALLS });
+        let is_missed = self.graph.missed_by(MISSED.0).abs() > MISSED.1;
+        if is_missed {
+            self.moved += self.graph.optimise();
+        }
+        is_missed
     }
 
     /// Makes a key frame of a scan at `pose`.
@@ -279,6 +309,7 @@ impl ScanMapper {
         let last = self.nearest(pose, |frame| self.ways[frame].is_finite());
         let frame = self.graph.add(pose);
         self.frames.push(points.into());
+        self.axes.add_frame();
         if let Some(from) = last {
             let relative = between(self.graph.poses[from], pose);
             let way = relative.position().coords.norm();
@@ -380,7 +411,12 @@ impl ScanMapper {
     pub fn bytes(&self) -> usize {
         let points = self.frames.iter().map(|points| points.len() * size_of::<ScanPoint>()).sum::<usize>();
         let views = self.views.iter().map(|view| size_of::<PlacedScan>() + size_of_val(&*view.scan)).sum::<usize>();
-        points + views + self.places.len() * size_of::<Place>() + self.viewed.bytes() + self.graph.bytes()
+        points
+            + views
+            + self.places.len() * size_of::<Place>()
+            + self.viewed.bytes()
+            + self.graph.bytes()
+            + self.axes.bytes()
     }
 }
 

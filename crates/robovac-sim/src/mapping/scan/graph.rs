@@ -18,7 +18,7 @@ const ACCURACY: f64 = 1e-7;
 const ITERATIONS: usize = 600;
 /// Steps in which every loop is believed: an error that has grown on the way is no contradiction.
 const BELIEVING: usize = 3;
-/// Weighted squared error from which an edge that closes a loop counts less.
+/// Weighted squared error from which an edge that closes a loop, or a known heading, counts less.
 const DOUBTFUL: f64 = 12.0;
 
 /// What is known about the pose of `to` as seen from `from`.
@@ -32,11 +32,21 @@ pub(super) struct Edge {
     pub closes_loop: bool,
 }
 
-/// Poses and edges.
+/// What is known about the heading of a pose by itself.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct KnownHeading {
+    pub pose: usize,
+    pub heading: f64,
+    /// Standard deviation, rad.
+    pub deviation: f64,
+}
+
+/// Poses, edges and headings.
 #[derive(Debug, Clone, Default)]
 pub(super) struct PoseGraph {
     pub poses: Vec<Pose>,
     edges: Vec<Edge>,
+    headings: Vec<KnownHeading>,
 }
 
 /// The pose of `to` as seen from `from`.
@@ -61,6 +71,16 @@ impl PoseGraph {
 
     pub fn link(&mut self, edge: Edge) {
         self.edges.push(edge);
+    }
+
+    pub fn face(&mut self, known: KnownHeading) {
+        self.headings.push(known);
+    }
+
+    /// Mean by which the last `count` known headings are missed, rad; 0 until there are so many.
+    pub fn missed_by(&self, count: usize) -> f64 {
+        let last = self.headings.len().checked_sub(count).map_or(&[][..], |first| &self.headings[first..]);
+        last.iter().map(|known| known.error(&self.poses)).sum::<f64>() / count.max(1) as f64
     }
 
     /// Length of the way along edges from `begin` to every pose, m; infinite beyond `most`.
@@ -120,13 +140,20 @@ impl PoseGraph {
         for edge in &self.edges {
             let (error, from, to) = edge.linearised(&self.poses);
             let squared = (error.transpose() * edge.information * error)[0];
-            let scale = if doubts && edge.closes_loop { (2.0 * DOUBTFUL / (DOUBTFUL + squared)).min(1.0) } else { 1.0 };
+            let scale = if doubts && edge.closes_loop { trust(squared) } else { 1.0 };
             let information = edge.information * (scale * scale);
             diagonal[edge.from] += from.transpose() * information * from;
             diagonal[edge.to] += to.transpose() * information * to;
             right[edge.from] -= from.transpose() * (information * error);
             right[edge.to] -= to.transpose() * (information * error);
             off_diagonal.push((edge.from, edge.to, from.transpose() * information * to));
+        }
+        for known in &self.headings {
+            let error = known.error(&self.poses);
+            let information = 1.0 / (known.deviation * known.deviation);
+            let scale = if doubts { trust(information * error * error) } else { 1.0 };
+            diagonal[known.pose][(2, 2)] += information * scale * scale;
+            right[known.pose].z -= information * scale * scale * error;
         }
         // The first pose stays.
         right[0] = Vector3::zeros();
@@ -173,7 +200,21 @@ impl PoseGraph {
 
     /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
-        self.poses.len() * size_of::<Pose>() + self.edges.len() * size_of::<Edge>()
+        self.poses.len() * size_of::<Pose>()
+            + self.edges.len() * size_of::<Edge>()
+            + self.headings.len() * size_of::<KnownHeading>()
+    }
+}
+
+/// How much something counts whose weighted squared error is this, 0 to 1.
+fn trust(squared: f64) -> f64 {
+    (2.0 * DOUBTFUL / (DOUBTFUL + squared)).min(1.0)
+}
+
+impl KnownHeading {
+    /// By how much a pose's heading is more, rad.
+    fn error(&self, poses: &[Pose]) -> f64 {
+        normalize(poses[self.pose].heading - self.heading)
     }
 }
 
@@ -247,6 +288,31 @@ mod tests {
         graph.link(edge(10, 30, Pose::new(0.0, 0.0, FRAC_PI_2), true));
         graph.optimise();
         assert!(most_off(&graph, &truth) < before + 0.05);
+    }
+
+    #[test]
+    fn known_headings_straighten_a_bent_way() {
+        // A straight way on which one step was measured turned by 0.02 rad.
+        let mut graph = PoseGraph::default();
+        graph.add(Pose::new(0.0, 0.0, 0.0));
+        let stiff = Matrix3::from_diagonal(&Vector3::new(1e5, 1e5, 4e5));
+        for i in 1..40 {
+            let step = Pose::new(0.4, 0.0, if i == 20 { 0.02 } else { 0.0 });
+            graph.add(compose(graph.poses[i - 1], step));
+            graph.link(Edge { from: i - 1, to: i, relative: step, information: stiff, closes_loop: false });
+        }
+        let end = |graph: &PoseGraph| graph.poses[39].y.abs();
+        assert!(end(&graph) > 0.14 && graph.missed_by(6) == 0.0);
+        for pose in 1..40 {
+            graph.face(KnownHeading { pose, heading: 0.0, deviation: 0.006 });
+        }
+        assert!((graph.missed_by(6) - 0.02).abs() < 1e-9);
+        graph.optimise();
+        assert!(end(&graph) < 0.02 && graph.missed_by(6).abs() < 0.001, "{} m", end(&graph));
+        // What lies at another angle is no wall of theirs.
+        graph.face(KnownHeading { pose: 30, heading: 0.5, deviation: 0.006 });
+        graph.optimise();
+        assert!(end(&graph) < 0.06, "{} m", end(&graph));
     }
 
     #[test]

@@ -2,12 +2,12 @@
 //!
 //! The choice, from the literature:
 //!
-//! - *Matching.* Scans are matched to surfaces, with the distance of a point from the line through its neighbours as the
-//!   error (Censi, An ICP variant using a point-to-line metric, ICRA 2008): it converges quadratically, and a wall
-//!   corrects the pose across it only, so that a corridor claims nothing about the way along it. Hector SLAM (Kohlbrecher
-//!   et al. 2011) follows the gradient of an occupancy grid instead, whose cells limit the accuracy. The match is one
-//!   update of the same iterated extended Kalman filter that serves robots without a laser
-//!   ([`PoseEkf`](super::pose_ekf::PoseEkf)), which has the wheels' motion as its prediction.
+//! - *Matching.* Scans are matched to surfaces, with the distance of a point from the line through its neighbours as
+//!   the error (Censi, An ICP variant using a point-to-line metric, ICRA 2008): it converges quadratically, and a wall
+//!   corrects the pose across it only, so that a corridor claims little about the way along it; what it still claims is
+//!   ignored. Hector SLAM (Kohlbrecher et al. 2011) follows the gradient of an occupancy grid instead, whose cells
+//!   limit the accuracy. The match is one update of the same iterated extended Kalman filter that serves robots without
+//!   a laser ([`PoseEkf`](super::pose_ekf::PoseEkf)), which has the wheels' motion as its prediction.
 //! - *Searching.* Such a match finds the nearest minimum only. Where the pose is uncertain, all poses of a window are
 //!   compared on a grid (Olson, Real-time correlative scan matching, ICRA 2009) with branch and bound (Hess, Kohler,
 //!   Rapp & Andor, Real-time loop closure in 2D LIDAR SLAM, ICRA 2016), which can't miss the best.
@@ -18,8 +18,11 @@
 //!   adjusted (Lu & Milios, Globally consistent range scan alignment, Autonomous Robots 4, 1997), edges in contradiction
 //!   to the rest counting little (Agarwal, Tipaldi, Spinello, Stachniss & Burgard, Robust map optimization using dynamic
 //!   covariance scaling, ICRA 2013). The map is painted again from the stored scans.
+//! - *Headings.* Walls of a building are mostly parallel or at right angles. Those around a key frame tell its heading ([`axes`]),
+//!   which drifts else where no loop closes; the graph takes it as known to a third of a degree.
 //! - Where the robot has been before, nothing is added: the graph grows with the floor and not with time.
 
+mod axes;
 mod correlation;
 mod frames;
 mod graph;

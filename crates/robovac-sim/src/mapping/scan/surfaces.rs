@@ -28,6 +28,8 @@ const AGREES: (f64, f64) = (3.0, 0.03);
 /// A pose is in doubt with fewer points on surfaces, or a smaller share of those that agree.
 const LEAST_MET: usize = 25;
 const AGREE: f64 = 0.8;
+/// Information about the position below which a scan tells nothing of it, 1/m² (ours: noise of a bare corridor's walls makes 30).
+const TELLS: f64 = 1e3;
 /// Largest side of the grid, cells: beyond any range.
 const MOST: i32 = 2000;
 
@@ -237,8 +239,56 @@ impl ScanFit {
         self.met < self.points.min(LEAST_MET) || (self.agreeing as f64) < AGREE * self.met as f64
     }
 
+    /// The directions, of unit length, in which the scan tells nothing of the position, such as along a bare corridor.
+    pub fn untold(&self) -> impl Iterator<Item = Vector> {
+        let i = &self.information;
+        // Whatever the heading is.
+        let position = |a: usize, b: usize| i[(a, b)] - i[(a, 2)] * i[(2, b)] / i[(2, 2)].max(1e-9);
+        let [xx, xy, yy] = [position(0, 0), position(0, 1), position(1, 1)];
+        let (middle, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
+        let root = (half * half + xy * xy).sqrt();
+        let (sin, cos) = math::sin_cos(0.5 * math::atan2(2.0 * xy, xx - yy));
+        let axes = [(middle + root, Vector::new(cos, sin)), (middle - root, Vector::new(-sin, cos))];
+        axes.into_iter().filter(|&(told, _)| told < TELLS).map(|(_, axis)| axis)
+    }
+
     /// Share of the scan's points that agree with the map, from 0 to 1.
     pub fn share(&self) -> f64 {
         if self.points == 0 { 0.0 } else { self.agreeing as f64 / self.points as f64 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Points every 3 cm on a wall from one point to another, which faces the origin's side.
+    fn wall(from: Point, to: Point) -> impl Iterator<Item = ScanPoint> {
+        let way = to - from;
+        let normal = Vector::new(-way.y, way.x).normalize();
+        let count = (way.norm() / 0.03) as usize;
+        let at = move |i: usize| from + way * (i as f64 / count as f64);
+        (0..=count).map(move |i| ScanPoint { at: at(i), normal: Some(normal), deviation: 0.01 })
+    }
+
+    #[test]
+    fn a_scan_tells_nothing_of_the_way_along_a_corridor_until_its_end_is_seen() {
+        let turn = |angle: f64| {
+            let (sin, cos) = math::sin_cos(angle);
+            move |x: f64, y: f64| Point::new(cos * x - sin * y, sin * x + cos * y)
+        };
+        for angle in [0.0, 0.4, 2.0] {
+            let at = turn(angle);
+            let sides: Vec<ScanPoint> =
+                wall(at(-2.0, -0.6), at(2.0, -0.6)).chain(wall(at(2.0, 0.6), at(-2.0, 0.6))).collect();
+            let closed: Vec<ScanPoint> = sides.iter().copied().chain(wall(at(2.0, -0.6), at(2.0, 0.6))).collect();
+            let here = Pose::new(0.0, 0.0, 0.0);
+            let fit = |scan: &[ScanPoint]| SurfaceMap::new(std::iter::once((here, scan))).compare(here, scan);
+            let untold: Vec<Vector> = fit(&sides).untold().collect();
+            let along = at(1.0, 0.0).coords;
+            assert!(untold.len() == 1 && untold[0].perp(&along).abs() < 1e-3, "{angle}: {untold:?}");
+            assert_eq!(fit(&closed).untold().count(), 0);
+        }
+        assert_eq!(ScanFit::default().untold().count(), 2, "no point tells anything");
     }
 }
