@@ -312,7 +312,9 @@ title: string,
 /** That alone, such as "vertical"; empty without copies. */
 distinction: string, mark: Mark,
 /** 1, or 2 and up for copies; 0 for one that was removed, and for a program that isn't there. */
-copy: number, chosen: boolean, params: Params,
+copy: number, chosen: boolean,
+/** What the robot lacks for it; it then doesn't take part. */
+lacks: string, params: Params,
 /** `out`, `trying`, `done` or `failed`. */
 state: "out" | "trying" | "done" | "failed",
 /** 0 to 1. */

@@ -312,13 +312,14 @@ mod tests {
         let end = driven.to_screen(Point::new(10.0, 0.0));
         assert!(driven.scale_bar() == Some([162.0, 72.0]) && end.y <= 458.0 - 166.0 + 1e-9, "{end}");
         assert!(10.0 * driven.scale > 270.0, "above the joystick the floor is larger than beside it");
-        // Without zoom buttons it needs no place of its own.
-        let bare = {
+        // Without zoom buttons it needs no place of its own, but lies on no floor.
+        let bare = |width: f64, height: f64| {
             let mut view = Viewport::bare();
             view.resize(390.0, 440.0, 1.0);
-            view
+            view.set_room(width, height);
+            view.scale_bar()
         };
-        assert_eq!(bare.scale_bar(), Some([10.0, 10.0]));
+        assert_eq!([bare(4.0, 3.0), bare(3.0, 4.0)], [Some([10.0, 10.0]), None]);
         assert_eq!(Viewport::new(4.0, 3.0, 200.0, 150.0, 1.0).scale_bar(), None);
     }
 

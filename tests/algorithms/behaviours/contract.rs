@@ -189,7 +189,7 @@ fn a_long_body_comes_out_of_where_it_can_not_turn() {
         for seed in 0..4 {
             let mut run = run(&setup, info, seed);
             let mut comes = |is_there: fn(f64) -> bool| {
-                (0..120).any(|_| {
+                (0..300).any(|_| {
                     drive(&mut run, 1.0 / 60.0);
                     is_there(run.pose().x)
                 })

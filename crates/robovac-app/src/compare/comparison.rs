@@ -437,7 +437,7 @@ impl Comparison {
                 self.paths.get(&key).map(|_| Racer { entrant, planned_s, key })
             })
             .collect();
-        let setup = RaceSetup { speed: self.speed, ..base.setup };
+        let setup = RaceSetup { speed: self.race.as_ref().map_or(self.speed, Race::speed), ..base.setup };
         if self.race.as_ref().is_some_and(|race| race.is_of(setup, &racers)) {
             return;
         }

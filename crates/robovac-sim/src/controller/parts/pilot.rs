@@ -40,7 +40,7 @@ const PRESSED_S: f64 = 0.2;
 /// Way back out of where it was wedged, m, the least turn there, and the turn the other way after which it wasn't, rad.
 const OFF_WEDGE: f64 = 0.3;
 const WEDGE_TURN: f64 = 1.2;
-const FREE_TURN: f64 = 1.6;
+const FREE_TURN: f64 = 2.6;
 
 /// How distances and angles are measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
