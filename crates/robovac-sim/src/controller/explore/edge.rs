@@ -12,6 +12,8 @@
 //!
 //! - *Edges of the floor and virtual walls*: the robot backs off as all behaviours here do, turns away by a random
 //!   angle, and starts again.
+//! - *Robots that are held*, between the legs of a chair for one, would push for ever. With the rules as intended, one whose bumper
+//!   has been pressed for 5 s backs off, turns by a random angle and starts again.
 //! - *Robots without a light bumper* report no light. They find out what they follow by the bumper alone and lose it at once:
 //!   all that is left is the random rotation.
 //!
@@ -40,7 +42,7 @@ use super::{
 };
 use crate::controller::{
     BehaviourClaims, BehaviourInfo, BuildBehaviour,
-    parts::{Behaviour, By, Obstruction, ObstructionKind, Pilot, Reactive},
+    parts::{Behaviour, By, Move, Obstruction, ObstructionKind, Pilot, Reactive},
 };
 use rand::RngExt;
 use robovac_core::{
@@ -52,6 +54,10 @@ use robovac_core::{
 const PERIOD_S: f64 = 0.1;
 /// How long the driver holds a command, s.
 const LATCH_S: f64 = 0.2;
+/// How long the bumper is pressed until the robot counts as held, s; its way back then, m, and the turn away, rad (ours).
+const HELD_S: f64 = 5.0;
+const BACK: f64 = 0.1;
+const LEAVE: (f64, f64) = (1.2, 2.6);
 
 pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
     id: "explore_edge",
@@ -100,7 +106,10 @@ pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
 pub(in crate::controller) const BUILD: BuildBehaviour = |setup| {
     let text = if setup.params.choice("text") == "printed" { ThesisText::Printed } else { ThesisText::Mended };
     let speeds = (setup.params.number("speed") / 100.0, setup.params.number("turn"));
-    Reactive::boxed(setup, EdgeBehaviour { machine: EdgeMachine::new(text), speeds, since_call: 0.0, latched: None })
+    Reactive::boxed(
+        setup,
+        EdgeBehaviour { machine: EdgeMachine::new(text), speeds, since_call: 0.0, latched: None, pressed_s: 0.0 },
+    )
 };
 
 /// The behaviour.
@@ -113,13 +122,15 @@ struct EdgeBehaviour {
     since_call: f64,
     /// The last command, and how long ago it was given, s.
     latched: Option<(Twist, f64)>,
+    /// For how long the bumper has been pressed, s.
+    pressed_s: f64,
 }
 
 impl EdgeBehaviour {
     /// Resets the state.
     fn restart(&mut self) {
         self.machine = EdgeMachine::new(self.machine.text);
-        self.since_call = 0.0;
+        (self.since_call, self.pressed_s) = (0.0, 0.0);
         self.latched = None;
     }
 }
@@ -132,6 +143,14 @@ impl Behaviour for EdgeBehaviour {
     }
 
     fn roam(&mut self, pilot: &mut Pilot, sensed: &SensorReadings, dt_s: f64) -> Drive {
+        self.pressed_s = if sensed.bumped() { self.pressed_s + dt_s } else { 0.0 };
+        if self.pressed_s > HELD_S && self.machine.text == ThesisText::Mended {
+            let way = if pilot.rng.random_bool(0.5) { 1.0 } else { -1.0 };
+            let turn = way * pilot.rng.random_range(LEAVE.0..LEAVE.1);
+            pilot.go(&[Move::Back(BACK), Move::Turn(turn)]);
+            self.restart();
+            return Drive::STOP;
+        }
         self.since_call += dt_s;
         self.latched = self.latched.map(|(twist, age)| (twist, age + dt_s)).filter(|(_, age)| *age < LATCH_S);
         // The sum of many short times is a little off.
