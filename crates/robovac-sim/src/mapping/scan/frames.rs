@@ -53,10 +53,10 @@ const MOST_SCANS: usize = 40;
 /// Change of a key frame's place at which the map is painted again, m.
 const REPAINT: f64 = 0.004;
 /// Scans from nearer places or headings aren't kept: cells, m, and sectors.
-const VIEW: f64 = 0.15;
-const SECTORS: f64 = 16.0;
+const VIEW: f64 = 0.06;
+const SECTORS: f64 = 60.0;
 /// Distance and turn after which the next scan is painted, m and rad.
-const PAINT: (f64, f64) = (0.05, 0.1);
+const PAINT: (f64, f64) = (0.05, 0.05);
 
 /// A scan, and where it was taken.
 #[derive(Debug, Clone)]
@@ -92,7 +92,7 @@ pub(in crate::mapping) struct ScanMapper {
     /// Scans and places to paint the map from, and the places and headings that have been stored.
     views: Vec<PlacedScan>,
     places: Vec<Place>,
-    viewed: TiledLayer<u16>,
+    viewed: TiledLayer<u64>,
     /// Map that it began with, with its boundary's points.
     given: Option<Arc<(OccupancyMap, Marks, Vec<ScanPoint>)>>,
     /// Surfaces around the robot, and where it was when they were gathered.
@@ -253,8 +253,8 @@ impl ScanMapper {
         }
         let sector = math::floor((pose.heading + math::PI) / math::TAU * SECTORS).clamp(0, SECTORS as i32 - 1);
         let cell = Cell::at(pose.position(), VIEW);
-        if self.viewed.get(cell) & (1 << sector) == 0 && (!is_doubtful || !is_covered) {
-            self.viewed.update(cell, |sectors| sectors | (1 << sector));
+        if self.viewed.get(cell) & (1_u64 << sector) == 0 && (!is_doubtful || !is_covered) {
+            self.viewed.update(cell, |sectors| sectors | (1_u64 << sector));
             let relative = between(self.graph.poses[self.current], pose);
             self.views.push(PlacedScan { frame: self.current, relative, scan: Arc::clone(scan) });
         }
