@@ -354,7 +354,7 @@ impl PoseEkf {
 }
 
 /// An angle modulo a right angle, within an eighth of a turn.
-fn quarter(angle: f64) -> f64 {
+pub(super) fn quarter(angle: f64) -> f64 {
     0.25 * normalize(4.0 * normalize(angle))
 }
 

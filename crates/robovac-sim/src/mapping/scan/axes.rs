@@ -1,11 +1,8 @@
 //! Directions of walls around key frames. Most walls of a building are parallel or at right angles to each other; so those around a
 //! robot tell its heading, however far it has come since the last place that it knew.
 
-use crate::mapping::multiscan::WallLine;
-use robovac_core::{
-    geometry::{Pose, normalize},
-    math,
-};
+use crate::mapping::{multiscan::WallLine, pose_ekf::quarter};
+use robovac_core::{geometry::Pose, math};
 
 /// Length of wall, summed over scans, from which a key frame's direction counts, m, and how well its walls have to agree, from 0
 /// to 1.
@@ -59,7 +56,7 @@ impl WallAxes {
             }
             return None;
         };
-        let off = 0.25 * normalize(4.0 * normalize(now + seen - building));
+        let off = quarter(now + seen - building);
         (off.abs() < MOST).then_some(now - off)
     }
 
@@ -72,6 +69,7 @@ impl WallAxes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use robovac_core::geometry::normalize;
 
     fn wall(direction: f64, length: f64) -> WallLine {
         WallLine { direction, deviation: 0.01, length }
