@@ -33,9 +33,13 @@ export const STILL = { forward: 0, left: 0 };
  * @param {(event: KeyboardEvent) => boolean} parts.takes Whether a key that could drive is meant to.
  * @param {() => void} parts.begin Called when a person takes the controls.
  * @param {() => void} parts.end They were let go at once: focus, window or page are gone.
+ * @param {boolean} [parts.takesHeld] Whether a key drives that was held before the controls could be taken. Not for real robots: one
+ *   that was stopped must not go on.
  */
-export function joystick({ pad, knob, told, targets, takes, begin, end }) {
+export function joystick({ pad, knob, told, targets, takes, begin, end, takesHeld = false }) {
   const held = new Set();
+  /** Those that have driven since they were pressed: a stop holds until they are pressed again. */
+  const used = new Set();
   let stick = STILL;
 
   const release = () => {
@@ -58,15 +62,16 @@ export function joystick({ pad, knob, told, targets, takes, begin, end }) {
     // Neither the view nor a tool gets it.
     event.preventDefault();
     event.stopImmediatePropagation();
-    if (event.repeat) return;
+    if (event.repeat && (!takesHeld || used.has(event.code))) return;
     held.add(event.code);
+    used.add(event.code);
     begin();
   };
   for (const target of targets) {
     target.addEventListener("keydown", press, { capture: true });
     target.addEventListener("blur", stop);
   }
-  addEventListener("keyup", ({ code }) => held.delete(code));
+  addEventListener("keyup", ({ code }) => [held, used].forEach((codes) => codes.delete(code)));
   addEventListener("blur", stop);
   document.addEventListener("visibilitychange", () => document.hidden && stop());
 

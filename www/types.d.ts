@@ -841,8 +841,9 @@ placing: string,
 is_carried: boolean,
 /** Whether the whole room is shown: it then gives way to what is said above it. */
 is_all_shown: boolean,
-/** How far down the picture the robot is, as a share of its height: messages must not hide it. 1 without one. */
-robot_down: number,
+/** Where on the picture the robot is, as shares of its width from the left and of its height from the top: nothing must
+ * hide it. 1 and 1 without one. */
+robot_spot: [number, number],
 /** State of the session. */
 state: SessionState,
 /** Actions that are allowed now. */

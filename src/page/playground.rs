@@ -98,7 +98,10 @@ impl Playground {
             placing: self.object_tool.kind.id(),
             is_carried: self.carried.is_some(),
             is_all_shown: self.viewport.is_fitted(),
-            robot_down: robot.map_or(1.0, |at| self.viewport.to_screen(at).y / self.viewport.size.y),
+            robot_spot: robot.map_or([1.0, 1.0], |at| {
+                let (spot, size) = (self.viewport.to_screen(at), self.viewport.size);
+                [spot.x / size.x, spot.y / size.y]
+            }),
         })
     }
 

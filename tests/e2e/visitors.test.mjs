@@ -59,6 +59,16 @@ test("after choosing to drive by hand the keys drive, and don't go on in the men
   await app.numbersThat(({ distance }) => distance > 0.2);
   await page.keyboard.up("ArrowUp");
   assert.equal(await page.locator("#algorithm").inputValue(), "manual");
+  // All letters of its name go to the menu: none of them is a shortcut.
+  await app.choose("algorithm", "bounce");
+  await page.locator("#algorithm").focus();
+  await page.keyboard.type("Manual");
+  await page.locator("#manual").waitFor();
+  assert.ok(await page.locator("#layers").isHidden());
+  assert.equal(await page.locator("#tools [data-tool=view]").getAttribute("aria-pressed"), "true");
+  await page.keyboard.press("ArrowUp");
+  assert.equal(await page.evaluate(() => document.activeElement?.id), "floor");
+  assert.equal(await page.locator("#algorithm").inputValue(), "manual");
 });
 
 test("a person fits beside a wall", async (t) => {
@@ -117,6 +127,21 @@ test("own rooms are a list: new by size, renamed, duplicated, deleted and brough
   await app.poll(() => app.room(), (name) => name === "Loft copy");
   await app.poll(() => app.reachableArea(), (now) => now === area);
   assert.equal(await page.locator("#algorithm").inputValue(), "contour", "as with a room that ships, the algorithm stays");
+
+  // The way back to a room that has got another name meanwhile is to that room.
+  await app.linked("map");
+  await app.choose("room", "empty");
+  await app.linked("room", (room) => room === "empty");
+  await page.locator("#rooms-open").click();
+  await row("Loft copy").getByRole("button", { name: /^Rename/ }).click();
+  await page.locator("#own-rooms input").fill("Cellar");
+  await page.locator("#own-rooms input").press("Enter");
+  await row("Cellar").waitFor();
+  await page.locator("#rooms").getByRole("button", { name: "Close" }).click();
+  await page.goBack();
+  await app.poll(() => app.room(), (name) => name === "Cellar");
+  await page.locator("#rooms-open").click();
+  assert.deepEqual((await page.locator("#own-rooms li").allTextContents()).map((text) => /Loft|Cellar/.exec(text)?.[0]), ["Loft", "Cellar"]);
 });
 
 test("undo in an own room to which one comes back takes its last wall away", async (t) => {

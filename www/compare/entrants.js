@@ -76,6 +76,7 @@ export function showChoice(item, { chosen, lacks, params }) {
   if (!item || !box) return;
   if (changed(item, "chosen", chosen)) box.checked = chosen;
   if (changed(item, "lacks", lacks)) box.disabled = lacks !== "";
+  item.classList.toggle("lacks", lacks !== "");
   if (!changed(item, "params", JSON.stringify(params))) return;
   for (const control of item.querySelectorAll("[data-param]")) {
     const value = params[/** @type {HTMLElement} */ (control).dataset.param ?? ""];

@@ -11,6 +11,8 @@ import { paramField } from "../params.js";
 
 /** Parameters beyond these fold away. */
 const FEW = 2;
+/** Milliseconds for which browsers take letters typed in a menu as one word. */
+const WORD = 1000;
 /** The menu's entry for a path from the tab Floor plan. */
 const PATH = "path";
 
@@ -21,10 +23,30 @@ export function startAlgorithm({ catalogue }, form) {
   const menu = select("algorithm");
   menu.replaceChildren(group("Path planners", planners), group("Reactive behaviours", behaviours));
   form.bind("algorithm", (p, id) => p.select_algorithm(id));
-  // From then on the keys drive, and don't go on in the menu.
-  menu.addEventListener("change", () => {
-    if (behaviours.some(({ id, manual }) => manual && id === menu.value)) byId("floor").focus();
+  // From then on the keys drive, and don't go on in the menu; but the letters that chose it there may not be the last ones.
+  let isTyped = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let typing;
+  const drive = () => {
+    if (document.activeElement === menu && behaviours.some(({ id, manual }) => manual && id === menu.value)) byId("floor").focus();
+    typing = undefined;
+  };
+  const wait = () => {
+    clearTimeout(typing);
+    typing = setTimeout(drive, WORD);
+  };
+  menu.addEventListener("keydown", (event) => {
+    isTyped = event.key.length === 1;
+    if (typing === undefined) return;
+    if (isTyped) return wait();
+    clearTimeout(typing);
+    // Tab goes on from here.
+    if (event.key === "Tab") return;
+    event.preventDefault();
+    drive();
   });
+  menu.addEventListener("pointerdown", () => (isTyped = false));
+  menu.addEventListener("change", () => (isTyped ? wait() : drive()));
 
   /** @param {View} view */
   const showMenu = ({ algorithm, path_corners, program }) => {

@@ -13,6 +13,9 @@ import { updateFolds } from "./view.js";
 /** Milliseconds until what could not be loaded is tried again, or isn't waited for any more. */
 const PAUSE = 3000;
 
+/** Milliseconds after which somebody who only watches sees what there is to try. */
+const WATCHED = 4000;
+
 /** On the first input, loads the parts that are likely to be needed next. */
 const visit = new Promise((/** @type {(event: unknown) => void} */ come) => {
   for (const sign of ["pointermove", "pointerdown", "keydown"]) addEventListener(sign, come, { once: true, capture: true, passive: true });
@@ -78,7 +81,8 @@ export async function startLater(app) {
       () => import("./film.js").then(({ startFilm }) => startFilm(app)),
     ),
   ];
-  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips(app)), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), import("./try.js").then(({ startTry }) => startTry(app)), import("../learn/offer.js").then(({ offerTour }) => offerTour(app))])).then(whenIdle).catch(console.warn);
+  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips(app)), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), ideas(app), import("../learn/offer.js").then(({ offerTour }) => offerTour(app))])).then(whenIdle).catch(console.warn);
+  setTimeout(() => ideas(app).catch(console.warn), WATCHED);
   const view = app.playground.view();
   updateFolds(view);
   // A part that loads slowly doesn't delay the page.
@@ -89,6 +93,11 @@ export async function startLater(app) {
 
 /** What nobody waits for. */
 const whenIdle = () => (window.requestIdleCallback ?? setTimeout)(() => void import("../offline/register.js").then(({ startOffline }) => startOffline()).catch(console.warn));
+
+/** @type {Promise<void> | undefined} */
+let offered;
+/** @param {import("../main.js").App} app */
+const ideas = (app) => (offered ??= import("./try.js").then(({ startTry }) => startTry(app)));
 
 const help = () => import("../help.js").then(({ fillHelp }) => fillHelp(byId("help-text")));
 

@@ -33,6 +33,7 @@ export async function startManual(app) {
       if (app.view.can.play && app.view.state !== "failed") app.act((p) => p.play());
     },
     end,
+    takesHeld: true,
   });
   const stop = () => {
     stick.release();

@@ -125,6 +125,11 @@ export async function addRoom(app, name, scenario) {
   return openRoom(app, id);
 }
 
+/** Whether two scenarios differ by their names alone. @param {string} one @param {string} other */
+function isRenamed(one, other) {
+  return renamed(one, "") === renamed(other, "");
+}
+
 /** @param {string} scenario @param {string} name */
 export function renamed(scenario, name) {
   try {
@@ -145,6 +150,8 @@ export async function openLink(app, link) {
   if (map) {
     try {
       const scenario = await unpack(map);
+      // The way back leads through links from before it got its name.
+      if (here && isRenamed(here, scenario)) return (await openRoom(app, id)) ? "" : unread;
       const same = list().find((room) => scenarioOf(room.id) === scenario);
       return (await (same ? openRoom(app, same.id) : addRoom(app, JSON.parse(scenario).name || "Room of a link", scenario))) ? "" : unread;
     } catch (error) {

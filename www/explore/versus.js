@@ -87,6 +87,8 @@ export function startVersus(app, card) {
     last = 0;
     const worked = app.act((p) => {
       atUsualPace(p);
+      // Whoever plays sees all of the room.
+      p.fit();
       p.select_algorithm(person);
       p.set_tool("view");
       p.set_speed(1);

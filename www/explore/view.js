@@ -68,12 +68,22 @@ function updatePlanning({ state, plan, can }) {
   setHidden(byId("planning-keep"), !can.keep);
 }
 
+/** So near, pixels, a robot is hidden. */
+const NEAR = 16;
+
 /**
  * Messages are above the robot or below it; it must come near before they change places. The captions of a search have room of their
- * own above the floor.
- * @param {boolean} isAllShown @param {number} down
+ * own above the floor. Legend and buttons let the robot be seen through them.
+ * @param {boolean} isAllShown @param {[number, number]} spot
  */
-function keepClear(isAllShown, down) {
+function keepClear(isAllShown, [right, down]) {
+  const floor = byId("floor").getBoundingClientRect();
+  const [x, y] = [floor.left + right * floor.width, floor.top + down * floor.height];
+  for (const id of ["legend", "zoom"]) {
+    const box = byId(id).getBoundingClientRect();
+    const hides = !isAllShown && x > box.left - NEAR && x < box.right + NEAR && y > box.top - NEAR && y < box.bottom + NEAR;
+    byId(id).classList.toggle("thin", hides);
+  }
   const captions = byId("search-box");
   const notices = captions.parentElement;
   const isLow = notices?.dataset.low === "true";
@@ -81,7 +91,7 @@ function keepClear(isAllShown, down) {
 }
 
 /** @param {View} view */
-function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carried, is_all_shown, robot_down }) {
+function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carried, is_all_shown, robot_spot }) {
   for (const node of byId("tools").querySelectorAll("button[data-tool]")) {
     const name = node.getAttribute("data-tool");
     setAttribute(node, "aria-pressed", String(name === tool && !is_lifted));
@@ -93,8 +103,8 @@ function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carr
   setText(byId("lift-name"), is_lifted ? "Put down" : "Lift robot");
   setAttribute(button("lift"), "aria-label", is_lifted ? "Put the robot down" : "Lift the robot");
   setHidden(byId("carry-note"), !is_carried);
-  setAttribute(byId("carry-note"), "data-low", String(robot_down < 0.5));
-  keepClear(is_all_shown, robot_down);
+  setAttribute(byId("carry-note"), "data-low", String(robot_spot[1] < 0.5));
+  keepClear(is_all_shown, robot_spot);
   setText(byId("carry-note"), is_carried ? (HAS_KEYS ? "Click where to put the robot down. Arrow keys move it, Enter puts it down, Escape puts it back." : "Tap where to put the robot down, or drag it there.") : "");
   setEnabled(button("undo"), can.undo);
   setEnabled(button("redo"), can.redo);

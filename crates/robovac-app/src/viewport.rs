@@ -14,6 +14,8 @@ const BESIDE_ZOOM: f64 = 626.0;
 const BARE_SCALE: (f64, f64) = (130.0, 32.0);
 /// Size of the canvas below which there is none, CSS pixels.
 const LEAST_WITH_SCALE: [f64; 2] = [240.0, 160.0];
+/// No scale bar is longer, CSS pixels.
+const LONGEST_SCALE: f64 = 130.0;
 /// Width and height of the lower right corner with a scale bar above the zoom, CSS pixels.
 const SCALE_CORNER: [f64; 2] = [120.0, 98.0];
 /// Pixels of the room that stay in view when panning.
@@ -166,8 +168,14 @@ impl Viewport {
         }
         let place = match self.size.x {
             _ if self.is_bare => [10.0, 10.0],
-            // Left of what lies in the corner.
-            x if x < BESIDE_ZOOM && self.corner.x > 0.0 => [self.corner.x, 72.0],
+            // Left of what lies in the corner, or of the whole room on a low screen.
+            x if x < BESIDE_ZOOM && self.corner.x > 0.0 => {
+                let start = self.to_screen(Point::origin()).x;
+                let lies_on_room = end.x > x - self.corner.x - LONGEST_SCALE && end.y > self.size.y - SCALE_CORNER[1];
+                let to_right =
+                    if self.fitted && lies_on_room && start > LONGEST_SCALE { x - start + 10.0 } else { self.corner.x };
+                [to_right, 72.0]
+            }
             x if x < BESIDE_ZOOM => [20.0, 72.0],
             _ => [204.0, 24.0],
         };
@@ -312,6 +320,12 @@ mod tests {
         let end = driven.to_screen(Point::new(10.0, 0.0));
         assert!(driven.scale_bar() == Some([162.0, 72.0]) && end.y <= 458.0 - 166.0 + 1e-9, "{end}");
         assert!(10.0 * driven.scale > 270.0, "above the joystick the floor is larger than beside it");
+        // On a phone's side the room is beside the joystick, and the bar on its other side.
+        let mut low = Viewport::new(10.0, 8.0, 540.0, 340.0, 1.0);
+        low.keep_clear(175.0, None, Vector::new(162.0, 166.0));
+        let [to_right, to_bottom] = low.scale_bar().unwrap();
+        let start = low.to_screen(Point::origin());
+        assert!(start.y > 340.0 - to_bottom && 540.0 - to_right < start.x - 5.0, "{start} {to_right}");
         // Without zoom buttons it needs no place of its own, but lies on no floor.
         let bare = |width: f64, height: f64| {
             let mut view = Viewport::bare();

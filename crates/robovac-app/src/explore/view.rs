@@ -144,8 +144,9 @@ pub struct PageView {
     pub is_carried: bool,
     /// Whether the whole room is shown: it then gives way to what is said above it.
     pub is_all_shown: bool,
-    /// How far down the picture the robot is, as a share of its height: messages must not hide it. 1 without one.
-    pub robot_down: f64,
+    /// Where on the picture the robot is, as shares of its width from the left and of its height from the top: nothing must
+    /// hide it. 1 and 1 without one.
+    pub robot_spot: [f64; 2],
 }
 
 /// Tools of the pointer on the floor.
