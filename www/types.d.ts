@@ -354,6 +354,8 @@ metre: number | null,
 roles: Array<Role>,
 /** Widest gap between walls that is closed, m. */
 gap: number,
+/** Widest opening to the outside that is closed indoors, m. */
+outer: number,
 /** Side of the room's cells, m. */
 resolution: number,
 /** The part to be traced. */
@@ -429,8 +431,8 @@ settings: FloorPlanSettings,
 room: TracedRoomView | null,
 /** Open doors through which a chosen room extends. */
 doors: Doors | null,
-/** Widest opening to the outside that is closed indoors, m. */
-outer_door: number | null,
+/** The width up to which openings to the outside have to be closed, m, so that the one that the notice is about is. */
+closes: number | null,
 /** What can be wrong with the room, in words; empty for nothing. */
 notice: string,
 /** Why there is no room; empty if there is one or the user has yet to choose. */

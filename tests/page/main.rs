@@ -6,6 +6,7 @@ mod drawing;
 mod explainers;
 mod floor_plan_tab;
 mod furnish;
+mod leaks;
 mod map;
 mod map_files;
 mod montecarlo;

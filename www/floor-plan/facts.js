@@ -11,6 +11,11 @@ export function startFacts(it) {
     if (doors) await it.set({ gap: doors.gap });
     byId("floor-plan-floor").focus();
   });
+  button("floor-plan-notice-close").addEventListener("click", async () => {
+    const outer = it.view?.closes;
+    if (outer) await it.set({ outer });
+    byId("floor-plan-floor").focus();
+  });
   button("floor-plan-asks-yes").addEventListener("click", () => void it.set({ confirmed: it.view?.settings.metre ?? null }));
   button("floor-plan-asks-scale").addEventListener("click", () => button("floor-plan-scale").click());
   const papers = byId("floor-plan-asks-papers");
@@ -40,7 +45,8 @@ function show(view) {
   showKey(view);
   setHidden(byId("floor-plan-asks"), !view?.asks);
   setHidden(byId("floor-plan-notice"), !view?.notice);
-  setText(byId("floor-plan-notice"), view?.notice ?? "");
+  setText(byId("floor-plan-notice-text"), view?.notice ?? "");
+  setHidden(byId("floor-plan-notice-close"), !view?.closes);
   if (view?.asks) setText(byId("floor-plan-asks-text"), `This floor plan is ${view.asks}. Is that its size?`);
 }
 

@@ -9,16 +9,15 @@ const CELLS = [0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5];
 
 /** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
 export function startWalls(it) {
-  const [gap, shade, contrast, specks, negate] = ["gap", "shade", "contrast", "specks", "negate"].map((name) => input(`floor-plan-${name}`));
+  const [gap, outer, shade, contrast, specks, negate] = ["gap", "outer", "shade", "contrast", "specks", "negate"].map((name) => input(`floor-plan-${name}`));
   const [cell, method] = [select("floor-plan-cell"), select("floor-plan-method")];
   fill(cell, CELLS.map((side) => [String(side), `${100 * side} cm`]));
   const told = () => {
-    const [width, outer] = [gap.valueAsNumber, it.view?.outer_door ?? 0];
-    setText(byId("floor-plan-gap-value"), `${width ? `${width.toFixed(2)}${outer > width ? "" : " m"}` : "none"}${outer > width ? `, outer ${outer.toFixed(2)} m` : ""}`);
+    for (const range of [gap, outer]) setText(byId(`${range.id}-value`), range.valueAsNumber ? `${range.valueAsNumber.toFixed(2)} m` : "none");
     for (const [name, range] of /** @type {const} */ ([["shade", shade], ["contrast", contrast]])) setText(byId(`floor-plan-${name}-value`), `${Math.round(100 * range.valueAsNumber)} %`);
     setText(byId("floor-plan-specks-value"), specks.valueAsNumber ? `${Math.round(100 * specks.valueAsNumber)} cm` : "none");
   };
-  for (const range of [gap, shade, contrast, specks]) range.addEventListener("input", told);
+  for (const range of [gap, outer, shade, contrast, specks]) range.addEventListener("input", told);
   // The picture follows the hand, one change after the other.
   let isSetting = false;
   const follow = async (/** @type {"shade" | "contrast"} */ name, /** @type {HTMLInputElement} */ range) => {
@@ -33,6 +32,7 @@ export function startWalls(it) {
   shade.addEventListener("input", () => void follow("shade", shade));
   contrast.addEventListener("input", () => void follow("contrast", contrast));
   gap.addEventListener("change", () => void it.set({ gap: gap.valueAsNumber }));
+  outer.addEventListener("change", () => void it.set({ outer: outer.valueAsNumber }));
   specks.addEventListener("change", () => void it.set({ specks: specks.valueAsNumber }));
   method.addEventListener("change", () => void it.set({ method: /** @type {import("./types").ShadeMethod} */ (method.value) }));
   cell.addEventListener("change", () => void it.set({ resolution: Number(cell.value) }));
@@ -58,9 +58,11 @@ export function startWalls(it) {
     const [isDrawing, isImage] = [kind === "drawing", kind === "image"];
     const hidden = { "layer-group": !isDrawing, "part-group": kind === "map", "wall-group": kind === "map", "cell-field": !view.has_cells, "method-field": !isImage };
     const own = isImage && settings.method !== "map";
-    const more = { "gap-field": !isDrawing && !own, "shade-field": !isImage || settings.method !== "level", "contrast-field": !isImage || settings.method !== "local", "specks-field": !own, "negate-field": !isImage, "shade-key": !own };
+    const more = { "gap-field": !isDrawing && !own, "outer-field": settings.part.kind !== "indoors" || (!isDrawing && !own), "shade-field": !isImage || settings.method !== "level", "contrast-field": !isImage || settings.method !== "local", "specks-field": !own, "negate-field": !isImage, "shade-key": !own };
     for (const [id, isHidden] of Object.entries({ ...hidden, ...more })) setHidden(byId(`floor-plan-${id}`), isHidden);
     showValue(gap, String(settings.gap));
+    // What is as wide as a gap that is closed is closed, too.
+    showValue(outer, String(Math.max(settings.outer, settings.gap)));
     if (!isSetting) {
       showValue(shade, String(settings.shade));
       showValue(contrast, String(settings.contrast));

@@ -10,9 +10,12 @@ use robovac_core::{
 /// The part of a drawing to be traced, in drawing units.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DrawingRegion {
-    /// The floor of the building that walls enclose, with outer doors closed, without a garden or a page round it. All of
-    /// it, if they enclose hardly any.
-    Indoors,
+    /// The floor of the building that walls enclose, with openings to the outside closed, without a garden or a page round
+    /// it. All of it, if they enclose hardly any.
+    Indoors {
+        /// Widest opening to the outside that is closed, m; those as wide as a gap that is closed are in any case.
+        outer: f64,
+    },
     /// All of it.
     Whole,
     /// An axis-aligned rectangle.
@@ -71,10 +74,12 @@ pub struct Traced {
 pub struct OutsideLeak {
     /// Its middle, in the turned drawing.
     pub at: Point,
-    /// Its width, m.
+    /// Its width, m, rounded up to 5 cm.
     pub width: f64,
     /// The floor that it opens, m².
     pub floor_m2: f64,
+    /// Whether the floor is indoors once openings up to this width are closed.
+    pub closes: bool,
 }
 
 impl Traced {

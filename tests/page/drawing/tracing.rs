@@ -43,7 +43,9 @@ fn furniture_whose_sides_are_single_lines_is_no_floor() {
     let sides = "0 LINE 8 FURN 10 2000 20 2000 11 3000 21 2000 0 LINE 8 FURN 10 3000 20 3000 11 3000 21 2000 \
         0 LINE 8 FURN 10 2000 20 3000 11 3000 21 3000 0 LINE 8 FURN 10 2000 20 2000 11 2000 21 3000";
     let lines = drawn(&entities(&format!("{start} {sides} 0 CIRCLE {leg}"))).unwrap();
-    for region in [DrawingRegion::Indoors, DrawingRegion::Whole, DrawingRegion::Room(Point::new(1500.0, 3500.0))] {
+    for region in
+        [DrawingRegion::Indoors { outer: 1.25 }, DrawingRegion::Whole, DrawingRegion::Room(Point::new(1500.0, 3500.0))]
+    {
         let [one, other] = [&flat, &lines].map(|drawing| traced(drawing, 0.9, region.clone()).unwrap().plan);
         assert_eq!(one.occupancy, other.occupancy, "{}", to_ascii(&other));
         let tables = other.objects.iter().filter(|object| matches!(object, Object::Furniture { .. }));

@@ -2,6 +2,7 @@
 
 mod frame;
 mod gaps;
+mod leak;
 mod openings;
 mod outlines;
 mod page;
@@ -28,15 +29,10 @@ use robovac_core::{
 const MARGIN: i32 = 2;
 /// Floor around a drawing whose walls enclose nothing, m (ours): room for a robot to pass.
 const OPEN_MARGIN: f64 = 1.0;
-/// Width of outer doors, m (ours): they are closed indoors. Double doors and gates stay open.
+/// Width of outer doors, m (ours): they are closed indoors unless another width is chosen. Double doors and gates stay open.
 pub const OUTER_DOOR: f64 = 1.25;
 /// Least share of the floor that walls enclose indoors: the insides of letters and furniture are no building.
 const INDOORS: f64 = 0.05;
-/// How many times wider than outer doors openings are that are looked for where the outside gets in (ours): the size of the
-/// drawing can be wrong.
-const LEAKS: [f64; 3] = [2.0, 4.0, 8.0];
-/// Least floor behind a leak, as a share of the floor that is enclosed without it.
-const LEAKED: f64 = 0.1;
 /// Ends of walls closer than this are joined, m (ours); allows for rounding by drawing programs.
 const TOUCHING: f64 = 1e-3;
 /// Side of the first area searched around the point that chooses a room, cells; doubled until it contains the room.
@@ -160,7 +156,7 @@ impl<'a> RoomTracer<'a> {
 
     fn run(&self) -> Result<Traced, DrawingFlaw> {
         match &self.how.region {
-            DrawingRegion::Indoors => self.indoors(),
+            DrawingRegion::Indoors { .. } => self.indoors(),
             DrawingRegion::Whole => self.whole(),
             DrawingRegion::Rectangle { low, high } => self.rectangle(*low, *high),
             DrawingRegion::Polygon(outline) => self.polygon(outline),
@@ -171,7 +167,7 @@ impl<'a> RoomTracer<'a> {
     fn indoors(&self) -> Result<Traced, DrawingFlaw> {
         let found = self.enclosed()?;
         let area = |cells: usize| cells as f64 * self.how.resolution * self.how.resolution;
-        let leak = self.outside_leak(found.as_ref().map_or(0.0, |found| area(found.inside.count())))?;
+        let leak = self.outside_leak(found.as_ref())?;
         let is_open = found.is_none();
         let mut traced = match found {
             Some(EnclosedFloor { frame, inside, walls, openings, around }) => {
@@ -185,40 +181,27 @@ impl<'a> RoomTracer<'a> {
         Ok(traced)
     }
 
-    /// The opening by which the outside reaches floor that walls enclose otherwise, beside the `enclosed_m2`: that floor
-    /// is at least twice as wide as the opening, or else it is a court.
-    fn outside_leak(&self, enclosed_m2: f64) -> Result<Option<OutsideLeak>, DrawingFlaw> {
-        let door = OUTER_DOOR.max(self.how.gap);
-        let size = (self.bounds.high - self.bounds.low) * self.how.metre;
-        let mut found: Option<OutsideLeak> = None;
-        for times in LEAKS.into_iter().filter(|times| times * door < 0.5 * size.max()) {
-            // Coarser cells for wider openings take as long as the first search at most.
-            let cell = times * self.how.resolution;
-            let how = Tracing { resolution: cell, ..self.how.clone() };
-            let coarse = RoomTracer { how: &how, side: times * self.side, bridges: self.bridges.clone(), ..*self };
-            let Some(EnclosedFloor { frame, inside, openings, .. }) = coarse.enclosed_by(times * door)? else {
-                continue;
-            };
-            let width = |&[a, b]: &[Point; 2]| ((b - a).norm() + 1.0) * cell;
-            let Some(widest) = openings.iter().max_by(|a, b| width(a).total_cmp(&width(b))) else { continue };
-            let (width, floor_m2) = (width(widest), inside.count() as f64 * cell * cell - enclosed_m2);
-            let least = found.map_or(LEAKED * enclosed_m2, |leak| (1.0 + LEAKED) * leak.floor_m2);
-            if width > door && floor_m2 > least.max((2.0 * width).powi(2)) {
-                let at = frame.point(Point::from(0.5 * (widest[0].coords + widest[1].coords)));
-                found = Some(OutsideLeak { at, width, floor_m2 });
-            }
-        }
-        Ok(found)
-    }
-
     /// The floor that walls enclose, with openings up to the width of an outer door closed, without what lies round a
     /// building within the outermost walls. `None` if they enclose hardly any.
     fn enclosed(&self) -> Result<Option<EnclosedFloor>, DrawingFlaw> {
-        self.enclosed_by(OUTER_DOOR.max(self.how.gap))
+        self.enclosed_by(self.outer())
+    }
+
+    /// Widest opening to the outside that is closed, m.
+    fn outer(&self) -> f64 {
+        let outer = if let DrawingRegion::Indoors { outer } = self.how.region { outer } else { OUTER_DOOR };
+        outer.max(self.how.gap)
     }
 
     /// The same with openings up to `widest` metres closed.
     fn enclosed_by(&self, widest: f64) -> Result<Option<EnclosedFloor>, DrawingFlaw> {
+        // Rooms aren't as wide as any opening that can be closed: they are no niches of the outside then.
+        let most = if widest > OUTER_DOOR.max(self.how.gap) { widest * widest } else { f64::INFINITY };
+        self.enclosed_with(widest, most)
+    }
+
+    /// The same with niches of the outside up to `most` m².
+    fn enclosed_with(&self, widest: f64, most: f64) -> Result<Option<EnclosedFloor>, DrawingFlaw> {
         let [gap, door] = [widest, OUTER_DOOR.max(self.how.gap)].map(|metres| metres / self.how.resolution);
         let frame = RasterFrame::around(&self.bounds, self.side, ceil(gap.min(1e6)).saturating_add(MARGIN));
         if frame.check(self.how.metre).is_err() {
@@ -226,7 +209,8 @@ impl<'a> RoomTracer<'a> {
         }
         let walls = self.walls(&frame, false)?;
         let mut inside = region::enclosed(&walls, self.how.resolution);
-        let outside = openings::part(&walls, [Cell::new(0, 0)], gap);
+        let most = (most / self.how.resolution / self.how.resolution) as usize;
+        let outside = openings::part_with(&walls, [Cell::new(0, 0)], gap, most);
         let mut openings = Vec::new();
         let mut shut = outside.cells;
         for (cell, &is_wall) in shut.values_mut().iter_mut().zip(walls.values()) {
@@ -237,7 +221,8 @@ impl<'a> RoomTracer<'a> {
             (inside, openings) = (with_doors_closed, outside.openings);
         }
         let all = inside.count();
-        if let Some(building) = surroundings::building(&walls, &inside, door, self.how.resolution) {
+        let building = |door: f64| surroundings::building(&walls, &inside, door, self.how.resolution);
+        if let Some(building) = building(gap.max(door)).or_else(|| building(door).filter(|_| gap > door)) {
             (inside, openings) = building;
         }
         let around = all - inside.count();

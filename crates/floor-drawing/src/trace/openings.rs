@@ -21,6 +21,16 @@ pub(super) struct FloorPart {
 ///
 /// A cell that lies nearer to the border than to the next wall counts as wide: the outside is open.
 pub(super) fn part(blocked: &Grid<bool>, seeds: impl IntoIterator<Item = Cell>, widest: f64) -> FloorPart {
+    part_with(blocked, seeds, widest, usize::MAX)
+}
+
+/// The same, with corners and niches of at most `most` cells.
+pub(super) fn part_with(
+    blocked: &Grid<bool>,
+    seeds: impl IntoIterator<Item = Cell>,
+    widest: f64,
+    most: usize,
+) -> FloorPart {
     let moves = chessboard(blocked);
     // A square that is n moves from the next wall is 2 n - 1 cells wide.
     let least = ceil((widest / 2.0).clamp(0.0, 200.0)) + 1;
@@ -64,7 +74,7 @@ pub(super) fn part(blocked: &Grid<bool>, seeds: impl IntoIterator<Item = Cell>, 
         }
         reached = ring;
     }
-    niches(blocked, &mut cells, |cell| is_wide(cell) || from_border(cell) == 0);
+    niches(blocked, &mut cells, most, |cell| is_wide(cell) || from_border(cell) == 0);
     let openings = openings(blocked, &cells);
     FloorPart { cells, meets_border, openings }
 }
@@ -89,9 +99,9 @@ fn nearest(blocked: &Grid<bool>, start: Cell, is_wide: impl Fn(Cell) -> bool) ->
 
 /// Adds the rest of the floor beside `cells` from which no place where the square fits can be reached. What is larger
 /// than half of them is no niche: the way round a house that is close to a page's frame.
-fn niches(blocked: &Grid<bool>, cells: &mut Grid<bool>, leads_on: impl Fn(Cell) -> bool) {
+fn niches(blocked: &Grid<bool>, cells: &mut Grid<bool>, most: usize, leads_on: impl Fn(Cell) -> bool) {
     let mut seen = blocked.map(|_| false);
-    let most = cells.count() / 2;
+    let most = most.min(cells.count() / 2);
     for index in 0..seen.len() {
         let start = seen.cell(index);
         if blocked[start] || cells[start] || seen[start] {

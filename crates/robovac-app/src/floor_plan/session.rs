@@ -230,8 +230,9 @@ impl DrawingSession {
             // What was pointed at lies somewhere else now.
             self.hand = DrawingHand::default();
         }
-        let room =
-            |s: &FloorPlanSettings| (s.metre, s.roles.clone(), s.gap, s.resolution, s.part.clone(), s.turn, s.shades());
+        let room = |s: &FloorPlanSettings| {
+            (s.metre, s.roles.clone(), s.gap, s.outer, s.resolution, s.part.clone(), s.turn, s.shades())
+        };
         if room(&before) != room(now) || self.lacks_size() != lacked_size {
             self.trace();
             return Ok(());

@@ -2,7 +2,7 @@
 
 use super::{BodyChoice, DrawingSource};
 use coverage_planners::sweep::LinkOrder;
-use floor_drawing::{DrawingRegion, Role, ShadeMethod, Tracing, WallShades};
+use floor_drawing::{DrawingRegion, OUTER_DOOR, Role, ShadeMethod, Tracing, WallShades};
 use robovac_core::{
     floor_plan::{DEFAULT_IMAGE_RESOLUTION, MAX_RESOLUTION, MIN_RESOLUTION},
     geometry::Point,
@@ -16,6 +16,8 @@ pub const CELLS: [f64; 7] = [0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5];
 const MOST_UNASKED: f64 = 2000.0;
 /// Widest gap between walls that can be closed, m: that of a double door.
 pub(super) const MOST_GAP: f64 = 1.5;
+/// Widest opening to the outside that can be closed, m: that of a wide terrace door. Cells of 1 cm allow for no more.
+pub(super) const MOST_OUTER: f64 = 4.0;
 /// Widest pixels, m, that are smaller than the cells of a room: those of photographs and scans (ours).
 const FINE_PIXEL: f64 = 0.02;
 /// Marks in images up to this size are left out by default, m: dots and small letters.
@@ -35,6 +37,9 @@ pub struct FloorPlanSettings {
     pub roles: Vec<Role>,
     /// Widest gap between walls that is closed, m.
     pub gap: f64,
+    /// Widest opening to the outside that is closed indoors, m.
+    #[serde(default = "outer_door")]
+    pub outer: f64,
     /// Side of the room's cells, m.
     pub resolution: f64,
     /// The part to be traced.
@@ -116,6 +121,7 @@ impl FloorPlanSettings {
                 .drawing()
                 .map_or(Vec::new(), |drawing| drawing.layers.iter().map(|layer| layer.role).collect()),
             gap: 0.1,
+            outer: OUTER_DOOR,
             resolution: default_cell(source, metre),
             part: if is_plan { DrawingPart::Indoors } else { DrawingPart::Whole },
             turn: 0.0,
@@ -153,6 +159,7 @@ impl FloorPlanSettings {
         }
         self.roles.resize(source.drawing().map_or(0, |drawing| drawing.layers.len()), Role::Ignored);
         self.gap = self.gap.clamp(0.0, MOST_GAP);
+        self.outer = self.outer.clamp(0.0, MOST_OUTER);
         [self.shade, self.contrast] = [self.shade, self.contrast].map(|share| share.clamp(0.0, 1.0));
         self.specks = self.specks.clamp(0.0, MOST_SPECKS);
         self.turn = if self.turn.is_finite() { 180.0 - (180.0 - self.turn).rem_euclid(360.0) } else { before.turn };
@@ -169,8 +176,8 @@ impl FloorPlanSettings {
 
     /// Parameters of tracing, with `metre` metres per unit.
     pub fn tracing(&self, metre: f64) -> Tracing {
-        let Self { roles, gap, resolution, part, .. } = self;
-        Tracing { roles: roles.clone(), metre, gap: *gap, resolution: *resolution, region: part.region() }
+        let Self { roles, gap, outer, resolution, part, .. } = self;
+        Tracing { roles: roles.clone(), metre, gap: *gap, resolution: *resolution, region: part.region(*outer) }
     }
 
     /// Parameters for reading an image.
@@ -197,6 +204,11 @@ impl FloorPlanSettings {
     }
 }
 
+/// The width of openings to the outside that are closed until another is chosen, m.
+fn outer_door() -> f64 {
+    OUTER_DOOR
+}
+
 /// The cell size for a source whose unit is `metre` m, until another is chosen.
 fn default_cell(source: &DrawingSource, metre: Option<f64>) -> f64 {
     let side = source.extent().1.max() * metre.unwrap_or_default();
@@ -205,11 +217,11 @@ fn default_cell(source: &DrawingSource, metre: Option<f64>) -> f64 {
 }
 
 impl DrawingPart {
-    /// The part in the form for tracing.
-    pub fn region(&self) -> DrawingRegion {
+    /// The part in the form for tracing; indoors, openings to the outside up to `outer` metres are closed.
+    pub fn region(&self, outer: f64) -> DrawingRegion {
         let point = |&[x, y]: &[f64; 2]| Point::new(x, y);
         match self {
-            Self::Indoors => DrawingRegion::Indoors,
+            Self::Indoors => DrawingRegion::Indoors { outer },
             Self::Whole => DrawingRegion::Whole,
             Self::Rectangle { corners: [a, b] } => DrawingRegion::Rectangle {
                 low: Point::new(a[0].min(b[0]), a[1].min(b[1])),

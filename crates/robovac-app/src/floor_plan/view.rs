@@ -2,11 +2,11 @@
 
 use super::{
     Doors, DrawingPart, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, paper_units,
-    settings::MOST_GAP, size_in_words,
+    settings::MOST_OUTER, size_in_words,
 };
 use crate::amount::amount;
 use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
-use floor_drawing::{OUTER_DOOR, OutsideLeak, Role, ShadeMethod};
+use floor_drawing::{OutsideLeak, Role, ShadeMethod};
 use robovac_core::{cspace::Outline, floor_plan::FloorPlan, geometry::Point};
 use serde::Serialize;
 
@@ -62,8 +62,8 @@ pub struct DrawingView {
     pub room: Option<TracedRoomView>,
     /// Open doors through which a chosen room extends.
     pub doors: Option<Doors>,
-    /// Widest opening to the outside that is closed indoors, m.
-    pub outer_door: Option<f64>,
+    /// The width up to which openings to the outside have to be closed, m, so that the one that the notice is about is.
+    pub closes: Option<f64>,
     /// What can be wrong with the room, in words; empty for nothing.
     pub notice: String,
     /// Why there is no room; empty if there is one or the user has yet to choose.
@@ -240,7 +240,7 @@ impl DrawingSession {
             settings: settings.clone(),
             room: self.room_view(),
             doors: self.doors(),
-            outer_door: (settings.part == DrawingPart::Indoors).then_some(OUTER_DOOR),
+            closes: self.leak_that_closes().map(|leak| leak.width),
             notice: self.notice(),
             fault: self.fault().to_owned(),
             tool: self.hand.tool,
@@ -308,20 +308,24 @@ impl DrawingSession {
         })
     }
 
+    /// The opening to the outside, if it can be closed.
+    fn leak_that_closes(&self) -> Option<OutsideLeak> {
+        self.room()?.leak.filter(|leak| leak.closes && leak.width <= MOST_OUTER)
+    }
+
     /// What is in doubt about the room, in words.
     fn notice(&self) -> String {
         let Some(room) = self.room() else { return String::new() };
         if let Some(OutsideLeak { width, floor_m2, .. }) = room.leak {
-            let mend = if width <= MOST_GAP {
-                format!("Close gaps up to {:.2} m.", (width * 20.0).ceil() / 20.0)
-            } else {
-                "Check the size; if it is right, choose Rectangle or Polygon.".to_owned()
+            let mend = match self.leak_that_closes() {
+                Some(_) => "",
+                None => " Check the size; if it is right, choose Rectangle or Polygon.",
             };
             let counts =
                 if room.is_open { "so the outside counts as floor, too" } else { "so they don't count as floor" };
             return format!(
-                "About {floor_m2:.0} m² are open to the outside through a gap about {width:.1} m wide, where the ring is, \
-                 {counts}. {mend}"
+                "About {floor_m2:.0} m² are open to the outside through an opening about {width:.2} m wide, where the ring \
+                 is, {counts}.{mend}"
             );
         }
         let notice = match self.source() {

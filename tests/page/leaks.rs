@@ -1,0 +1,211 @@
+//! Openings by which the outside gets into a floor plan: what is told about them, and what closes them.
+
+use image::{GrayImage, ImageFormat, Luma};
+use rand::RngExt;
+use robovac_app::floor_plan::{DrawingSession, FloorPlanSettings};
+use robovac_core::{floor_plan::SourceFile, geometry::Point, rng::seeded};
+use std::io::Cursor;
+
+/// A wall: from, to, m.
+type Wall = [f64; 4];
+
+/// A flat of four rooms with doors between them; m.
+struct Flat {
+    size: [f64; 2],
+    walls: Vec<Wall>,
+    /// Where its left wall is open, and how wide.
+    opening: [f64; 2],
+    at: Point,
+    /// Floor of the room behind the opening, and of all.
+    behind_m2: f64,
+}
+
+impl Flat {
+    /// One with an opening `wide` in its left wall, and everything else by the seed.
+    fn of(seed: u64, wide: f64) -> Self {
+        let mut rng = seeded(seed, 0);
+        let mut any = |low: f64, high: f64| rng.random_range(low..high);
+        let (width, height) = (any(8.5, 12.0), any(8.0, 10.0));
+        let (middle, sill) = (any(3.6, 4.8), any(4.8, 5.6));
+        let other = any(2.9, 5.0);
+        let [one, two, three] = [0; 3].map(|_| any(0.8, 1.1));
+        // 0.3 m of wall at least on either side.
+        let low = any(0.3, sill - wide - 0.3);
+        let door = any(0.4, 1.5);
+        let walls = vec![
+            [0.0, 0.0, width, 0.0],
+            [width, 0.0, width, height],
+            [width, height, 0.0, height],
+            [0.0, height, 0.0, low + wide],
+            [0.0, low, 0.0, 0.0],
+            // The room behind the opening, with a door to each neighbour.
+            [0.0, sill, 1.2, sill],
+            [1.2 + one, sill, middle, sill],
+            [middle, 0.0, middle, door],
+            [middle, door + two, middle, height],
+            [middle, other, middle + 1.5, other],
+            [middle + 1.5 + three, other, width, other],
+        ];
+        let at = Point::new(0.0, low + 0.5 * wide);
+        Self { size: [width, height], walls, opening: [low, wide], at, behind_m2: middle * sill }
+    }
+
+    fn floor_m2(&self) -> f64 {
+        self.size[0] * self.size[1]
+    }
+
+    /// Lines in millimetres, which the file states.
+    fn drawing(&self) -> SourceFile {
+        let [width, height] = self.size.map(|side| 1000.0 * side);
+        let line = |wall: &Wall| {
+            let [a, b, c, d] = wall.map(|metres| 1000.0 * metres);
+            format!("<path d='M{a} {b}L{c} {d}'/>", b = height - b, d = height - d)
+        };
+        let lines: String = self.walls.iter().map(line).collect();
+        let svg = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='{width}mm' height='{height}mm' \
+             viewBox='0 0 {width} {height}'><g id='walls' stroke='#000' fill='none'>{lines}</g></svg>"
+        );
+        SourceFile { name: "flat.svg".to_owned(), bytes: svg.into() }
+    }
+
+    /// Walls 15 cm thick on 2 m of paper, with `metre` metres a pixel.
+    fn picture(&self, metre: f64) -> SourceFile {
+        let [wide, high] = self.size.map(|side| ((side + 4.0) / metre) as u32);
+        let image = GrayImage::from_fn(wide, high, |x, y| {
+            let at = [(f64::from(x) + 0.5) * metre - 2.0, (f64::from(high - y) - 0.5) * metre - 2.0];
+            let is_wall = self.walls.iter().any(|&[a, b, c, d]| {
+                let is_upright = a == c;
+                let half = |is_across: bool| if is_across { 0.075 } else { 0.0 };
+                let (from, to) = ([a.min(c), b.min(d)], [a.max(c), b.max(d)]);
+                // The corners of the house are filled.
+                let end = |value: f64, most: f64| if value == 0.0 || value == most { 0.075 } else { 0.0 };
+                (0..2).all(|axis| {
+                    let across: f64 = half((axis == 0) == is_upright);
+                    let [low, high] = [from[axis], to[axis]].map(|at| across.max(end(at, self.size[axis])));
+                    (from[axis] - low..=to[axis] + high).contains(&at[axis])
+                })
+            });
+            Luma([if is_wall { 30 } else { 240 }])
+        });
+        let mut bytes = Cursor::new(Vec::new());
+        image.write_to(&mut bytes, ImageFormat::Png).unwrap();
+        SourceFile { name: "flat.png".to_owned(), bytes: bytes.into_inner() }
+    }
+}
+
+fn change(session: &mut DrawingSession, what: impl FnOnce(&mut FloorPlanSettings)) {
+    let mut settings = session.settings().clone();
+    what(&mut settings);
+    session.set(settings).unwrap();
+}
+
+/// The opening is told with its width and place, and closing it makes the whole flat one floor.
+fn check(mut session: DrawingSession, flat: &Flat, metre: f64, moved: f64, case: &str) {
+    let view = session.view();
+    assert!(view.notice.contains("open to the outside"), "{case}: {:?}", view.notice);
+    let [_, wide] = flat.opening;
+    let mark = session.mark().unwrap();
+    assert!((mark.width - wide).abs() <= 0.11, "{case}: {} for {wide} m", mark.width);
+    let at = Point::from(mark.at.coords * metre).map(|side| side - moved);
+    assert!((at - flat.at).norm() < 0.3, "{case}: {at} for {}", flat.at);
+    let leak = session.room().unwrap().leak.unwrap();
+    assert!((leak.floor_m2 / flat.behind_m2 - 1.0).abs() < 0.2, "{case}: {} m²", leak.floor_m2);
+    let outer = view.closes.unwrap();
+    assert!((outer - mark.width).abs() < 1e-9, "{case}");
+    // Closing gaps between walls is another matter: the opening is told until it is closed.
+    if wide > 1.65 {
+        change(&mut session, |settings| settings.gap = 1.5);
+        assert!(session.view().notice.contains("open to the outside"), "{case}");
+        change(&mut session, |settings| settings.gap = 0.1);
+    }
+    change(&mut session, |settings| settings.outer = outer);
+    let view = session.view();
+    assert_eq!((view.notice.as_str(), session.mark(), view.closes), ("", None, None), "{case}");
+    let share = session.floor_m2() / flat.floor_m2();
+    assert!((0.9..1.0).contains(&share), "{case}: {share} of the floor");
+    let room = view.room.unwrap();
+    assert_eq!((room.cut_off_m2, room.outer_doors, room.gaps), (0.0, 1, 1), "{case}: the doors between rooms are open");
+}
+
+#[test]
+fn an_opening_of_any_width_in_a_flat_with_inner_doors_is_told_and_closed_without_them() {
+    for seed in 0..24 {
+        let wide = [1.5, 1.6, 2.0, 2.3, 2.7, 3.2][seed as usize % 6] + 0.013 * (seed / 6) as f64;
+        let flat = Flat::of(seed, wide);
+        let session = DrawingSession::open(&[flat.drawing()]).unwrap();
+        check(session, &flat, 0.001, 0.0, &format!("drawing {seed}, {wide} m"));
+        // slow: a picture takes ten times as long as lines.
+        if seed % 4 == 0 {
+            let mut session = DrawingSession::open(&[flat.picture(0.025)]).unwrap();
+            change(&mut session, |settings| settings.metre = Some(0.025));
+            check(session, &flat, 0.025, 2.0, &format!("picture {seed}, {wide} m"));
+        }
+    }
+}
+
+#[test]
+fn a_court_as_wide_as_its_opening_is_outside() {
+    for (seed, wide) in [(1, 2.0), (2, 3.1), (3, 2.6)] {
+        let depth = 3.0 + 0.3 * seed as f64;
+        let outline = [
+            [0.0, 0.0],
+            [10.0, 0.0],
+            [10.0, 8.0],
+            [5.0 + wide, 8.0],
+            [5.0 + wide, 8.0 - depth],
+            [5.0, 8.0 - depth],
+            [5.0, 8.0],
+            [0.0, 8.0],
+        ];
+        let corners: Vec<String> = outline.iter().map(|[x, y]| format!("{} {}", 1000.0 * x, 1000.0 * y)).collect();
+        let svg = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='10000mm' height='8000mm' viewBox='0 0 10000 8000'>\
+             <path id='walls' fill='none' stroke='#000' d='M{}Z'/></svg>",
+            corners.join("L")
+        );
+        let file = SourceFile { name: "court.svg".to_owned(), bytes: svg.into() };
+        let session = DrawingSession::open(&[file]).unwrap();
+        assert_eq!((session.view().notice.as_str(), session.mark()), ("", None), "{wide} x {depth} m");
+    }
+}
+
+#[test]
+fn an_opening_of_a_flat_at_an_angle_is_told_with_its_width_and_closed() {
+    for seed in 0..12 {
+        let wide = [2.0, 2.3, 2.7, 3.2][seed as usize % 4];
+        let flat = Flat::of(seed, wide);
+        let mut session = DrawingSession::open(&[flat.drawing()]).unwrap();
+        session.turn_to([7.0, 30.0, 45.0][seed as usize % 3]).unwrap();
+        let width = session.mark().unwrap().width;
+        assert!((width - wide).abs() < 0.16, "seed {seed}: {width} for {wide} m");
+        let outer = session.view().closes.unwrap();
+        change(&mut session, |settings| settings.outer = outer);
+        let (view, share) = (session.view(), session.floor_m2() / flat.floor_m2());
+        let room = view.room.unwrap();
+        assert_eq!((view.notice.as_str(), room.cut_off_m2, room.outer_doors), ("", 0.0, 1), "seed {seed}");
+        assert!((0.9..1.0).contains(&share), "seed {seed}: {share} of the floor");
+    }
+}
+
+#[test]
+fn an_opening_to_the_garden_is_closed_if_it_is_told() {
+    let mut told = 0;
+    for seed in 0..10 {
+        let wide = [1.5, 1.6, 2.0, 2.3, 2.7][seed as usize % 5];
+        let mut flat = Flat::of(seed, wide);
+        let [width, height] = flat.size;
+        let (low, right, high) = (-3.5, width + 3.5, height + 3.5);
+        flat.walls.extend([[low, low, right, low], [right, low, right, high]]);
+        flat.walls.extend([[right, high, low, high], [low, high, low, low]]);
+        let mut session = DrawingSession::open(&[flat.drawing()]).unwrap();
+        let Some(outer) = session.view().closes else { continue };
+        told += 1;
+        change(&mut session, |settings| settings.outer = outer);
+        let share = session.floor_m2() / flat.floor_m2();
+        assert!((0.9..1.0).contains(&share), "seed {seed}: {share} of the floor");
+        assert_eq!((session.view().notice.as_str(), session.mark()), ("", None), "seed {seed}");
+    }
+    // One that is nearly as wide as the garden may not be.
+    assert!(told >= 5, "{told} of 10");
+}
