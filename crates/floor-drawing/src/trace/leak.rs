@@ -121,7 +121,9 @@ impl EnclosedFloor {
         let mut pieces = rest.map(|_| 0_u32);
         for index in 0..rest.len() {
             let piece = taken(&mut rest, index);
-            piece.iter().for_each(|&cell| pieces[cell] = index as u32 + 1);
+            for &cell in &piece {
+                pieces[cell] = index as u32 + 1;
+            }
             if piece.len() <= found.as_ref().map_or(0, |(cells, _)| cells.len()) {
                 continue;
             }
