@@ -413,6 +413,8 @@ size: string | null,
 units: Array<UnitView>,
 /** Whether a room's cells can be chosen: an image's pixels are finer than they. */
 has_cells: boolean,
+/** Whether a picture's size is only assumed. */
+assumes_size: boolean,
 /** A size that is unusual for a room, in words, until it is confirmed; empty otherwise. */
 asks: string,
 /** The scales of a plan on paper that would give a usual size, while the size is asked about. */

@@ -101,6 +101,24 @@ fn askew_scans_are_straightened_as_proposed() {
     }
 }
 
+#[test]
+fn a_cut_with_no_more_than_the_arc_of_a_door_is_not_straightened() {
+    for (door, line, way) in [(24, 1.5, 0), (36, 2.0, 1), (44, 3.0, 2), (40, 2.0, 3)] {
+        let mut session = opened(&with_door_arc(door, line, way));
+        // One of the rooms without its walls, by the side of the arc; rows count from below.
+        let (left, right) = if way.is_multiple_of(2) { (40.0, 154.0) } else { (166.0, 280.0) };
+        let part = DrawingPart::Rectangle { corners: [[left, 40.0], [right, 200.0]] };
+        change(&mut session, |settings| settings.part = part);
+        assert_eq!(session.askew(), None, "{door} pixels, {way}");
+    }
+    // The walls in a cut of an askew scan tell their angle.
+    let mut session = opened(&scan(&random_flat(2, 2, 1), 7.0));
+    let [width, height] = session.view().room.map(|room| [room.width_m / PIXEL, room.height_m / PIXEL]).unwrap();
+    let part = DrawingPart::Rectangle { corners: [[10.0, 10.0], [10.0 + 0.7 * width, 10.0 + 0.7 * height]] };
+    change(&mut session, |settings| settings.part = part);
+    assert!((session.askew().unwrap() - 7.0).abs() < 0.3, "{:?}", session.askew());
+}
+
 /// An upright page frame with a title block, `gap` pixels from the walls of a scan.
 fn framed(mut image: GrayImage, gap: u32) -> GrayImage {
     let is_wall = |&(_, _, pixel): &(u32, u32, &Luma<u8>)| pixel.0[0] < 128;
@@ -261,6 +279,14 @@ fn a_scale_that_is_assumed_is_asked_about_though_the_size_is_usual() {
     let view = session.view();
     let room = view.room.unwrap();
     assert_eq!(view.asks, size_in_words(room.width_m, room.height_m));
+    // Its openings, and what is too narrow, aren't told before: at this scale the front door is 1.8 m wide.
+    assert!(view.assumes_size && session.room().unwrap().leak.is_some());
+    assert_eq!((view.notice.as_str(), view.closes, session.mark(), room.cut_off_m2), ("", None, None, 0.0));
+    change(&mut session, |settings| settings.confirmed = settings.metre);
+    assert!(session.view().notice.contains("open to the outside") && session.mark().is_some());
+    change(&mut session, |settings| settings.metre = Some(PIXEL));
+    assert!(!session.view().assumes_size && session.view().notice.is_empty());
+    change(&mut session, |settings| settings.metre = Some(2.0 * PIXEL));
     change(&mut session, |settings| settings.confirmed = settings.metre);
     assert_eq!(session.view().asks, "");
     // A robot's map has cells of 5 cm.

@@ -85,20 +85,21 @@ function showDoors(view) {
 }
 
 /** @param {FloorPlanView} view */
-function facts({ kind, size, strokes, layers, room, left_out, reduced_from }) {
-  const what = kind === "drawing" ? `${strokes.toLocaleString("en")} ${strokes === 1 ? "stroke" : "strokes"} on ${layers.length} ${layers.length === 1 ? "layer" : "layers"}` : room ? `${room.cells[0]} × ${room.cells[1]} cells of ${(100 * room.resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm` : "";
+function facts({ kind, size, strokes, layers, left_out, reduced_from }) {
+  const what = kind === "drawing" ? `${strokes.toLocaleString("en")} ${strokes === 1 ? "stroke" : "strokes"} on ${layers.length} ${layers.length === 1 ? "layer" : "layers"}` : "";
   return [size && `${kind === "drawing" ? "whole drawing" : "whole map"}: ${size}`, what, reduced_from && `reduced from ${reduced_from}`, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
 }
 
 /** @param {FloorPlanView} view */
-function result({ room, settings, fault, asks, size }) {
+function result({ room, settings, fault, asks, size, assumes_size }) {
   if (!room) {
     if (settings.metre === null) return "Choose the drawing's unit first.";
     return fault || (asks ? `Whole drawing: ${size}. Choose its size first.` : "No room yet.");
   }
-  const { width_m, height_m, floor_m2, cells, objects, gaps, outer_doors, around_m2, reachable_m2 } = room;
+  const { width_m, height_m, floor_m2, cells, resolution, objects, gaps, outer_doors, around_m2, reachable_m2 } = room;
+  if (assumes_size) return `Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m if the assumed scale is right. Answer the question about its size first.`;
   const reach = reachable_m2 === null ? "" : `, ${reachable_m2.toFixed(1)} m² of it reachable by a Roomba's brush`;
   const [inner, openings] = [gaps - outer_doors, outer_doors === 1 ? "opening" : "openings"];
   const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, inner && `${inner} ${inner === 1 ? "gap" : "gaps"} closed`, outer_doors && `${outer_doors} ${openings} to the outside closed`, around_m2 > 0 && `${around_m2.toFixed(1)} m² round the building left out`].filter(Boolean);
-  return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, without walls`, `${floor_m2.toFixed(1)} m² of floor${reach}`, `${cells[0]} × ${cells[1]} cells`, ...more].join(" · ");
+  return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, without walls`, `${floor_m2.toFixed(1)} m² of floor${reach}`, `${cells[0]} × ${cells[1]} cells of ${(100 * resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm`, ...more].join(" · ");
 }

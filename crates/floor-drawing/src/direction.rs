@@ -16,6 +16,9 @@ const LEAST_SHARE: f64 = 0.35;
 const MOST_PIXELS: usize = 20_000;
 /// Least ratio of the best to the mean score of a picture.
 const LEAST_RATIO: f64 = 1.25;
+/// Pixels around one of an edge that tell the direction of the edge there, and how much it can differ from the walls'.
+const NEAR: i32 = 6;
+const NEARLY: f64 = 5.0;
 
 /// Most places of a stroke's side that are looked at.
 const MOST_PLACES: i32 = 16;
@@ -70,11 +73,16 @@ pub fn dominant_direction(drawing: &Drawing, roles: &[Role], is_meant: impl Fn(P
 }
 
 /// Angle by which the walls of a picture are askew, likewise: that at which their edges fall onto the fewest rows and
-/// columns (the projection profiles of Postl 1986). `is_meant` is asked about the pixels beside walls.
+/// columns (the projection profiles of Postl 1986), if enough of them run that way: the arc of a door has such an angle, too.
+/// `is_meant` is asked about the pixels beside walls.
 pub fn picture_direction(walls: &Grid<bool>, is_meant: impl Fn(Cell) -> bool) -> Option<f64> {
     let is_beside = |next: Cell| walls.get(next) == Some(&false) && is_meant(next);
     let is_edge = |cell: Cell| walls[cell] && cell.neighbours().into_iter().any(is_beside);
     let edges: Vec<Cell> = walls.iter().map(|(cell, _)| cell).filter(|&cell| is_edge(cell)).collect();
+    let mut at_edge = walls.map(|_| false);
+    for &cell in &edges {
+        at_edge[cell] = true;
+    }
     let step = edges.len().div_ceil(MOST_PIXELS).max(1);
     // Not every nth in a row of pixels: that beats with their raster.
     let edges: Vec<Cell> =
@@ -105,7 +113,32 @@ pub fn picture_direction(walls: &Grid<bool>, is_meant: impl Fn(Cell) -> bool) ->
     let mean = coarse.iter().map(|(_, score)| score).sum::<f64>() / coarse.len() as f64;
     let fine = (best - 6..=best + 6).map(|tenths| (tenths, score(degrees(tenths))));
     let (found, most) = fine.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    (most >= LEAST_RATIO * mean).then(|| wrapped(degrees(found)))
+    if most < LEAST_RATIO * mean {
+        return None;
+    }
+    let found = wrapped(degrees(found));
+    let is_along = |&&cell: &&Cell| {
+        direction_at(&at_edge, cell).is_some_and(|angle| wrapped(angle - found).abs() <= NEARLY.to_radians())
+    };
+    (edges.iter().filter(is_along).count() as f64 >= LEAST_SHARE * edges.len() as f64).then_some(found)
+}
+
+/// Direction of the edge at one of its pixels: that in which those around it spread most.
+fn direction_at(at_edge: &Grid<bool>, cell: Cell) -> Option<f64> {
+    let (mut count, mut sums, mut squares) = (0.0, [0.0; 2], [0.0; 3]);
+    for dy in -NEAR..=NEAR {
+        for dx in -NEAR..=NEAR {
+            if at_edge.is_set(Cell::new(cell.x + dx, cell.y + dy)) {
+                let (x, y) = (f64::from(dx), f64::from(dy));
+                count += 1.0;
+                sums = [sums[0] + x, sums[1] + y];
+                squares = [squares[0] + x * x, squares[1] + x * y, squares[2] + y * y];
+            }
+        }
+    }
+    let [x, y] = sums.map(|sum| sum / count);
+    let [xx, xy, yy] = [squares[0] / count - x * x, squares[1] / count - x * y, squares[2] / count - y * y];
+    (count > 1.0).then(|| 0.5 * atan2(2.0 * xy, xx - yy))
 }
 
 /// An angle above -45° to 45° that differs by quarter turns.
@@ -135,6 +168,25 @@ mod tests {
             }
             let found = picture_direction(&picture, |_| true).unwrap().to_degrees();
             assert!((found - degrees).abs() < 0.15, "seed {seed}: {found} for {degrees}");
+        }
+    }
+
+    #[test]
+    fn the_arc_of_a_door_says_none() {
+        for case in 0..40 {
+            // Shares of their ranges that have nothing to do with each other.
+            let any = |step: f64| (f64::from(case) * step).fract();
+            let (radius, half, from) = (40.0 + 120.0 * any(0.618), 0.6 + 2.4 * any(0.414), 6.3 * any(0.732));
+            // A quarter of a circle, or what a cut leaves of it.
+            let length = 1.0 + 0.57 * any(0.236);
+            let mut arc = Grid::filled(340, 340, false);
+            for index in 0..arc.len() {
+                let at = arc.cell(index).centre(1.0).coords.add_scalar(-170.0);
+                let along = (atan2(at.y, at.x) - from).rem_euclid(2.0 * std::f64::consts::PI);
+                arc.values_mut()[index] = (at.norm() - radius).abs() <= half && along <= length;
+            }
+            let found = picture_direction(&arc, |_| true);
+            assert_eq!(found, None, "{length} rad of {radius} pixels, {half} to either side");
         }
     }
 

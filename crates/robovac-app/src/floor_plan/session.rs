@@ -139,6 +139,15 @@ impl DrawingSession {
         self.source.drawing().is_some() && side < LEAST_SIDE && self.settings.confirmed != self.settings.metre
     }
 
+    /// Whether the size of a picture is only assumed: what is a door, a gap or too narrow for a robot isn't known then.
+    pub fn assumes_size(&self) -> bool {
+        let Self { source, settings, .. } = self;
+        matches!(source, DrawingSource::Image { .. })
+            && settings.method != ShadeMethod::Map
+            && settings.metre == source.metre()
+            && settings.confirmed != settings.metre
+    }
+
     /// Open doors through which a chosen room extends.
     pub fn doors(&self) -> Option<Doors> {
         self.doors
@@ -157,7 +166,12 @@ impl DrawingSession {
     /// Angle by which the walls are askew as the file is turned now, degrees, above -45 to 45; `None` if they are straight
     /// or have no common direction.
     pub fn askew(&self) -> Option<f64> {
-        let askew = (self.askew? + self.settings.turn).rem_euclid(90.0);
+        self.askew_now(self.askew?)
+    }
+
+    /// How much walls at an angle in the file are askew as it is turned now.
+    fn askew_now(&self, angle: f64) -> Option<f64> {
+        let askew = (angle + self.settings.turn).rem_euclid(90.0);
         let askew = if askew > 45.0 { askew - 90.0 } else { askew };
         (askew.abs() >= STRAIGHT).then_some(askew)
     }
@@ -171,17 +185,27 @@ impl DrawingSession {
             let cell = room.plan.cell_at(((point.coords - room.corner) * room.metre).into());
             cell.block().any(|near| floor.is_set(near))
         };
+        let found = self.direction_of(is_by_floor)?;
+        // In a cut there can be no more than furniture.
+        let is_cut = !matches!(self.settings.part, DrawingPart::Indoors | DrawingPart::Whole);
+        let is_straight = |angle: f64| self.askew_now(angle).is_none();
+        let whole = if is_cut { self.direction_of(|_| true) } else { None };
+        (!whole.is_some_and(is_straight)).then_some(found)
+    }
+
+    /// That of the walls at points that are meant, in the turned file.
+    fn direction_of(&self, is_meant: impl Fn(Point) -> bool) -> Option<f64> {
         let turn = self.settings.turn.to_radians();
         let angle = match &self.source {
             DrawingSource::Drawing { drawing, .. } => {
-                dominant_direction(drawing, &self.settings.roles, is_by_floor)? - turn
+                dominant_direction(drawing, &self.settings.roles, is_meant)? - turn
             }
             DrawingSource::Image { cells, .. } if self.settings.method != ShadeMethod::Map => {
                 let (sin, cos) = (sin(turn), cos(turn));
                 let walls = cells.map(|cell| !cell.is_free());
                 picture_direction(&walls, |pixel| {
                     let at = pixel.centre(1.0);
-                    is_by_floor(Point::new(at.x * cos - at.y * sin, at.x * sin + at.y * cos))
+                    is_meant(Point::new(at.x * cos - at.y * sin, at.x * sin + at.y * cos))
                 })?
             }
             DrawingSource::Image { .. } | DrawingSource::Map { .. } => return None,
@@ -217,7 +241,7 @@ impl DrawingSession {
     /// Applies settings and recomputes what depends on them. Changes nothing if a map's cell size is out of range.
     pub fn set(&mut self, settings: FloorPlanSettings) -> Result<(), String> {
         let settings = settings.checked(&self.source, &self.settings)?;
-        let lacked_size = self.lacks_size();
+        let had_size = [self.lacks_size(), self.assumes_size()];
         let before = std::mem::replace(&mut self.settings, settings);
         let now = &self.settings;
         let shades = now.shades();
@@ -233,7 +257,7 @@ impl DrawingSession {
         let room = |s: &FloorPlanSettings| {
             (s.metre, s.roles.clone(), s.gap, s.outer, s.resolution, s.part.clone(), s.turn, s.shades())
         };
-        if room(&before) != room(now) || self.lacks_size() != lacked_size {
+        if room(&before) != room(now) || [self.lacks_size(), self.assumes_size()] != had_size {
             self.trace();
             return Ok(());
         }
@@ -269,11 +293,13 @@ impl DrawingSession {
             Ok(traced) => {
                 let free = free_cells(&traced.plan);
                 self.floor = free.count() as f64 * traced.plan.resolution * traced.plan.resolution;
-                self.cut = cut_off(&traced.plan, &free);
+                let assumes_size = self.assumes_size();
+                self.cut = cut_off(&traced.plan, &free).filter(|_| !assumes_size);
                 let usual = robot::model(USUAL).filter(|_| self.cut.is_some());
                 let reached = usual.and_then(|robot| ReachableFloor::new(&traced.plan, robot, None).ok());
                 self.reachable = reached.map(|floor| floor.area());
-                self.mark = traced.leak.map(|leak| FaultMark { at: leak.at, width: leak.width });
+                self.mark =
+                    traced.leak.filter(|_| !assumes_size).map(|leak| FaultMark { at: leak.at, width: leak.width });
                 self.room = Some(traced);
             }
             Err(error) => {

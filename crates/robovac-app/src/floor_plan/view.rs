@@ -6,7 +6,7 @@ use super::{
 };
 use crate::amount::amount;
 use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
-use floor_drawing::{OutsideLeak, Role, ShadeMethod};
+use floor_drawing::{OutsideLeak, Role};
 use robovac_core::{cspace::Outline, floor_plan::FloorPlan, geometry::Point};
 use serde::Serialize;
 
@@ -44,6 +44,8 @@ pub struct DrawingView {
     pub units: Vec<UnitView>,
     /// Whether a room's cells can be chosen: an image's pixels are finer than they.
     pub has_cells: bool,
+    /// Whether a picture's size is only assumed.
+    pub assumes_size: bool,
     /// A size that is unusual for a room, in words, until it is confirmed; empty otherwise.
     pub asks: String,
     /// The scales of a plan on paper that would give a usual size, while the size is asked about.
@@ -229,6 +231,7 @@ impl DrawingSession {
                 .filter(|_| !asks.is_empty())
                 .map(|(name, metre)| unit_view((name.replace("on paper, ", "").replace(" sheet,", ""), metre)))
                 .collect(),
+            assumes_size: self.assumes_size(),
             asks,
             askew: self.askew(),
             layers: drawing.map_or(Vec::new(), |drawing| {
@@ -274,8 +277,7 @@ impl DrawingSession {
         let room = self.room().filter(|_| !is_tiny).map(|room| floor_size(&room.plan).into());
         let (width, height) = room.unwrap_or((width, height));
         let size = size_in_words(width, height);
-        let is_picture = matches!(self.source(), DrawingSource::Image { .. }) && settings.method != ShadeMethod::Map;
-        if !is_usual(width.max(height)) || is_picture && self.source().metre() == Some(metre) {
+        if !is_usual(width.max(height)) || self.assumes_size() {
             return Some(size);
         }
         // A part can be small.
@@ -310,13 +312,16 @@ impl DrawingSession {
 
     /// The opening to the outside, if it can be closed.
     fn leak_that_closes(&self) -> Option<OutsideLeak> {
-        self.room()?.leak.filter(|leak| leak.closes && leak.width <= MOST_OUTER)
+        self.room().filter(|_| !self.assumes_size())?.leak.filter(|leak| leak.closes && leak.width <= MOST_OUTER)
     }
 
     /// What is in doubt about the room, in words.
     fn notice(&self) -> String {
         let Some(room) = self.room() else { return String::new() };
         if let Some(OutsideLeak { width, floor_m2, .. }) = room.leak {
+            if self.assumes_size() {
+                return String::new();
+            }
             let mend = match self.leak_that_closes() {
                 Some(_) => "",
                 None => " Check the size; if it is right, choose Rectangle or Polygon.",
@@ -368,6 +373,10 @@ fn description(view: &DrawingView) -> String {
     match (&view.size, &view.room) {
         (None, _) => say("unit not chosen yet".to_owned()),
         (Some(size), None) => say(format!("{size} overall; no room could be traced: {}", view.fault)),
+        (Some(size), Some(room)) if view.assumes_size => say(format!(
+            "{size} overall, and the floor {}, if the assumed scale is right",
+            size_in_words(room.width_m, room.height_m)
+        )),
         (Some(size), Some(room)) => {
             say(format!(
                 "{size} overall; the floor is {} with {:.1} free square metres",
