@@ -267,6 +267,27 @@ test("gaps between walls are closed as far as one likes", async (t) => {
   assert.ok(await page.locator("#floor-plan-use").isEnabled());
 });
 
+test("a terrace door is told with its width, and one press closes it and leaves the inner door open", async (t) => {
+  const { page, app, screenshot } = await openFloorPlan(t);
+  const outer = [["WALLS", 0, 0, 8, 0], ["WALLS", 8, 0, 8, 6], ["WALLS", 8, 6, 0, 6], ["WALLS", 0, 6, 0, 4.3], ["WALLS", 0, 2, 0, 0]];
+  await app.bring(dxf("terrace.dxf", [...outer, ["WALLS", 4, 0, 4, 2], ["WALLS", 4, 2.9, 4, 6]], { units: 6 }));
+  const told = await app.poll(() => page.locator("#floor-plan-notice-text").textContent(), (words) => (words ?? "").includes("open to the outside"));
+  const width = Number(/^About 2\d m² .* about ([\d.]+) m wide/.exec(told ?? "")?.[1]);
+  assert.ok(Math.abs(width - 2.3) < 0.06, `${told}`);
+  const half = await floor(app);
+  assert.ok(half > 22 && half < 24, `${half} m²`);
+  await screenshot("floor-plan-terrace-door");
+  await page.getByRole("button", { name: "Close it", exact: true }).click();
+  await page.locator("#floor-plan-notice").waitFor({ state: "hidden" });
+  const all = await floor(app);
+  assert.ok(all > 45 && all < 48, `${all} m²`);
+  assert.match(await text(app, "#floor-plan-result"), /1 opening to the outside closed/);
+  assert.equal(Number(await page.locator("#floor-plan-outer").inputValue()), width);
+  assert.ok(await page.locator("#floor-plan-cut").isHidden(), "both rooms are within reach");
+  await page.locator("[data-part=whole]").click();
+  await page.locator("#floor-plan-outer-field").waitFor({ state: "hidden" });
+});
+
 test("what can't be read is refused, and what was there before stays", async (t) => {
   const { page, app } = await openFloorPlan(t);
   await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
