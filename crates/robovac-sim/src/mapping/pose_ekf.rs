@@ -22,8 +22,8 @@ const BASE: f64 = 0.012;
 const MAP: (f64, f64) = (0.004, 0.008);
 /// Deviation from parallel or right angles of walls of a room, rad (ours).
 const SQUARE: f64 = 0.006;
-/// Uncertainty of the walls' direction below which scans no longer change it, rad: they share its errors, and it would follow the
-/// heading.
+/// Uncertainty of the walls' direction below which scans no longer change it in a straight building, rad: they share its errors, and
+/// it would follow the heading.
 const SETTLED: f64 = 0.002;
 /// Share of new information in a point, for boundary just found and boundary found long ago, and the distance that
 /// counts as long, m (ours, tuned on twelve seeds in the furnished flat and in the attic). A patch added from the
@@ -162,7 +162,12 @@ impl PoseEkf {
     /// Along a corridor the position is left to the wheels (Zhang, Kaess & Singh, On degeneracy of optimization-based state
     /// estimation problems, ICRA 2016): it is so uncertain there that each correction of the heading would shift it, and those
     /// to one side by more than those to the other.
-    pub fn match_scan(&mut self, scan: &[ScanPoint], walls: &[WallLine], surfaces: &SurfaceMap) -> ScanFit {
+    pub fn match_scan(
+        &mut self,
+        scan: &[ScanPoint],
+        (walls, is_straight): (&[WallLine], bool),
+        surfaces: &SurfaceMap,
+    ) -> ScanFit {
         let (state, covariance) = (self.state, self.covariance);
         self.solve(|ekf, equations| {
             let fit = surfaces.compare(ekf.pose(), scan);
@@ -172,7 +177,7 @@ impl PoseEkf {
             }
         });
         let axis = covariance[(AXIS, AXIS)];
-        if axis < SETTLED * SETTLED {
+        if is_straight && axis < SETTLED * SETTLED {
             (self.state[AXIS], self.covariance[(AXIS, AXIS)]) = (state[AXIS], axis);
         }
         let fit = surfaces.compare(self.pose(), scan);

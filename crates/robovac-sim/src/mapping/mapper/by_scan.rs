@@ -146,7 +146,7 @@ impl Mapper {
         let points = laser.points(scan);
         let surfaces = laser.surfaces(self.ekf.pose());
         let walls = laser.walls(scan);
-        let mut fit = self.ekf.match_scan(&points, &walls, &surfaces);
+        let mut fit = self.ekf.match_scan(&points, (&walls, laser.is_straight()), &surfaces);
         if fit.points >= TELLING
             && fit.share() < MISFIT
             && let Some((pose, better)) = laser.search(self.ekf.pose(), &points, WINDOW)

@@ -42,9 +42,7 @@ const TELLING: usize = 100;
 const MATCHED: [f64; 2] = [0.003, 0.0015];
 const CLOSED: [f64; 2] = [0.006, 0.003];
 const ROLLED: [f64; 4] = [0.003, 0.02, 0.01, 0.03];
-/// Accuracy of a key frame's heading by the walls around it, rad: those of real buildings aren't quite at right angles. Mean error of
-/// so many headings from which the poses are adjusted, rad.
-const BY_WALLS: f64 = 0.006;
+/// Mean error of so many headings by walls from which the poses are adjusted, rad.
 const MISSED: (usize, f64) = (6, 0.003);
 /// Distance from all key frames at which a pose in doubt makes one, m.
 const LEFT: f64 = 0.8;
@@ -295,13 +293,24 @@ impl ScanMapper {
     /// Learns a key frame's heading from the walls around it, and adjusts all poses if the last ones have missed theirs; returns
     /// whether it did.
     fn turn_along_walls(&mut self, frame: usize) -> bool {
-        let Some(heading) = self.axes.heading(frame, &self.graph.poses) else { return false };
-        self.graph.face(KnownHeading { pose: frame, heading, deviation: BY_WALLS });
-        let is_missed = self.graph.missed_by(MISSED.0).abs() > MISSED.1;
-        if is_missed {
-            self.moved += self.graph.optimise();
+        let known = self.axes.heading(frame, &self.graph.poses);
+        if !self.is_straight() {
+            return self.graph.forget_headings() && self.optimise();
         }
-        is_missed
+        let Some([heading, deviation]) = known else { return false };
+        self.graph.face(KnownHeading { pose: frame, heading, deviation });
+        self.graph.missed_by(MISSED.0).abs() > MISSED.1 && self.optimise()
+    }
+
+    /// Adjusts all poses.
+    fn optimise(&mut self) -> bool {
+        self.moved += self.graph.optimise();
+        true
+    }
+
+    /// Whether it is known that the building's walls are parallel or at right angles.
+    pub fn is_straight(&self) -> bool {
+        self.axes.is_straight()
     }
 
     /// Makes a key frame of a scan at `pose`.

@@ -77,6 +77,11 @@ impl PoseGraph {
         self.headings.push(known);
     }
 
+    /// Drops all known headings; returns whether there were any.
+    pub fn forget_headings(&mut self) -> bool {
+        !std::mem::take(&mut self.headings).is_empty()
+    }
+
     /// Mean by which the last `count` known headings are missed, rad; 0 until there are so many.
     pub fn missed_by(&self, count: usize) -> f64 {
         let last = self.headings.len().checked_sub(count).map_or(&[][..], |first| &self.headings[first..]);

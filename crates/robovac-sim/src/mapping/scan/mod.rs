@@ -19,7 +19,8 @@
 //!   to the rest counting little (Agarwal, Tipaldi, Spinello, Stachniss & Burgard, Robust map optimization using dynamic
 //!   covariance scaling, ICRA 2013). The map is painted again from the stored scans.
 //! - *Headings.* Walls of a building are mostly parallel or at right angles. Those around a key frame tell its heading ([`axes`]),
-//!   which drifts else where no loop closes; the graph takes it as known to a third of a degree.
+//!   which drifts else where no loop closes; the graph takes it as known to a third of a degree. But not before neighbouring key
+//!   frames have shown that the building is straight: there the heading hardly drifts, so what differs are the walls.
 //! - Where the robot has been before, nothing is added: the graph grows with the floor and not with time.
 
 mod axes;
