@@ -97,7 +97,7 @@ export function startRuns(app, module, guard, mirror) {
     /** @type {import("../types").ManyRunsPlace | null} */
     const place = study.place();
     setText(byId("runs-title"), place ? titleOf(app, place, view, rows) : "");
-    setText(byId("runs-note"), "Lines and large numbers are medians; bands and small numbers span the 10 % to 90 % quantiles.");
+    setText(byId("runs-note"), `Lines and large numbers are medians; bands and small numbers span the 10 % to 90 % quantiles.${view.minutes > 60 ? " When its battery is low, a robot goes to its dock or stops; from then on its curve is level." : ""}`);
     chart.show(known.map((row) => ({ ...row, ...bandsOf(study.curve(row.index)) })), view.minutes);
     showTable(byId("runs-table"), rows, view.minutes, (which) => chart.stress(which === undefined ? undefined : known.findIndex((row) => row === rows[which])));
   };
