@@ -81,8 +81,8 @@ async function runAll(files, lanes) {
 
 const urgent = files.filter(isUrgent);
 const failed = [...(await runAll(files.filter((file) => !isUrgent(file)), 3))];
-// They wait for most of their time. That robots stop in time beside far more than this is measured in docs/safety.md.
-failed.push(...(await runAll(urgent, 3)));
+// They wait for most of their time. That robots stop in time beside far more than another test is measured in docs/safety.md.
+failed.push(...(await runAll(urgent, 2)));
 // A process that ended by itself says nothing of any file.
 if (process.exitCode === undefined) for (const file of files.filter((file) => !failed.includes(file))) passed?.add(file);
 // A busy machine may have made it fail; what fails alone, too, is broken.
