@@ -15,7 +15,7 @@ export function startClear(app) {
   const isNarrow = matchMedia("(max-width: 900px)");
   /** The lower end of the text about a search, which never moves up, so that the pictures of its film stay in place. */
   let told = 0;
-  /** That of the palette and the bar of a selected object: the room moves once, and not whenever another tool is chosen. */
+  /** That of the palette and the bar of a selected object: the room moves once, and not whenever something else is selected. */
   let palette = 0;
   addEventListener("resize", () => (told = palette = 0));
   let isPressed = false;
@@ -42,7 +42,7 @@ export function startClear(app) {
     // Nor under the pointer; what is placed is selected, and its bar is below the palette.
     const bars = Math.max(below("#kinds", GAP + BAR), below("#selection"));
     // On a phone the floor needs the room again.
-    if (!isPressed) palette = isNarrow.matches ? bars : Math.max(palette, bars);
+    if (!isPressed) palette = isNarrow.matches || (bars === 0 && stage.dataset.tool === "view") ? bars : Math.max(palette, bars);
     const next = Math.max(told, palette, below("#message"), below("#ending"), below("#game"), below(".over-floor"), below(".embed .to-page"), below("#tools", 2));
     // In a frame, on the full screen, beside a lesson on a phone.
     const foot = stage.checkVisibility() && !byId("tools").checkVisibility() ? Math.max(above(byId("legend")), above(byId("zoom-in"))) : undefined;

@@ -1,6 +1,7 @@
 // @ts-check
 // The forms: what cleans which room, made from the catalogue.
 import { button, byId, fill, input, make, select, setHidden, setText, typed } from "../dom.js";
+import { metres } from "../format.js";
 import { ODOMETRIES, ODOMETRY_TIP } from "../odometry.js";
 import { complain, textOf } from "../messages.js";
 import { startAlgorithm } from "./algorithm.js";
@@ -128,7 +129,7 @@ function showRoom(room, shipped) {
     menu.prepend(make("option", { value: room.id, "data-own": "" }, room.title || "Your room"));
     menu.value = room.id;
   } else if (!isOwn) own?.remove();
-  const [reached, not] = [room.reachable_m2, room.left_out_m2].map((area) => `${area.toFixed(1)}\u00a0m²`);
+  const [reached, not] = [room.reachable_m2, room.left_out_m2].map((area) => `${metres(area)}\u00a0m²`);
   const size = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)}\u00a0m, ${reached} reachable${room.left_out_m2 >= 0.05 ? `, ${not} not (hatched)` : ""}.`;
   setText(byId("room-note"), room.note ? `${room.note.replace(/\.?$/, ".")} ${size}` : size);
 }

@@ -73,13 +73,13 @@ const NEAR = 16;
 
 /**
  * Messages are above the robot or below it; it must come near before they change places. The captions of a search have room of their
- * own above the floor. Legend and buttons let the robot be seen through them.
+ * own above the floor. Legend, tools and buttons let the robot be seen through them.
  * @param {boolean} isAllShown @param {[number, number]} spot
  */
 function keepClear(isAllShown, [right, down]) {
   const floor = byId("floor").getBoundingClientRect();
   const [x, y] = [floor.left + right * floor.width, floor.top + down * floor.height];
-  for (const id of ["legend", "zoom"]) {
+  for (const id of ["legend", "zoom", "tools"]) {
     const box = byId(id).getBoundingClientRect();
     const hides = !isAllShown && x > box.left - NEAR && x < box.right + NEAR && y > box.top - NEAR && y < box.bottom + NEAR;
     byId(id).classList.toggle("thin", hides);

@@ -144,6 +144,8 @@ fn whoever_disconnects_in_mid_ride_can_choose_again() {
     wire.pass(0.5);
     let view = wire.view();
     assert!(!view.is_open && !view.is_moving, "odometry and algorithm wait for a robot that stands");
+    wire.link.opened(wire.now);
+    assert!(wire.view().ride.is_none(), "the next robot begins anew");
 }
 
 /// Flags of the trace since the last call: whether it swept at all, and all the time.

@@ -1,7 +1,8 @@
 //! User requests to a robot, executed or refused.
 
 use super::{
-    Calibrated, Calibrating, Calibration, Connection, FloorMeasure, RecordedEvent, Request, RequestRefused, refuse,
+    Calibrated, Calibrating, Calibration, Connection, DISCONNECTED, FloorMeasure, RecordedEvent, Request,
+    RequestRefused, refuse,
 };
 use robovac_core::registry::Params;
 use robovac_sim::controller::{self, Joystick as Stick, Setup};
@@ -44,7 +45,7 @@ impl Connection {
                 self.place(self.odometry.pose());
             }
             Request::Disconnect => {
-                self.end_ride("Disconnected.");
+                self.end_ride(DISCONNECTED);
                 self.driver.leave(now);
                 // The next one may be another robot.
                 (self.known, self.calibrating) = (Calibrated::default(), None);

@@ -82,6 +82,9 @@ fn refuse<T>(why: impl Into<String>) -> Result<T, RequestRefused> {
     Err(RequestRefused(why.into()))
 }
 
+/// Why a ride ended that its user ended by disconnecting.
+const DISCONNECTED: &str = "Disconnected.";
+
 /// A connection to a robot.
 pub struct Connection {
     driver: Driver,
@@ -168,6 +171,10 @@ impl Connection {
         self.now = now;
         self.page.start(now);
         self.end_ride("The connection was reopened.");
+        // Whoever disconnected begins anew.
+        if self.ride.as_ref().is_some_and(|ride| ride.ended == DISCONNECTED) {
+            (self.ride, self.distance_m) = (None, 0.0);
+        }
         self.recorder.note(now, RecordedEvent::Line("open".into()));
         self.driver.open(now);
         self.place(self.odometry.pose());
