@@ -102,8 +102,9 @@ test("what is shown, noise and behaviour are in the link", async (t) => {
   assert.ok(await page.locator("#quantised").isChecked());
   assert.equal(await charge.inputValue(), "40");
   await page.getByRole("button", { name: "Layers", exact: true }).click();
-  assert.ok(!(await page.locator("[data-layer=coverage]").isChecked()));
-  assert.ok(await page.locator("[data-layer=sensors]").isChecked());
+  // The menu is filled when it has come.
+  await app.poll(() => page.locator("[data-layer=coverage]").isChecked(), (isOn) => !isOn);
+  await app.poll(() => page.locator("[data-layer=sensors]").isChecked(), (isOn) => isOn);
 });
 
 test("cells wider than the tool are warned of", async (t) => {
