@@ -77,17 +77,19 @@ const NEAR = 16;
  * @param {boolean} isAllShown @param {[number, number]} spot
  */
 function keepClear(isAllShown, [right, down]) {
-  const floor = byId("floor").getBoundingClientRect();
-  const [x, y] = [floor.left + right * floor.width, floor.top + down * floor.height];
-  for (const id of ["legend", "zoom", "tools"]) {
-    const box = byId(id).getBoundingClientRect();
-    const hides = !isAllShown && x > box.left - NEAR && x < box.right + NEAR && y > box.top - NEAR && y < box.bottom + NEAR;
-    byId(id).classList.toggle("thin", hides);
-  }
+  for (const id of ["legend", "zoom", "tools"]) byId(id).classList.toggle("thin", !isAllShown && hides(byId(id), right, down));
   const captions = byId("search-box");
   const notices = captions.parentElement;
   const isLow = notices?.dataset.low === "true";
   if (notices) setAttribute(notices, "data-low", String(!isAllShown && captions.hidden && down < (isLow ? 0.6 : 0.4)));
+}
+
+/** Whether something lies over the robot, which is at these shares of the floor's width and height. @param {Element} node @param {number} right @param {number} down */
+function hides(node, right, down) {
+  const [floor, box] = [byId("floor"), node].map((one) => one.getBoundingClientRect());
+  if (!floor || !box) return false;
+  const [x, y] = [floor.left + right * floor.width, floor.top + down * floor.height];
+  return x > box.left - NEAR && x < box.right + NEAR && y > box.top - NEAR && y < box.bottom + NEAR;
 }
 
 /** @param {View} view */
