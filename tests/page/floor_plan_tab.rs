@@ -218,6 +218,35 @@ fn plan(board: &mut DrawingSession) -> Result<(), String> {
 }
 
 #[test]
+fn walls_drawn_as_wide_lines_take_up_their_width() {
+    for thick in [10.0, 24.0, 70.0] {
+        // 8 x 6 m between the middles of the walls, with a partition from face to face that has a door of 0.9 m.
+        let half = 0.5 * thick;
+        let svg = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='1000cm' height='800cm' viewBox='0 0 1000 800'>\
+             <g id='walls' fill='none' stroke='#000' stroke-width='{thick}'><path d='M100 100H900V700H100Z'/>\
+             <path d='M500 {}V400M500 490V{}'/></g></svg>",
+            100.0 + half,
+            700.0 - half,
+        );
+        let board = open(file("flat.svg", svg));
+        let thick = 0.01 * thick;
+        let floor = (8.0 - thick) * (6.0 - thick) - thick * (6.0 - thick - 0.9);
+        let found = board.floor_m2();
+        // A cell with a part of a wall is wall: less than one on each of its sides.
+        assert!(found <= floor && found > floor - 0.05 * 41.0, "{thick} m: {found} for {floor} m²");
+        let view = board.view();
+        let room = view.room.unwrap();
+        assert_eq!(
+            (room.gaps, room.cut_off_m2, view.notice.as_str()),
+            (0, 0.0, ""),
+            "{thick} m: one floor, nothing to close"
+        );
+        assert!((room.width_m - (8.0 - thick)).abs() <= 0.1, "{thick} m: {}", room.width_m);
+    }
+}
+
+#[test]
 fn a_drawing_without_unit_is_no_room_before_one_is_chosen() {
     let mut board = furnished(None);
     let view = board.view();

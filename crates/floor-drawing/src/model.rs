@@ -17,6 +17,9 @@ pub const MAX_LAYERS: usize = 10_000;
 /// Coordinates are finite and at most this far from the origin, in drawing units; enough for a country's grid in
 /// millimetres.
 pub const MAX_COORDINATE: f64 = 1e10;
+/// Widest stroke that stays a line without width, as a share of the drawing's larger side (ours): 5 cm of 12 m. Floor plans draw
+/// lines of up to a third of a percent, and walls as strokes of 1 % or more.
+const HAIRLINE: f64 = 0.004;
 
 /// The content of a vector file. x to the right, y up, in drawing units.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,7 +65,7 @@ pub enum Role {
 }
 
 /// A polyline.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Stroke {
     /// Index of its layer.
     pub layer: u32,
@@ -71,6 +74,8 @@ pub struct Stroke {
     pub entity: u32,
     /// Whether its last corner is joined to its first.
     pub is_closed: bool,
+    /// How wide its line is drawn, in drawing units; 0 for a line without width.
+    pub width: f64,
     /// Its corners, in [`Drawing::points`].
     pub points: Range<u32>,
 }
@@ -89,6 +94,8 @@ pub(super) struct Builder {
     strokes: Vec<Stroke>,
     points: Vec<Point>,
     left_out: BTreeMap<&'static str, usize>,
+    /// Width of the strokes to be added.
+    pub pen: f64,
 }
 
 impl Builder {
@@ -99,6 +106,7 @@ impl Builder {
             strokes: Vec::new(),
             points: Vec::new(),
             left_out: BTreeMap::new(),
+            pen: 0.0,
         }
     }
 
@@ -166,7 +174,7 @@ impl Builder {
             return Ok(());
         }
         let points = start as u32..self.points.len() as u32;
-        self.strokes.push(Stroke { layer, entity, is_closed: is_closed && count > 2, points });
+        self.strokes.push(Stroke { layer, entity, is_closed: is_closed && count > 2, width: self.pen, points });
         self.layers[layer as usize].strokes += 1;
         Ok(())
     }
@@ -178,6 +186,7 @@ impl Builder {
             return Err(bad(file, "", DrawingFlaw::Nothing { left_out }));
         }
         drop_empty_layers(&mut self.layers, &mut self.strokes);
+        drop_hairlines(&mut self.strokes, &self.points);
         let Self { layers, strokes, points, .. } = self;
         Ok(super::trace::without_page(Drawing {
             name: stem(base_name(file)),
@@ -203,6 +212,16 @@ pub(super) fn drop_empty_layers(layers: &mut Vec<DrawingLayer>, strokes: &mut [S
     layers.retain(|layer| layer.strokes > 0);
     for stroke in strokes {
         stroke.layer = moved[stroke.layer as usize];
+    }
+}
+
+/// Widths that only make lines visible are none.
+fn drop_hairlines(strokes: &mut [Stroke], points: &[Point]) {
+    let low = points.iter().fold(Point::new(f64::MAX, f64::MAX), |low, point| low.inf(point));
+    let high = points.iter().fold(Point::new(f64::MIN, f64::MIN), |high, point| high.sup(point));
+    let hairline = HAIRLINE * (high - low).max();
+    for stroke in strokes.iter_mut().filter(|stroke| stroke.width <= hairline) {
+        stroke.width = 0.0;
     }
 }
 

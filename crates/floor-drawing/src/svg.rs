@@ -13,7 +13,7 @@ use super::{
 use robovac_core::{floor_plan::SourceFile, geometry::Point};
 use std::collections::BTreeMap;
 use usvg::{
-    Group, Node, Options, Paint, Tree,
+    Group, LineCap, Node, Options, Paint, Tree,
     roxmltree::{Document, Node as Element, ParsingOptions},
     tiny_skia_path::PathSegment,
 };
@@ -67,6 +67,7 @@ pub(super) fn read(file: &SourceFile) -> Result<Drawing, DrawingError> {
         page: [tree.size().width(), tree.size().height()],
         scale,
         paths: 0,
+        has_widths: !text.contains("non-scaling-stroke"),
     };
     for name in ["text", "image"] {
         let count = document.descendants().filter(|element| element.tag_name().name() == name).count();
@@ -141,6 +142,8 @@ struct SvgPainter {
     page: [f32; 2],
     scale: f64,
     paths: u32,
+    /// Whether widths are those of the drawing. A `vector-effect` makes them those of a screen; `usvg` doesn't say of which paths.
+    has_widths: bool,
 }
 
 impl SvgPainter {
@@ -201,9 +204,15 @@ impl SvgPainter {
         // Outlines that are filled without a stroke are closed.
         let is_area = path.stroke().is_none();
         let transform = path.abs_transform();
+        let [sx, kx, ky, sy] = [transform.sx, transform.kx, transform.ky, transform.sy].map(f64::from);
+        let stroke = path.stroke().filter(|_| self.has_widths);
+        // The mean, where a transform stretches.
+        let width = stroke
+            .map_or(0.0, |stroke| f64::from(stroke.width().get()) * (sx * sy - kx * ky).abs().sqrt() * self.scale);
+        let cap = stroke.filter(|stroke| stroke.linecap() != LineCap::Butt).map_or(0.0, |_| 0.5 * width);
+        self.builder.pen = width;
         let at = |point: usvg::tiny_skia_path::Point| {
             let (x, y) = (f64::from(point.x), f64::from(point.y));
-            let [sx, kx, ky, sy] = [transform.sx, transform.kx, transform.ky, transform.sy].map(f64::from);
             let across = sx * x + kx * y + f64::from(transform.tx);
             let down = ky * x + sy * y + f64::from(transform.ty);
             Point::new(across * self.scale, (self.height - down) * self.scale)
@@ -215,8 +224,8 @@ impl SvgPainter {
             }
             let curve = match segment {
                 PathSegment::MoveTo(to) => {
-                    self.builder.stroke(layer, self.paths, is_area, points.drain(..))?;
-                    points.push(at(to));
+                    self.builder.stroke(layer, self.paths, is_area, capped(&points, cap))?;
+                    points = vec![at(to)];
                     continue;
                 }
                 PathSegment::LineTo(to) => {
@@ -236,6 +245,18 @@ impl SvgPainter {
             let bent = Nurbs { degree: controls.len() - 1, knots: &[], weights: &[], controls: &controls }.flatten();
             points.extend(bent.into_iter().skip(1));
         }
-        self.builder.stroke(layer, self.paths, is_area, points)
+        self.builder.stroke(layer, self.paths, is_area, capped(&points, cap))
     }
+}
+
+/// The corners with both ends moved on by `cap`, as square and round caps reach beyond them.
+fn capped(corners: &[Point], cap: f64) -> Vec<Point> {
+    let mut corners = corners.to_vec();
+    if let ([first, second, ..], [.., before, last]) = (&corners[..], &corners[..]) {
+        let beyond = |end: &Point, from: &Point| end + (end - from).try_normalize(0.0).unwrap_or_default() * cap;
+        let (first, last) = (beyond(first, second), beyond(last, before));
+        let end = corners.len() - 1;
+        (corners[0], corners[end]) = (first, last);
+    }
+    corners
 }

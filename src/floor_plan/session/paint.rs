@@ -16,6 +16,7 @@ use robovac_playground::{
     canvas::layer::{OffscreenLayer, cell_picture},
     wire::clock,
 };
+use std::collections::{BTreeMap, btree_map::Entry};
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{OffscreenCanvas, OffscreenCanvasRenderingContext2d, Path2d};
 
@@ -49,8 +50,8 @@ struct PlanStill {
 pub(super) struct FloorPlanPainter {
     canvas: OffscreenCanvas,
     context: OffscreenCanvasRenderingContext2d,
-    /// Lines of each layer of the drawing, on the sheet.
-    lines: Vec<Path2d>,
+    /// Lines of the drawing, on the sheet.
+    lines: Vec<LayerLines>,
     room: Option<((u32, bool), OffscreenLayer)>,
     /// The hatched floor that a robot can't get to, if there is some.
     cut: Option<OffscreenLayer>,
@@ -92,7 +93,7 @@ impl FloorPlanPainter {
         };
         if let Some(drawing) = session.source().drawing() {
             let place = |point: &Point| session.sheet().place(*point);
-            self.lines = paths(drawing, place)?;
+            self.lines = lines(drawing, place, session.sheet().scale)?;
         }
         Ok(())
     }
@@ -232,17 +233,20 @@ impl FloorPlanPainter {
         let scale = viewport.scale * ratio;
         context.set_transform(scale, 0.0, 0.0, -scale, viewport.origin.x * ratio, viewport.origin.y * ratio)?;
         context.set_line_join("bevel");
-        for ((layer, path), role) in drawing.layers.iter().zip(&self.lines).zip(&still.roles) {
+        for lines in &self.lines {
+            let (Some(layer), Some(role)) = (drawing.layers.get(lines.layer), still.roles.get(lines.layer)) else {
+                continue;
+            };
             let [red, green, blue] = seen_on(layer.colour, still.dark);
             let (width, alpha) = match role {
                 Role::Wall => (1.75, 1.0),
                 Role::Obstacle => (1.25, 0.95),
                 Role::Ignored => (1.0, 0.3),
             };
-            context.set_line_width(width / viewport.scale);
+            context.set_line_width(lines.width.max(width / viewport.scale));
             context.set_global_alpha(alpha);
             context.set_stroke_style_str(&format!("rgb({red} {green} {blue})"));
-            context.stroke_with_path(path);
+            context.stroke_with_path(&lines.path);
         }
         context.set_global_alpha(1.0);
         Ok(())
@@ -255,11 +259,22 @@ fn room_view(session: &DrawingSession, room: &Traced, viewport: &Viewport) -> Vi
     viewport.onto(sheet.place(Point::from(room.corner)), sheet.scale / room.metre)
 }
 
-/// The strokes of each layer as one path, so that each layer costs one call.
-fn paths(drawing: &Drawing, place: impl Fn(&Point) -> Point) -> Result<Vec<Path2d>, JsValue> {
-    let paths = drawing.layers.iter().map(|_| Path2d::new()).collect::<Result<Vec<_>, _>>()?;
+/// The strokes of a layer that are equally wide as one path, so that they cost one call.
+#[derive(Debug)]
+struct LayerLines {
+    layer: usize,
+    /// On the sheet.
+    width: f64,
+    path: Path2d,
+}
+
+fn lines(drawing: &Drawing, place: impl Fn(&Point) -> Point, scale: f64) -> Result<Vec<LayerLines>, JsValue> {
+    let mut paths: BTreeMap<(u32, u64), Path2d> = BTreeMap::new();
     for stroke in &drawing.strokes {
-        let Some(path) = paths.get(stroke.layer as usize) else { continue };
+        let path = match paths.entry((stroke.layer, stroke.width.to_bits())) {
+            Entry::Occupied(found) => found.into_mut(),
+            Entry::Vacant(new) => new.insert(Path2d::new()?),
+        };
         for (index, corner) in drawing.corners(stroke).iter().enumerate() {
             let at = place(corner);
             if index == 0 { path.move_to(at.x, at.y) } else { path.line_to(at.x, at.y) }
@@ -268,7 +283,11 @@ fn paths(drawing: &Drawing, place: impl Fn(&Point) -> Point) -> Result<Vec<Path2
             path.close_path();
         }
     }
-    Ok(paths)
+    let lines = |((layer, width), path): ((u32, u64), Path2d)| {
+        let width = f64::from_bits(width) * scale;
+        LayerLines { layer: layer as usize, width, path }
+    };
+    Ok(paths.into_iter().map(lines).collect())
 }
 
 /// One pixel for each cell of the room.

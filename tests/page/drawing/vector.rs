@@ -50,6 +50,38 @@ fn groups_are_layers_and_transforms_and_uses_are_resolved() {
     assert_eq!(drawing.left_out, ["texts (1)"]);
 }
 
+/// The widths of the strokes, rounded to a thousandth.
+fn widths(drawing: &Drawing) -> Vec<f64> {
+    drawing.strokes.iter().map(|stroke| (1e3 * stroke.width).round() / 1e3).collect()
+}
+
+#[test]
+fn strokes_are_as_wide_as_they_are_drawn_and_hairlines_are_lines() {
+    let line = |rest: &str| format!("<path d=\"M0 0H90\" {rest}/>");
+    // 1 % and 0.3 % of the larger side; by attribute, by style and inherited, through scales and turns.
+    let drawing = svg(
+        "width=\"900\" height=\"450\" viewBox=\"0 0 90 45\"",
+        &format!(
+            "<g fill=\"none\" stroke=\"#000\" stroke-width=\"0.9\">{}{}{}{}{}</g>",
+            line(""),
+            line("stroke-width=\"0.3\""),
+            line("style=\"stroke-width:2\""),
+            line("transform=\"matrix(0 .5 -.5 0 9 0)\""),
+            line("transform=\"scale(.5)\" style=\"stroke-width:1.8\""),
+        ),
+    );
+    assert_eq!(widths(&drawing.unwrap()), [9.0, 0.0, 20.0, 4.5, 9.0]);
+    let walls = "<path d=\"M0 0H90\" fill=\"none\" stroke=\"#000\" stroke-width=\"5\"";
+    let millimetres = svg("width=\"90mm\" height=\"9mm\" viewBox=\"0 0 90 9\"", &format!("{walls}/>")).unwrap();
+    assert_eq!(widths(&millimetres), [5.0]);
+    // A width on the screen says nothing about the plan.
+    let screen = svg("viewBox=\"0 0 90 9\"", &format!("{walls} vector-effect=\"non-scaling-stroke\"/>")).unwrap();
+    assert_eq!(widths(&screen), [0.0]);
+    // Caps reach beyond the ends.
+    let capped = svg("viewBox=\"0 0 90 9\"", &format!("{walls} stroke-linecap=\"square\"/>")).unwrap();
+    assert_eq!(rounded(&capped), [(-2.5, 9.0), (92.5, 9.0)]);
+}
+
 #[test]
 fn svgs_that_cannot_be_are_refused() {
     let message = svg("viewBox=\"0 0 9 9\"", "<path d=\"M0 0\n\n H1\" stroke=\"red\"></g>").unwrap_err().to_string();

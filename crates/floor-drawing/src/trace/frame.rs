@@ -85,5 +85,8 @@ impl RasterFrame {
 /// Bounds of strokes.
 pub(super) fn bounds_of(drawing: &Drawing, mut is_meant: impl FnMut(u32) -> bool) -> Option<BoundingBox> {
     let strokes = drawing.strokes.iter().filter(|stroke| is_meant(stroke.layer));
-    BoundingBox::of(strokes.flat_map(|stroke| drawing.corners(stroke)).copied())
+    BoundingBox::of(strokes.flat_map(|stroke| {
+        let half = Vector::repeat(0.5 * stroke.width);
+        drawing.corners(stroke).iter().flat_map(move |corner| [corner - half, corner + half])
+    }))
 }

@@ -21,10 +21,12 @@ const MAX_SQUARES: usize = 1024;
 pub(super) struct WallStroke<'a> {
     pub corners: &'a [Point],
     pub is_closed: bool,
+    /// Half its width.
+    pub half: f64,
 }
 
 /// Lines that close gaps of up to `gap`: from ends of strokes that nothing touches to the nearest such end or wall,
-/// nearest first, one for every end. Ends closer than `touching` count as joined. All in the same unit.
+/// nearest first, one for every end. Ends closer than `touching`, and those within a wide wall, count as joined. All in the same unit.
 pub(super) fn bridges(walls: &[WallStroke<'_>], gap: f64, touching: f64) -> Vec<[Point; 2]> {
     let mut ends: Vec<StrokeEnd> = Vec::new();
     for (wall, stroke) in walls.iter().enumerate().filter(|(_, stroke)| !stroke.is_closed) {
@@ -34,7 +36,8 @@ pub(super) fn bridges(walls: &[WallStroke<'_>], gap: f64, touching: f64) -> Vec<
             both.into_iter().filter_map(|(corner, at)| Some(StrokeEnd { at: *at?, wall, corner, nearest: None })),
         );
     }
-    let Some(squares) = Squares::of(&ends, gap.max(touching)) else { return Vec::new() };
+    let widest = walls.iter().map(|wall| wall.half).fold(0.0, f64::max);
+    let Some(squares) = Squares::of(&ends, gap.max(touching) + widest) else { return Vec::new() };
     let mut left = MAX_COMPARISONS;
     // The nearest point of another wall for every end; and of its own wall, unless the wall leads straight there.
     for (wall, stroke) in walls.iter().enumerate() {
@@ -55,6 +58,8 @@ pub(super) fn bridges(walls: &[WallStroke<'_>], gap: f64, touching: f64) -> Vec<
                         return;
                     }
                 }
+                // To the wall's face.
+                let away = (away - stroke.half).max(0.0);
                 if away <= gap.max(touching) && end.nearest.is_none_or(|(best, _)| away < best) {
                     end.nearest = Some((away, at));
                 }
@@ -247,7 +252,7 @@ mod tests {
         let corners: Vec<Vec<Point>> =
             strokes.iter().map(|stroke| stroke.iter().map(|&(x, y)| Point::new(x, y)).collect()).collect();
         let walls: Vec<WallStroke<'_>> =
-            corners.iter().map(|corners| WallStroke { corners, is_closed: false }).collect();
+            corners.iter().map(|corners| WallStroke { corners, is_closed: false, half: 0.0 }).collect();
         bridges(&walls, gap, 0.001).into_iter().map(|ends| ends.map(|end| (end.x, end.y))).collect()
     }
 
@@ -302,7 +307,7 @@ mod tests {
             .map(|i| [0.0, 0.5].map(|y| Point::new(f64::from(i) * 1e-4, y + f64::from(i % 7) * 0.01)))
             .collect();
         let walls: Vec<WallStroke<'_>> =
-            strokes.iter().map(|corners| WallStroke { corners, is_closed: false }).collect();
+            strokes.iter().map(|corners| WallStroke { corners, is_closed: false, half: 0.0 }).collect();
         assert!(bridges(&walls, 1.0, 1e-6).is_empty());
         let ends: Vec<StrokeEnd> =
             strokes.iter().map(|corners| StrokeEnd { at: corners[0], wall: 0, corner: 0, nearest: None }).collect();

@@ -6,6 +6,7 @@ mod leak;
 mod openings;
 mod outlines;
 mod page;
+mod pen;
 mod raster;
 mod region;
 mod solids;
@@ -40,7 +41,7 @@ const FIRST_LOOK: i32 = 512;
 
 /// Traces a room from a drawing.
 ///
-/// Strokes of walls stop the robot, and so do open ones of obstacles: every cell that they cross is occupied. A closed
+/// Strokes of walls stop the robot, and so do open ones of obstacles: every cell that they cross, in their width, is occupied. A closed
 /// wall only encloses floor. A closed obstacle is solid: a piece of furniture, or a leg if it is a circle, with its
 /// exact outline; beyond the limits of a room, the cells that it covers. So are open ones that are joined end to end round
 /// no more than a piece of furniture.
@@ -148,7 +149,11 @@ impl<'a> RoomTracer<'a> {
             .strokes
             .iter()
             .filter(|stroke| is_wall(stroke.layer))
-            .map(|stroke| gaps::WallStroke { corners: self.drawing.corners(stroke), is_closed: stroke.is_closed })
+            .map(|stroke| gaps::WallStroke {
+                corners: self.drawing.corners(stroke),
+                is_closed: stroke.is_closed,
+                half: 0.5 * stroke.width,
+            })
             .collect();
         let gap = self.how.gap.min(1e6) / self.how.metre;
         gaps::bridges(&walls, gap, TOUCHING / self.how.metre)
@@ -448,6 +453,9 @@ impl<'a> RoomTracer<'a> {
             }
             if let (true, Some(&first), Some(&last)) = (stroke.is_closed, corners.first(), corners.last()) {
                 canvas.segment(frame.cells(last), frame.cells(first))?;
+            }
+            for piece in pen::pieces(corners, stroke.is_closed, stroke.width) {
+                canvas.fill(&piece.map(|corner| frame.cells(corner)))?;
             }
         }
         for [a, b] in &self.bridges {

@@ -248,7 +248,13 @@ mod tests {
         for (layer, corners) in lines {
             let start = points.len() as u32;
             points.extend(corners.iter().map(|&(x, y)| Point::new(x, y)));
-            strokes.push(Stroke { layer: *layer, entity: 1, is_closed: false, points: start..points.len() as u32 });
+            strokes.push(Stroke {
+                layer: *layer,
+                entity: 1,
+                is_closed: false,
+                width: 0.0,
+                points: start..points.len() as u32,
+            });
         }
         let roles = vec![Role::Wall, Role::Obstacle];
         let layer = |role: &Role| DrawingLayer { name: String::new(), colour: [0; 3], strokes: 1, role: *role };
