@@ -10,6 +10,7 @@ use robovac_core::{
     floor_plan::{FloorPlan, SourceFile, generate::random_flat},
     geometry::Point,
     grid::Cell,
+    rng::{normal, seeded},
 };
 use std::{io::Cursor, ops::ControlFlow};
 
@@ -78,6 +79,58 @@ fn a_scanned_flat_is_taken_indoors_whatever_lies_around_it() {
         let start = plan.start.unwrap().position() - Point::new(MARGIN * PIXEL, MARGIN * PIXEL);
         assert!(start.min() > 0.1 && start.x < flat.width_m() && start.y < flat.height_m(), "{seed}: {start}");
         assert!(plan.occupancy.get(plan.cell_at(plan.start.unwrap().position())).unwrap().is_free());
+    }
+}
+
+/// A dim photograph of the flat on its sheet, which may lie on a dark table; darker to the corners, with noise.
+fn dim_photograph(flat: &FloorPlan, metre: f64, has_table: bool, seed: u64) -> (GrayImage, f64) {
+    let [width, height] = [flat.width_m(), flat.height_m()].map(|metres| metres / metre);
+    let (paper, table) = (0.18 * width, if has_table { 0.25 * width } else { 0.0 });
+    let around = paper + table;
+    let (wide, high) = ((width + 2.0 * around) as u32, (height + 2.0 * around) as u32);
+    let mut rng = seeded(seed, 1);
+    let image = GrayImage::from_fn(wide, high, |x, y| {
+        let at = [f64::from(x) + 0.5, f64::from(high - y) - 0.5];
+        let size = [width, height];
+        let is_within = |margin: f64| (0..2).all(|i| (-margin..size[i] + margin).contains(&(at[i] - around)));
+        let [column, row] = at.map(|at| ((at - around) * metre / flat.resolution).floor() as i32);
+        let is_wall = is_within(0.0) && flat.occupancy.get(Cell::new(column, row)).is_some_and(|cell| !cell.is_free());
+        let shade = if is_wall {
+            45.0
+        } else if is_within(paper) {
+            215.0
+        } else {
+            70.0
+        };
+        let away = (at[0] / f64::from(wide) - 0.5).powi(2) + (at[1] / f64::from(high) - 0.5).powi(2);
+        Luma([(0.5 * shade * (1.0 - 1.7 * away) + 6.0 * normal(&mut rng)).clamp(0.0, 255.0) as u8])
+    });
+    (image, around)
+}
+
+#[test]
+fn dark_corners_and_the_table_of_a_dim_photograph_are_no_floor_before_and_after_its_size_is_set() {
+    for (seed, metre, has_table) in [(0, 0.025, false), (1, 0.025, true), (0, 0.01, true)] {
+        let flat = random_flat(2, 2, seed);
+        let (image, around) = dim_photograph(&flat, metre, has_table, seed);
+        let mut session = DrawingSession::open(&[file(&image, "photo.png", ImageFormat::Png)]).unwrap();
+        for is_set in [false, true] {
+            if is_set {
+                change(&mut session, |settings| settings.metre = Some(metre));
+            }
+            let case = format!("seed {seed}, {metre} m a pixel, table: {has_table}, size set: {is_set}");
+            let assumed = session.settings().metre.unwrap();
+            assert!(f64::from(image.width().max(image.height())) * assumed <= 20.001 || is_set, "{case}: {assumed}");
+            let found = session.floor_m2() * (metre / assumed).powi(2);
+            assert!((found / floor(&flat) - 1.0).abs() < 0.06, "{case}: {found} for {} m²", floor(&flat));
+            let corner = session.room().unwrap().corner.map(|side| side - around);
+            assert!(corner.amax() < 0.4 / metre, "{case}: {corner}");
+            // The question is about the plan.
+            let asks = session.view().asks;
+            let plan = &session.room().unwrap().plan;
+            let width = plan.width_m() / assumed * metre;
+            assert!((width - flat.width_m()).abs() < 0.5 && asks.is_empty() == is_set, "{case}: {width} m, {asks:?}");
+        }
     }
 }
 
@@ -338,8 +391,10 @@ fn a_picture_that_is_reduced_keeps_its_scale() {
     let mut session = DrawingSession::open(&[file(&large, "scan.png", ImageFormat::Png)]).unwrap();
     let view = session.view();
     assert_eq!((view.reduced, &view.reduced_from), (2, &format!("{} × {} pixels", large.width(), large.height())));
-    // Five centimetres are assumed for a pixel of the file.
-    assert_eq!(view.settings.metre, Some(0.1));
+    // 20 m are assumed for the longer side.
+    let metre = view.settings.metre.unwrap();
+    assert!((metre * f64::from(large.width().max(large.height()) / 2) - 20.0).abs() < 0.02, "{metre}");
+    assert_eq!(view.assumed_pixel, format!("{}\u{a0}cm", (500.0 * metre).round() / 10.0));
     change(&mut session, |settings| settings.metre = Some(2.0 * PIXEL / f64::from(times)));
     let (found, expected) = (session.view().room.unwrap(), opened(&small).view().room.unwrap());
     assert_eq!(session.view().size, opened(&small).view().size);

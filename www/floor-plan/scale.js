@@ -61,8 +61,8 @@ function openSheetOf(node) {
 }
 
 /** @param {import("./types").FloorPlanView} view */
-function note({ kind, says_unit, settings, is_scalable, reduced }) {
+function note({ kind, settings, is_scalable, assumed_pixel }) {
   if (!is_scalable) return "A scenario is measured in metres.";
   if (kind === "drawing") return settings.metre === null ? "The file doesn't give its unit. Choose the one that gives the right size, or scale it by two points." : "";
-  return says_unit || settings.metre !== 0.05 * reduced ? "" : "The image doesn't give its scale: 5 cm a pixel is assumed. Scale it by two points whose distance you know.";
+  return assumed_pixel && `The image doesn't give its scale: ${assumed_pixel} a pixel is assumed. Scale it by two points whose distance you know.`;
 }

@@ -6,8 +6,12 @@ import { showValue } from "./fields.js";
 
 /** Sides of the room's cells, m; as in crates/robovac-app/src/floor_plan/settings.rs. */
 const CELLS = [0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5];
-/** Width of outer doors, m, as in crates/floor-drawing/src/trace/mod.rs: only another one has a slider, as the panel has to fit on a laptop. */
-const OUTER_DOOR = 1.25;
+
+/**
+ * Whether openings as wide as outer doors are closed: only another width has a slider, as the panel has to fit on a laptop.
+ * @param {import("./types").FloorPlanView} view
+ */
+const hasUsualDoors = ({ settings, outer_door }) => settings.part.kind === "indoors" && settings.outer === outer_door;
 
 /** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
 export function startWalls(it) {
@@ -16,8 +20,11 @@ export function startWalls(it) {
   fill(cell, CELLS.map((side) => [String(side), `${100 * side} cm`]));
   const told = () => {
     for (const range of [gap, outer]) setText(byId(`${range.id}-value`), range.valueAsNumber ? `${range.valueAsNumber.toFixed(2)} m` : "none");
-    const settings = it.view?.settings;
-    if (settings?.part.kind === "indoors" && settings.outer === OUTER_DOOR && gap.valueAsNumber < OUTER_DOOR) setText(byId("floor-plan-gap-value"), `${gap.valueAsNumber ? gap.valueAsNumber.toFixed(2) : "none"}, outer ${OUTER_DOOR} m`);
+    const { view } = it;
+    if (view && hasUsualDoors(view) && gap.valueAsNumber < view.outer_door) {
+      const inner = gap.valueAsNumber ? gap.valueAsNumber.toFixed(2) : "none";
+      setText(byId("floor-plan-gap-value"), `${inner}, outer ${view.outer_door} m`);
+    }
     for (const [name, range] of /** @type {const} */ ([["shade", shade], ["contrast", contrast]])) setText(byId(`floor-plan-${name}-value`), `${Math.round(100 * range.valueAsNumber)} %`);
     setText(byId("floor-plan-specks-value"), specks.valueAsNumber ? `${Math.round(100 * specks.valueAsNumber)} cm` : "none");
   };
@@ -62,7 +69,7 @@ export function startWalls(it) {
     const [isDrawing, isImage] = [kind === "drawing", kind === "image"];
     const hidden = { "layer-group": !isDrawing, "part-group": kind === "map", "wall-group": kind === "map", "cell-field": !view.has_cells, "method-field": !isImage };
     const own = isImage && settings.method !== "map";
-    const more = { "gap-field": !isDrawing && !own, "outer-field": settings.part.kind !== "indoors" || settings.outer === OUTER_DOOR || (!isDrawing && !own), "shade-field": !isImage || settings.method !== "level", "contrast-field": !isImage || settings.method !== "local", "specks-field": !own, "negate-field": !isImage, "shade-key": !own };
+    const more = { "gap-field": !isDrawing && !own, "outer-field": settings.part.kind !== "indoors" || hasUsualDoors(view) || (!isDrawing && !own), "shade-field": !isImage || settings.method !== "level", "contrast-field": !isImage || settings.method !== "local", "specks-field": !own, "negate-field": !isImage, "shade-key": !own };
     for (const [id, isHidden] of Object.entries({ ...hidden, ...more })) setHidden(byId(`floor-plan-${id}`), isHidden);
     showValue(gap, String(settings.gap));
     // What is as wide as a gap that is closed is closed, too.

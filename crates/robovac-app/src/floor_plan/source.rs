@@ -1,7 +1,7 @@
 //! The loaded source: a map, or a drawing that needs layers, unit and region to become a room.
 
 use crate::{Import, ImportError, ScenarioChoices};
-use floor_drawing::{self, Drawing, Picture, WallShades, suggest};
+use floor_drawing::{self, Drawing, Picture, ShadeMethod, WallShades, suggest};
 use robovac_core::{
     floor_plan::{self, DEFAULT_IMAGE_RESOLUTION, FloorPlan, MapError, PictureShades, SourceFile, base_name, stem},
     geometry::{Point, Vector},
@@ -13,6 +13,10 @@ use robovac_core::{
 const SHEET_NEAR: f64 = 0.02;
 /// Longer side of the largest sheet, A0 with some margin, m.
 const LARGEST_SHEET: f64 = 1.3;
+
+/// Longer side of a photograph or scan whose size isn't known yet, m, at most (ours): a flat or a house with some paper round it.
+/// Doors are as wide as doors then, give or take.
+const ASSUMED: f64 = 20.0;
 
 /// The loaded source.
 // There is one at a time.
@@ -123,11 +127,15 @@ impl DrawingSource {
         if let Self::Drawing { drawing, .. } = self { Some(drawing) } else { None }
     }
 
-    /// Metres per unit, if the files state it. The unit of a map is its cell.
+    /// Metres per unit, if the files state it; what is assumed of an image. The unit of a map is its cell.
     pub fn metre(&self) -> Option<f64> {
         match self {
             Self::Drawing { drawing, .. } => drawing.metre,
-            Self::Image { times, .. } => Some(DEFAULT_IMAGE_RESOLUTION * *times as f64),
+            Self::Image { times, cells, suggestion, .. } => {
+                let metre = DEFAULT_IMAGE_RESOLUTION * *times as f64;
+                let most = ASSUMED / cells.width().max(cells.height()) as f64;
+                Some(if suggestion.method == ShadeMethod::Map { metre } else { metre.min(most) })
+            }
             Self::Map { plan, .. } => Some(plan.resolution),
         }
     }

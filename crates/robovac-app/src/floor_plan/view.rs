@@ -6,7 +6,7 @@ use super::{
 };
 use crate::amount::amount;
 use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
-use floor_drawing::{OutsideLeak, Role};
+use floor_drawing::{OUTER_DOOR, OutsideLeak, Role};
 use robovac_core::{cspace::Outline, floor_plan::FloorPlan, geometry::Point};
 use serde::Serialize;
 
@@ -46,6 +46,10 @@ pub struct DrawingView {
     pub has_cells: bool,
     /// Whether a picture's size is only assumed.
     pub assumes_size: bool,
+    /// The side of a pixel of an image's file that is assumed, in words; empty once another is chosen.
+    pub assumed_pixel: String,
+    /// Width of outer doors, m, up to which openings to the outside are closed at first.
+    pub outer_door: f64,
     /// A size that is unusual for a room, in words, until it is confirmed; empty otherwise.
     pub asks: String,
     /// The scales of a plan on paper that would give a usual size, while the size is asked about.
@@ -232,6 +236,8 @@ impl DrawingSession {
                 .map(|(name, metre)| unit_view((name.replace("on paper, ", "").replace(" sheet,", ""), metre)))
                 .collect(),
             assumes_size: self.assumes_size(),
+            assumed_pixel: self.assumed_pixel(),
+            outer_door: OUTER_DOOR,
             asks,
             askew: self.askew(),
             layers: drawing.map_or(Vec::new(), |drawing| {
@@ -287,6 +293,14 @@ impl DrawingSession {
             && settings.part == DrawingPart::Indoors
             && !(USUAL_FLOOR[0]..=USUAL_FLOOR[1]).contains(&floor);
         (is_odd && !is_stated).then(|| format!("{size}, with {floor:.0} m² of floor"))
+    }
+
+    fn assumed_pixel(&self) -> String {
+        let source = self.source();
+        let is_image = matches!(source, DrawingSource::Image { .. });
+        let metre = self.settings().metre.filter(|&metre| is_image && source.metre() == Some(metre));
+        let times = source.reduced().map_or(1, |(times, _)| times) as f64;
+        metre.map_or_else(String::new, |metre| format!("{}\u{a0}cm", (1000.0 * metre / times).round() / 10.0))
     }
 
     fn room_view(&self) -> Option<TracedRoomView> {
