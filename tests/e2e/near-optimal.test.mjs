@@ -22,7 +22,7 @@ async function working(t, options = {}) {
 
 test("the gap is told while it works, and the best plan so far is driven when somebody is content", async (t) => {
   const { page, app } = await working(t);
-  assert.match(await app.text("#planning-gap"), /^[\d.]+ % above the proven bound$/);
+  assert.match(await app.text("#planning-gap"), /^Optimality gap [\d.]+ %$/);
   const first = share(await app.text("#planning-gap"));
   await app.poll(() => app.text("#planning-gap"), (text) => share(text) < first);
   await page.locator("#planning-keep").click();
@@ -78,8 +78,8 @@ test("in a small room the search is a film: construction, and what every improve
   }
   assert.ok(told.some((text) => /^Improvement.* of \d+: the tinted cells will change\.$/.test(text)), told.join("\n"));
   assert.ok(told.some((text) => /is cut there; \d+ parts? remains?\.$/.test(text)));
-  assert.ok(told.some((text) => /rejoined, .* (fewer|more|saved) \(.* % of the bound\); now (proven optimal|[\d.]+ % above)/.test(text)));
-  assert.match(told.at(-1), /^Search finished: the plan is (proven optimal|[\d.]+ % above the proven bound)\./);
+  assert.ok(told.some((text) => /rejoined, .* (fewer|more|saved) \(.* % of the bound\); now (proven optimal|with an optimality gap of [\d.]+ %)/.test(text)));
+  assert.match(told.at(-1), /^Search finished: a plan (proven optimal|with an optimality gap of [\d.]+ %)\./);
   assert.ok(seen.size > told.length / 2, "every picture is another");
   await page.getByRole("button", { name: "Play again" }).click();
   await app.poll(note, (text) => /^Construction, 1 of 3/.test(text));

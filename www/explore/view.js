@@ -64,7 +64,7 @@ function updatePlanning({ state, plan, can }) {
   setEnabled(button("planning-cancel"), can.cancel);
   const proven = planning ? (plan?.gap ?? null) : null;
   setHidden(byId("planning-gap"), proven === null);
-  setText(byId("planning-gap"), proven === null ? "" : proven === 0 ? "Proven optimal" : `${shareAbove(proven)} above the proven bound`);
+  setText(byId("planning-gap"), proven === null ? "" : proven === 0 ? "Proven optimal" : `Optimality gap ${shareAbove(proven)}`);
   setHidden(byId("planning-keep"), !can.keep);
 }
 

@@ -8,7 +8,7 @@ use crate::amount::amount;
 use coverage_planners::{FilmFrame, Proof};
 use robovac_core::{coverage::PlanningGrid, geometry::Point, grid::Cell};
 
-/// Most improvements that are shown, the largest ones; together they last about a minute (ours).
+/// Most improvements that are shown, the largest ones and the last; together they last about a minute (ours).
 const MOST_SHOWN: usize = 4;
 /// Time to look at a picture, s (ours).
 const LOOK_S: f64 = 1.5;
@@ -125,16 +125,17 @@ impl Showing {
 
     /// The caption; `end` is the proof of the final plan.
     pub fn text(&self, end: Option<Proof>) -> String {
-        self.picture().map_or_else(|| format!("Search finished: the plan is {}.", good(end)), |it| it.text.clone())
+        self.picture().map_or_else(|| format!("Search finished: a plan {}.", good(end)), |it| it.text.clone())
     }
 }
 
-/// The largest improvements, in their order.
+/// The largest improvements, and the last, which leads to the plan; in their order.
 fn largest<'f>(search: &[&'f FilmFrame]) -> Vec<[&'f FilmFrame; 2]> {
     // Few are kept: a sort would be more code in the page than all of this.
     let mut pairs: Vec<(f64, [&FilmFrame; 2])> = Vec::new();
-    for pair in search.windows(2) {
-        let gain = won(pair[0], pair[1]);
+    for (index, pair) in search.windows(2).enumerate() {
+        let is_last = index + 2 == search.len();
+        let gain = if is_last { f64::INFINITY } else { won(pair[0], pair[1]) };
         let at = pairs.iter().position(|(other, _)| other.total_cmp(&gain).is_lt()).unwrap_or(pairs.len());
         pairs.insert(at, (gain, [pair[0], pair[1]]));
         pairs.truncate(MOST_SHOWN);
@@ -222,6 +223,27 @@ fn good(proof: Option<Proof>) -> String {
         None => "not yet compared with a bound".to_owned(),
         Some(gap) if gap <= 0.0 => "proven optimal".to_owned(),
         // Rounded up, as on the page: only an optimal walk is 0 % above.
-        Some(gap) => format!("{:.1} % above the proven bound", (1000.0 * gap - 1e-6).ceil() / 10.0),
+        Some(gap) => format!("with an optimality gap of {:.1} %", (1000.0 * gap - 1e-6).ceil() / 10.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_improvement_is_shown_though_it_is_the_least() {
+        let costs = [100, 90, 89, 80, 79, 60, 55, 54];
+        let frame = |(number, &cost): (usize, &u64)| FilmFrame {
+            walk: Vec::new(),
+            proof: Some(Proof { cost, bound: 50 }),
+            planner: String::new(),
+            number: number as u32,
+        };
+        let frames: Vec<FilmFrame> = costs.iter().enumerate().map(frame).collect();
+        let search: Vec<&FilmFrame> = frames.iter().collect();
+        let shown = |search: &[&FilmFrame]| largest(search).iter().map(|pair| pair[1].number).collect::<Vec<_>>();
+        assert_eq!(shown(&search), [1, 3, 5, 7]);
+        assert_eq!((shown(&search[..2]), shown(&search[..1]), shown(&[])), (vec![1], vec![], vec![]));
     }
 }
