@@ -150,7 +150,9 @@ export type ComparisonView = { version: number, set: string, sets: Array<[string
 /** Number of the session's room in `rooms`. */
 done: number, total: number, cancelled: boolean, entrants: Array<EntrantView>,
 /** Chosen entrants that could race, but don't: nine race at most. */
-waiting: Array<number>, race: RaceView | null, };
+waiting: Array<number>,
+/** Which of those that race leaves if one of them joins; `None` while there is room. */
+leaves: number | null, race: RaceView | null, };
 
 /** Which requests are allowed. */
 export type ConnectionActions = {
@@ -415,6 +417,10 @@ units: Array<UnitView>,
 has_cells: boolean,
 /** Whether a picture's size is only assumed. */
 assumes_size: boolean,
+/** The side of a pixel of an image's file that is assumed, in words; empty once another is chosen. */
+assumed_pixel: string,
+/** Width of outer doors, m, up to which openings to the outside are closed at first. */
+outer_door: number,
 /** A size that is unusual for a room, in words, until it is confirmed; empty otherwise. */
 asks: string,
 /** The scales of a plan on paper that would give a usual size, while the size is asked about. */

@@ -478,10 +478,16 @@ fn nine_that_race_are_chosen_by_the_user() {
     };
     let (first, waiting) = (racing(&comparison), comparison.waiting());
     assert_eq!(first.len() + waiting.len(), ids.len());
-    // A tenth takes the place of the last one; who leaves makes room for the next.
+    // A tenth takes the place of the last one, who is told beforehand; who leaves makes room for the next.
+    assert_eq!(comparison.leaves(), first.last().copied());
     comparison.set_racing(waiting[1], true);
     assert_eq!(racing(&comparison)[..], [&first[..MOST_LANES - 1], &[waiting[1]]].concat());
+    assert_eq!(comparison.leaves(), Some(waiting[1]));
     comparison.set_racing(first[0], false);
     assert!(!racing(&comparison).contains(&first[0]) && racing(&comparison).len() == MOST_LANES);
     assert!(comparison.waiting().contains(&first[0]));
+    for other in comparison.waiting().into_iter().chain([first[1]]) {
+        comparison.choose(other, false);
+    }
+    assert_eq!((racing(&comparison).len(), comparison.leaves()), (MOST_LANES - 1, None));
 }

@@ -42,7 +42,8 @@ export function startRace(it) {
     setText(byId("race-hint"), hint(it));
     const who = race ? race.lanes.map(({ entrant }) => `${entrant} ${view.entrants[entrant]?.title}`).join() : "";
     if (changed(byId("lanes"), "who", who)) buildLanes(it, race);
-    if (changed(byId("bench"), "who", view.waiting.join())) showBench(it);
+    const bench = [view.leaves, ...view.waiting].map((entrant) => (entrant === null ? "" : `${entrant} ${view.entrants[entrant]?.title}`)).join();
+    if (changed(byId("bench"), "who", bench)) showBench(it);
     if (race) updateLanes(it, race);
     const pane = byId("lanes").querySelector("canvas");
     if (pane) fitSize(pane, it.comparison);
@@ -84,12 +85,14 @@ function buildLanes({ act, view, comparison, about }, race) {
 
 /** Those that could race, but don't. @param {Comparing} it */
 function showBench({ act, view }) {
+  const leaves = view.leaves === null ? "" : view.entrants[view.leaves]?.title;
   const names = view.waiting.map((entrant) => {
     const { title = "", mark } = view.entrants[entrant] ?? {};
     return make("button", { type: "button", onclick: () => act((c) => c.set_racing(entrant, true)) }, swatch(mark), title);
   });
-  const tip = "At most nine robots race. A tenth replaces the last one.";
-  byId("bench").replaceChildren(...(names.length > 0 ? [make("span", { className: "note", "data-tip": tip }, "Join the race:"), ...names] : []));
+  const tip = "At most nine robots race. A tenth takes the place of the last one.";
+  const what = leaves ? `Join the race in place of ${leaves}:` : "Join the race:";
+  byId("bench").replaceChildren(...(names.length > 0 ? [make("span", { className: "note", "data-tip": tip }, what), ...names] : []));
 }
 
 /** @param {Comparing} it @param {RaceView} race */

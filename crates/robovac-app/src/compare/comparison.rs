@@ -127,6 +127,11 @@ impl Comparison {
         self.changed();
     }
 
+    /// Who leaves the race if another joins: the last of [`MOST_LANES`].
+    pub fn leaves(&self) -> Option<usize> {
+        self.race.as_ref()?.lanes().get(MOST_LANES - 1).map(|lane| lane.racer.entrant)
+    }
+
     /// The chosen entrants that don't race: taken out of the race, or without a lane.
     pub fn waiting(&self) -> Vec<usize> {
         let Some(race) = &self.race else { return Vec::new() };

@@ -25,6 +25,8 @@ pub struct ComparisonView<'a> {
     entrants: Vec<EntrantView<'a>>,
     /// Chosen entrants that could race, but don't: nine race at most.
     waiting: Vec<usize>,
+    /// Which of those that race leaves if one of them joins; `None` while there is room.
+    leaves: Option<usize>,
     race: Option<RaceView<'a>>,
 }
 
@@ -133,6 +135,7 @@ impl<'a> ComparisonView<'a> {
             cancelled: comparison.is_cancelled(),
             entrants: entrants.collect(),
             waiting: comparison.waiting(),
+            leaves: comparison.leaves(),
             race: comparison
                 .race()
                 .filter(|race| !race.lanes().is_empty())
