@@ -17,6 +17,8 @@ export function startClear(app) {
   let told = 0;
   /** That of the palette and the bar of a selected object: the room moves once, and not whenever something else is selected. */
   let palette = 0;
+  /** That of the note about a robot in the hand: the room stays while one presses where to put it. */
+  let carried = 0;
   addEventListener("resize", () => (told = palette = 0));
   let isPressed = false;
   addEventListener("pointerdown", () => (isPressed = true), { capture: true });
@@ -41,9 +43,10 @@ export function startClear(app) {
     told = film === null && !text ? 0 : Math.max(told, below("#search-box"));
     // Nor under the pointer; what is placed is selected, and its bar is below the palette.
     const bars = Math.max(below("#kinds", GAP + BAR), below("#selection"));
+    if (!isPressed) carried = below("#carry-note");
     // On a phone the floor needs the room again.
     if (!isPressed) palette = isNarrow.matches || (bars === 0 && stage.dataset.tool === "view") ? bars : Math.max(palette, bars);
-    const next = Math.max(told, palette, below("#message"), below("#ending"), below("#game"), below(".over-floor"), below(".embed .to-page"), below("#tools", 2));
+    const next = Math.max(told, palette, below("#message"), carried, below("#ending"), below("#game"), below(".over-floor"), below(".embed .to-page"), below("#tools", 2));
     // In a frame, on the full screen, beside a lesson on a phone.
     const foot = stage.checkVisibility() && !byId("tools").checkVisibility() ? Math.max(above(byId("legend")), above(byId("zoom-in"))) : undefined;
     const [right, low] = corner();

@@ -105,7 +105,7 @@ function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carr
   setText(byId("lift-name"), is_lifted ? "Put down" : "Lift robot");
   setAttribute(button("lift"), "aria-label", is_lifted ? "Put the robot down" : "Lift the robot");
   setHidden(byId("carry-note"), !is_carried);
-  setAttribute(byId("carry-note"), "data-low", String(robot_spot[1] < 0.5));
+  setAttribute(byId("carry-note"), "data-low", String(!is_all_shown && robot_spot[1] < 0.5));
   keepClear(is_all_shown, robot_spot);
   setText(byId("carry-note"), is_carried ? (HAS_KEYS ? "Click where to put the robot down. Arrow keys move it, Enter puts it down, Escape puts it back." : "Tap where to put the robot down, or drag it there.") : "");
   setEnabled(button("undo"), can.undo);
