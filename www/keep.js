@@ -16,6 +16,12 @@ let hasKept = false;
 
 const ownRooms = async () => (own ??= await import("./explore/own-rooms.js"));
 
+/** @param {import("./main.js").App} app @param {string} link */
+async function openRoomLink(app, link) {
+  await ownRooms();
+  return (await import("./explore/room-link.js")).openLink(app, link);
+}
+
 /** The page has heard of this fragment. @param {string} hash */
 export const follow = (hash) => void (known = hash);
 
@@ -35,7 +41,7 @@ export async function restoreLink(app, link) {
   const { is_shown, has_own_room, has_program } = app.playground.link_outline(link);
   // Back from another tab: the run goes on.
   if (hasKept && is_shown && (!has_own_room || link.split("&").includes(own?.pairOf(app) ?? ""))) return;
-  const refusal = has_own_room ? await (await ownRooms()).openLink(app, link) : "";
+  const refusal = has_own_room ? await openRoomLink(app, link) : "";
   // The program has to be there before it is chosen.
   if (has_program) await holdProgram(app, link);
   // Robot and algorithm hold without it, too.

@@ -94,7 +94,7 @@ export function startConnection(app, module, guard) {
   };
   const traffic = startConsole(it);
   const updates = [startConnect, startControl, startSensors, startLine, startSongs, startLights, startMotors, startSchedule, startCalibrate].map((begin) => begin(it));
-  startDrawer();
+  const closeDrawer = startDrawer();
   startSheets(byId("panel-connection"), byId("connection-floor"));
 
   let isFresh = true;
@@ -107,7 +107,10 @@ export function startConnection(app, module, guard) {
     const isOver = view.phase === "closed";
     const hasLeft = isOver && it.view.phase !== "closed";
     it.view = isOver ? { ...view, virtual: null, ride: null } : view;
-    if (hasLeft) it.live.begin(it.view);
+    if (hasLeft) {
+      it.live.begin(it.view);
+      closeDrawer();
+    }
     isFresh = true;
     setAttribute(document.body, "data-robot", view.is_open ? "open" : "");
     guard(() => it.live.update(it.view, way));
@@ -165,13 +168,11 @@ export function startConnection(app, module, guard) {
   };
 }
 
-/** The tools, below the map. */
+/** The tools, below the map. Returns what closes them. */
 function startDrawer() {
   const [drawer, opener] = [byId("connection-drawer"), button("connection-tools-open")];
-  opener.addEventListener("click", () => {
-    const on = drawer.classList.toggle("shown");
-    setAttribute(opener, "aria-expanded", String(on));
-  });
+  const show = (/** @type {boolean} */ on) => setAttribute(opener, "aria-expanded", String(drawer.classList.toggle("shown", on)));
+  opener.addEventListener("click", () => show(!drawer.classList.contains("shown")));
   const tabs = [...byId("connection-tabs").querySelectorAll("button")];
   for (const tab of tabs) {
     tab.addEventListener("click", () => {
@@ -181,4 +182,5 @@ function startDrawer() {
       }
     });
   }
+  return () => show(false);
 }

@@ -2,8 +2,8 @@
 // Rooms that were drawn or loaded: kept in this browser under a name, each by itself, as scenarios.
 import { toast } from "../messages.js";
 import { aboutRoom, settingsOf } from "../settings-link.js";
-import { flatOf, openFlat } from "./flat.js";
-import { pack, unpack } from "./pack.js";
+import { flatOf } from "./flat.js";
+import { pack } from "./pack.js";
 import { forgetPast, keepPast, recall, settlePast } from "./room-past.js";
 
 /**
@@ -14,7 +14,7 @@ import { forgetPast, keepPast, recall, settlePast } from "./room-past.js";
 /** The list of rooms. */
 const LIST = "own-rooms";
 /** Where versions without a list kept the last room: as if its id were empty, and without the dash. */
-const OLD = "";
+export const OLD = "";
 /** Longest packed room in the address: some programs cut longer ones off. */
 export const MOST_PACKED = 8000;
 
@@ -48,8 +48,12 @@ export function scenarioOf(id) {
   }
 }
 
+const isFrame = () => new URLSearchParams(location.search).has("embed");
+
 /** Keeps a room; a new one comes last. @param {OwnRoom} room @param {string} scenario */
 export function put({ id, name }, scenario) {
+  // A frame in another page shows a room; nobody made one there.
+  if (isFrame()) return;
   try {
     localStorage.setItem(keyOf(id), scenario);
     const rooms = list();
@@ -96,7 +100,7 @@ export function pairOf(app) {
 }
 
 /** Shows a scenario as the room with that id. @param {App} app @param {string} id @param {string} name @param {string} scenario @param {boolean} isRoom Whether its other choices are left out. */
-async function show(app, id, name, scenario, isRoom) {
+export async function show(app, id, name, scenario, isRoom) {
   const bytes = new TextEncoder().encode(scenario);
   if (!(await app.takeFiles([{ name: `the room "${name}"`, bytes }], isRoom))) return false;
   // Undo takes back what was changed in it, not the way through the rooms.
@@ -121,12 +125,13 @@ export async function openRoom(app, id, isRoom = false) {
 export async function addRoom(app, name, scenario) {
   const id = newId();
   const free = freeName(name);
-  put({ id, name: free }, renamed(scenario, free));
-  return openRoom(app, id);
+  const named = renamed(scenario, free);
+  put({ id, name: free }, named);
+  return show(app, id, free, named, false);
 }
 
 /** Whether two scenarios differ by their names alone. @param {string} one @param {string} other */
-function isRenamed(one, other) {
+export function isRenamed(one, other) {
   return renamed(one, "") === renamed(other, "");
 }
 
@@ -137,34 +142,6 @@ export function renamed(scenario, name) {
   } catch {
     return scenario;
   }
-}
-
-/** Shows the own room of a link: one that is kept here, or the one that the link carries. @param {App} app @param {string} link @returns {Promise<string>} why not, if it can't be */
-export async function openLink(app, link) {
-  const pairs = new URLSearchParams(link);
-  const [id, map, flat] = [pairs.get("kept") ?? "", pairs.get("map"), pairs.get("flat")];
-  if (flat) return openFlat(app, flat).then(() => "", String);
-  const here = id ? scenarioOf(id) : null;
-  const unread = "The room of this link could not be read.";
-  if (here && (!map || (await pack(here).catch(() => "")) === map)) return (await openRoom(app, id)) ? "" : unread;
-  if (map) {
-    try {
-      const scenario = await unpack(map);
-      // The way back leads through links from before it got its name.
-      if (here && isRenamed(here, scenario)) return (await openRoom(app, id)) ? "" : unread;
-      const same = list().find((room) => scenarioOf(room.id) === scenario);
-      return (await (same ? openRoom(app, same.id) : addRoom(app, JSON.parse(scenario).name || "Room of a link", scenario))) ? "" : unread;
-    } catch (error) {
-      console.warn(error);
-      return "The room in this link is damaged, perhaps because the link was cut off. Ask its author for the whole link, or for the scenario file.";
-    }
-  }
-  const old = scenarioOf(OLD);
-  if (old) {
-    remove(OLD);
-    return (await addRoom(app, JSON.parse(old).name || "Own room", old)) ? "" : unread;
-  }
-  return "This link's room was drawn or loaded in another browser, and the link doesn't carry it. Ask its author to press Copy link, or for the scenario file.";
 }
 
 /** Keeps the shown room if it is an own one; returns the link with it. @param {App} app @param {string} link */

@@ -7,6 +7,9 @@ import { pickUp } from "./carry.js";
 
 /** @typedef {import("../main.js").App} App */
 
+/** Follows a plan, and so can be lost. */
+const PLANNER = "boustrophedon";
+
 /** A link of the page, as everything that it leads to. @param {string} link */
 const follow = (link) => void (location.hash = link);
 
@@ -15,18 +18,34 @@ const IDEAS = [
   ["Random walk against lanes", "Which one cleans the living room first?", () => follow("room=living&tab=compare&vs=boustrophedon&behaviours=random_walk&go=1")],
   ["You against the algorithm", "Drive by hand: can you sweep more in the same time?", (app) => import("./games.js").then(({ offerVersus }) => offerVersus(app))],
   ["Break it", "Draw the room that this planner does worst in.", (app) => import("./games.js").then(({ offerWorst }) => offerWorst(app))],
-  ["A cat in the way", "A robot that only has its bumper meets the cat.", () => follow("room=living&behaviour=random_walk&speed=4")],
+  ["A cat in the way", "A robot that only has its bumper meets the cat.", (app) => meetCat(app)],
   ["Kidnap the robot", "Put it down elsewhere. Does it notice?", (app) => lift(app)],
   ["A race of six", "Six ideas in the same room, at the same time.", () => follow("room=bedroom&tab=compare&vs=boustrophedon,spiral,spiral_stc,snake&behaviours=random_walk,spiral_out&go=1")],
   ["Your own room", "Draw it, or load a floor plan.", (app) => import("./rooms.js").then(({ openRooms }) => openRooms(app))],
 ];
 
-/** A robot that runs is lifted; one that doesn't sets off first. @param {App} app */
+/** The cat lives in the living room, where the robot sets off. @param {App} app */
+function meetCat(app) {
+  app.act((p) => {
+    p.select_room("living");
+    p.select_algorithm("random_walk");
+    p.set_speed(4);
+    p.play();
+  });
+}
+
+/** A robot that runs is lifted; one that doesn't sets off first. One that drives at random has nothing to notice. @param {App} app */
 function lift(app) {
+  if (app.view.kind !== "planner") app.act((p) => p.select_algorithm(PLANNER));
   if (!app.view.can.lift) app.act((p) => p.play());
   byId("stage").scrollIntoView({ block: "nearest" });
-  // The view of the next frame knows whether it can be.
-  requestAnimationFrame(() => requestAnimationFrame(() => pickUp(app)));
+  const { algorithm } = app.view;
+  // A view of the frames to come knows that it can be, unless something else is chosen meanwhile.
+  const next = () => {
+    if (app.view.can.lift) pickUp(app);
+    else if (app.view.algorithm === algorithm && app.view.state !== "failed") requestAnimationFrame(next);
+  };
+  requestAnimationFrame(() => requestAnimationFrame(next));
 }
 
 /** Puts the list beside the floor. @param {App} app */

@@ -25,6 +25,8 @@ export function startVersus(app, card) {
   let terms = { rival: rivals[0]?.id ?? "", seconds: USUAL, beat: null };
   /** @type {"terms" | "rival" | "you" | "over"} */
   let phase = "terms";
+  /** Whether a challenge waits for Start. */
+  let isOffered = false;
   /** Time and coverage of the rival's run, one behind the other. @type {Float64Array} */
   let curve = new Float64Array();
   /** What must not change meanwhile. */
@@ -148,6 +150,7 @@ export function startVersus(app, card) {
       const limit = Math.min(3600, Math.max(5, Number(seconds) || USUAL));
       const share = beat === "" || !(Number(beat) >= 0 && Number(beat) <= 100) ? null : Number(beat) / 100;
       terms = { rival, seconds: limit, beat: share };
+      isOffered = true;
       card.show(
         "You are challenged",
         make("p", {}, `Sweep more of this room in ${clock(limit)} minutes than ${titleOf(rival)}${share === null ? "" : `, and more than the ${percent(share)} % of whoever sent this`}.`),
@@ -155,6 +158,11 @@ export function startVersus(app, card) {
       );
     },
     update(view) {
+      // Nothing drives before Start.
+      if (isOffered && phase === "terms" && view.state === "playing") {
+        isOffered = false;
+        app.act((p) => p.reset());
+      }
       if (phase === "rival") {
         if (placeNow() !== place || view.state === "failed") return card.close();
         told();

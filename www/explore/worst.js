@@ -3,7 +3,7 @@
 import { make, setText } from "../dom.js";
 import { perMilleAbove, shareAbove } from "../format.js";
 import { act, send } from "./games.js";
-import { addRoom } from "./own-rooms.js";
+import { addRoom, isRenamed } from "./own-rooms.js";
 import { emptyRoom } from "./rooms.js";
 
 /** @typedef {import("../main.js").App} App */
@@ -25,7 +25,7 @@ export function startWorst(app, card) {
   const [now, record] = [make("b"), make("b")];
   const status = make("p", { role: "status", className: "note" });
   const titleOf = (/** @type {string} */ id) => planners.find((one) => one.id === id)?.title ?? id;
-  const showWorst = async () => best && best.scenario !== app.playground.scenario_json() && addRoom(app, "The worst so far", best.scenario);
+  const showWorst = async () => best && !isRenamed(best.scenario, app.playground.scenario_json()) && addRoom(app, "The worst so far", best.scenario);
   const again = act("Show the worst", showWorst);
   const challenge = act("Challenge others", () => showWorst().then(() => send(app)));
 

@@ -41,7 +41,7 @@ export function startPlaybar(it) {
     setText(byId("map-pace"), isSlow ? pace(reached) : "");
     const range = rangeOf(view);
     const isLost = view.known !== null;
-    showTime(running, `${clock(view.time_s)}, ${isLost ? off(view) : `${percent(view.figures?.boundary ?? 0, 0)} % of the boundary mapped`}`);
+    showTime(running, `${clock(view.time_s)}, ${isLost ? off(view) : `${percent(view.figures?.boundary ?? 0)} % of the boundary mapped`}`);
     const is = `${view.grid} ${view.samples} ${view.version} ${range} ${view.end_s} ${isLost}`;
     if (isDue(() => changed(byId("map-curve"), "curve", is), !running)) {
       const curve = it.session.curve();

@@ -42,7 +42,7 @@ export function startUses(it, keeping) {
     changed(select("map-planner"), "value", undefined);
   });
   /** The run that another one is to follow, in words; "" if it hasn't begun. */
-  const ran = () => (it.view.end_s > 0 ? `The run so far (${clock(it.view.end_s)} min${it.view.known === null ? `, ${percent(it.view.figures?.boundary ?? 0, 0)} % mapped` : ""}) is kept.` : "");
+  const ran = () => (it.view.end_s > 0 ? `The run so far (${clock(it.view.end_s)} min${it.view.known === null ? `, ${percent(it.view.figures?.boundary ?? 0)} % mapped` : ""}) is kept.` : "");
   /** Says that clock and figures are those of another run. @param {string} before @param {string} why */
   const began = (before, why) => {
     setText(byId("map-began-text"), `${why} Clock and figures restart. ${before}`);

@@ -122,8 +122,8 @@ impl CoverageTracker {
         }
     }
 
-    /// Takes over what was swept before, where it is reachable here: passes of an earlier tracker over the same grid.
-    /// Does nothing if the grids differ.
+    /// Takes over what was swept before, where it is reachable here, from an earlier tracker over the same grid. It counts as swept
+    /// once: what was swept again then, no later distance or time accounts for. Does nothing if the grids differ.
     pub fn take_over(&mut self, floor: &ReachableFloor, earlier: &Self) {
         let Self { visits, covered, passes, dirty, .. } = self;
         let is_same = (visits.width(), visits.height()) == (earlier.visits.width(), earlier.visits.height());
@@ -135,7 +135,7 @@ impl CoverageTracker {
             if is_reachable && before > 0 {
                 *covered += usize::from(*count == 0);
                 *count = count.saturating_add(before);
-                *passes += u64::from(before);
+                *passes += 1;
             }
         }
         *dirty = Some((0, visits.len().saturating_sub(1)));

@@ -1,7 +1,7 @@
 //! User requests to a robot, executed or refused.
 
 use super::{
-    Calibrated, Calibrating, Calibration, Connection, DISCONNECTED, FloorMeasure, RecordedEvent, Request,
+    Calibrated, Calibrating, Calibration, Connection, FloorMeasure, RecordedEvent, Request,
     RequestRefused, refuse,
 };
 use robovac_core::registry::Params;
@@ -45,7 +45,8 @@ impl Connection {
                 self.place(self.odometry.pose());
             }
             Request::Disconnect => {
-                self.end_ride(DISCONNECTED);
+                self.end_ride("Disconnected.");
+                self.has_left = true;
                 self.driver.leave(now);
                 // The next one may be another robot.
                 (self.known, self.calibrating) = (Calibrated::default(), None);

@@ -82,9 +82,6 @@ fn refuse<T>(why: impl Into<String>) -> Result<T, RequestRefused> {
     Err(RequestRefused(why.into()))
 }
 
-/// Why a ride ended that its user ended by disconnecting.
-const DISCONNECTED: &str = "Disconnected.";
-
 /// A connection to a robot.
 pub struct Connection {
     driver: Driver,
@@ -119,6 +116,8 @@ pub struct Connection {
     trace: Vec<f64>,
     console: Console,
     recorder: Recorder,
+    /// Whether the user has disconnected: who connects then begins anew.
+    has_left: bool,
     /// What happens, if it is watched.
     watched: Option<Vec<(f64, LineEvent)>>,
 }
@@ -160,6 +159,7 @@ impl Connection {
             trace: Vec::new(),
             console: Console::default(),
             recorder: Recorder::default(),
+            has_left: false,
             watched: None,
         }
     }
@@ -171,8 +171,7 @@ impl Connection {
         self.now = now;
         self.page.start(now);
         self.end_ride("The connection was reopened.");
-        // Whoever disconnected begins anew.
-        if self.ride.as_ref().is_some_and(|ride| ride.ended == DISCONNECTED) {
+        if std::mem::take(&mut self.has_left) {
             (self.ride, self.distance_m) = (None, 0.0);
         }
         self.recorder.note(now, RecordedEvent::Line("open".into()));
