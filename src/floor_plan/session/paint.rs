@@ -232,7 +232,6 @@ impl FloorPlanPainter {
         let Some(drawing) = session.source().drawing() else { return Ok(()) };
         let scale = viewport.scale * ratio;
         context.set_transform(scale, 0.0, 0.0, -scale, viewport.origin.x * ratio, viewport.origin.y * ratio)?;
-        context.set_line_join("bevel");
         for lines in &self.lines {
             let (Some(layer), Some(role)) = (drawing.layers.get(lines.layer), still.roles.get(lines.layer)) else {
                 continue;
@@ -243,6 +242,7 @@ impl FloorPlanPainter {
                 Role::Obstacle => (1.25, 0.95),
                 Role::Ignored => (1.0, 0.3),
             };
+            context.set_line_join(if lines.width > 0.0 { "miter" } else { "bevel" });
             context.set_line_width(lines.width.max(width / viewport.scale));
             context.set_global_alpha(alpha);
             context.set_stroke_style_str(&format!("rgb({red} {green} {blue})"));
