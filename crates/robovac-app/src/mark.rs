@@ -81,7 +81,7 @@ mod tests {
         }
     }
 
-    /// Lightness and two axes of colour, in which equal distances look equal (OKLab, Ottosson 2020).
+    /// Lightness and two axes of colour, in which equal distances look equal (`OKLab`, Ottosson 2020).
     fn seen(hex: &str) -> [f64; 3] {
         let linear = [1, 3, 5].map(|at| {
             let value = f64::from(u8::from_str_radix(&hex[at..at + 2], 16).unwrap()) / 255.0;
