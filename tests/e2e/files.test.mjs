@@ -11,9 +11,9 @@ for (const way of ["pick", "drop"]) {
   test(`takes every kind of map (${way})`, async (t) => {
     const { app } = await openApp(t, { address: "#room=empty" });
     const kinds = [
-      { name: "image", files: [png("image.png", ROOM)], size: "2.1 × 1.6 m" },
-      { name: "scan", files: [mapYaml("scan.yaml", "scan.pgm", { resolution: 0.1 }), pgm("scan.pgm", ROOM)], size: "4.2 × 3.2 m" },
-      { name: "drawing", files: [textMap("drawing.txt", ROOM, { resolution: 0.2 })], size: "8.4 × 6.4 m" },
+      { name: "image", files: [png("image.png", ROOM)], size: "2.0 × 1.5 m" },
+      { name: "scan", files: [mapYaml("scan.yaml", "scan.pgm", { resolution: 0.1 }), pgm("scan.pgm", ROOM)], size: "4.0 × 3.0 m" },
+      { name: "drawing", files: [textMap("drawing.txt", ROOM, { resolution: 0.2 })], size: "8.0 × 6.0 m" },
     ];
     for (const { name, files, size } of kinds) {
       await app[way](...files);

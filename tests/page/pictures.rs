@@ -394,7 +394,7 @@ fn a_picture_that_is_reduced_keeps_its_scale() {
     // 20 m are assumed for the longer side.
     let metre = view.settings.metre.unwrap();
     assert!((metre * f64::from(large.width().max(large.height()) / 2) - 20.0).abs() < 0.02, "{metre}");
-    assert_eq!(view.assumed_pixel, format!("{}\u{a0}cm", (500.0 * metre).round() / 10.0));
+    assert_eq!(view.assumed_pixel, format!("{}\u{a0}cm", (5000.0 * metre).round() / 100.0));
     change(&mut session, |settings| settings.metre = Some(2.0 * PIXEL / f64::from(times)));
     let (found, expected) = (session.view().room.unwrap(), opened(&small).view().room.unwrap());
     assert_eq!(session.view().size, opened(&small).view().size);

@@ -9,6 +9,8 @@ import { pickUp } from "./carry.js";
 
 /** Follows a plan, and so can be lost. */
 const PLANNER = "boustrophedon";
+/** How long a robot may take to set off before it is left where it is. */
+const PATIENCE_MS = 10_000;
 
 /** A link of the page, as everything that it leads to. @param {string} link */
 const follow = (link) => void (location.hash = link);
@@ -37,13 +39,14 @@ function meetCat(app) {
 /** A robot that runs is lifted; one that doesn't sets off first. One that drives at random has nothing to notice. @param {App} app */
 function lift(app) {
   if (app.view.kind !== "planner") app.act((p) => p.select_algorithm(PLANNER));
-  if (!app.view.can.lift) app.act((p) => p.play());
   byId("stage").scrollIntoView({ block: "nearest" });
-  const { algorithm } = app.view;
-  // A view of the frames to come knows that it can be, unless something else is chosen meanwhile.
+  const until = performance.now() + PATIENCE_MS;
+  // A view of the frames to come knows that it can be.
   const next = () => {
-    if (app.view.can.lift) pickUp(app);
-    else if (app.view.algorithm === algorithm && app.view.state !== "failed") requestAnimationFrame(next);
+    const { can, state } = app.view;
+    if (can.lift) return void pickUp(app);
+    if (state !== "playing" && state !== "planning") app.act((p) => p.play());
+    if (state !== "failed" && performance.now() < until) requestAnimationFrame(next);
   };
   requestAnimationFrame(() => requestAnimationFrame(next));
 }

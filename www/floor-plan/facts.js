@@ -97,7 +97,7 @@ function result({ room, settings, fault, asks, size, assumes_size }) {
     return fault || (asks ? `Whole drawing: ${size}. Choose its size first.` : "No room yet.");
   }
   const { width_m, height_m, floor_m2, cells, resolution, objects, gaps, outer_doors, around_m2, reachable_m2 } = room;
-  if (assumes_size) return `Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m if the assumed scale is right. Answer the question about its size first.`;
+  if (assumes_size) return `Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m if the assumed scale is right: its size is still asked about.`;
   const reach = reachable_m2 === null ? "" : `, ${reachable_m2.toFixed(1)} m² of it reachable by a Roomba's brush`;
   const [inner, openings] = [gaps - outer_doors, outer_doors === 1 ? "opening" : "openings"];
   const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, inner && `${inner} ${inner === 1 ? "gap" : "gaps"} closed`, outer_doors && `${outer_doors} ${openings} to the outside closed`, around_m2 > 0 && `${around_m2.toFixed(1)} m² round the building left out`].filter(Boolean);

@@ -148,6 +148,24 @@ fn whoever_disconnects_in_mid_ride_can_choose_again() {
     assert!(wire.view().ride.is_none(), "the next robot begins anew");
 }
 
+#[test]
+fn whoever_disconnects_after_a_ride_that_ended_by_itself_begins_anew() {
+    let mut wire = riding(false);
+    wire.pass(1.0);
+    wire.ask(Request::Stop);
+    wire.pass(0.5);
+    assert!(wire.view().ride.is_some_and(|ride| ride.done) && wire.view().distance_m > 0.0);
+    wire.ask(Request::Disconnect);
+    wire.link.opened(wire.now);
+    assert!(wire.view().ride.is_none() && wire.view().distance_m == 0.0);
+    // The line that comes back by itself is another matter.
+    let mut wire = riding(false);
+    wire.pass(1.0);
+    wire.link.lost(wire.now, "The cable was pulled.", false);
+    wire.link.opened(wire.now);
+    assert!(wire.view().ride.is_some());
+}
+
 /// Flags of the trace since the last call: whether it swept at all, and all the time.
 fn swept(wire: &mut Wire) -> [bool; 2] {
     let trace = wire.link.take_trace();

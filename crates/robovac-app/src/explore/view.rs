@@ -237,9 +237,9 @@ pub struct RoomView {
     pub note: String,
     /// What it was generated from, also after changes.
     pub flat: Option<FlatView>,
-    /// Width, m.
+    /// Width of the floor within its walls, m.
     pub width_m: f64,
-    /// Height, m.
+    /// Its height, m.
     pub height_m: f64,
     /// Side of a map cell, m.
     pub resolution_m: f64,

@@ -7,7 +7,7 @@ use super::{
 use crate::amount::amount;
 use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
 use floor_drawing::{OUTER_DOOR, OutsideLeak, Role};
-use robovac_core::{cspace::Outline, floor_plan::FloorPlan, geometry::Point};
+use robovac_core::{cspace::Outline, geometry::Point};
 use serde::Serialize;
 
 /// Lengths of a floor plan's longer side, m, that nobody is asked about (ours): from a closet to a house.
@@ -280,7 +280,7 @@ impl DrawingSession {
         let (width, height) = (whole.x * metre, whole.y * metre);
         // There can be floor around what walls don't enclose.
         let is_tiny = width.max(height) < USUAL[0];
-        let room = self.room().filter(|_| !is_tiny).map(|room| floor_size(&room.plan).into());
+        let room = self.room().filter(|_| !is_tiny).map(|room| room.plan.floor_size().into());
         let (width, height) = room.unwrap_or((width, height));
         let size = size_in_words(width, height);
         if !is_usual(width.max(height)) || self.assumes_size() {
@@ -300,13 +300,13 @@ impl DrawingSession {
         let is_image = matches!(source, DrawingSource::Image { .. });
         let metre = self.settings().metre.filter(|&metre| is_image && source.metre() == Some(metre));
         let times = source.reduced().map_or(1, |(times, _)| times) as f64;
-        metre.map_or_else(String::new, |metre| format!("{}\u{a0}cm", (1000.0 * metre / times).round() / 10.0))
+        metre.map_or_else(String::new, |metre| format!("{}\u{a0}cm", (10_000.0 * metre / times).round() / 100.0))
     }
 
     fn room_view(&self) -> Option<TracedRoomView> {
         let room = self.room()?;
         let (plan, cells) = (&room.plan, &room.plan.occupancy);
-        let [width_m, height_m] = floor_size(plan);
+        let [width_m, height_m] = plan.floor_size();
         let is_wide = |[a, b]: &&[Point; 2]| (*b - *a).norm() > self.settings().gap;
         let is_indoors = self.settings().part == DrawingPart::Indoors;
         Some(TracedRoomView {
@@ -360,16 +360,6 @@ impl DrawingSession {
         };
         notice.to_owned()
     }
-}
-
-/// Width and height of a plan from the first to the last free cell, m.
-fn floor_size(plan: &FloorPlan) -> [f64; 2] {
-    let (mut low, mut high) = ([i32::MAX; 2], [i32::MIN; 2]);
-    for (cell, _) in plan.occupancy.iter().filter(|(_, state)| state.is_free()) {
-        (low, high) = ([low[0].min(cell.x), low[1].min(cell.y)], [high[0].max(cell.x), high[1].max(cell.y)]);
-    }
-    // A room has a free cell.
-    [0, 1].map(|axis| f64::from(high[axis].saturating_sub(low[axis]).saturating_add(1)) * plan.resolution)
 }
 
 /// Description of the picture for screen readers.

@@ -60,6 +60,16 @@ impl FloorPlan {
         self.occupancy.height() as f64 * self.resolution
     }
 
+    /// Width and height of the floor within its walls: of the box around all free cells, m; 0 if there are none.
+    pub fn floor_size(&self) -> [f64; 2] {
+        let (mut low, mut high) = ([i32::MAX; 2], [i32::MIN; 2]);
+        for (cell, _) in self.occupancy.iter().filter(|(_, state)| state.is_free()) {
+            (low, high) = ([low[0].min(cell.x), low[1].min(cell.y)], [high[0].max(cell.x), high[1].max(cell.y)]);
+        }
+        let cells = |axis: usize| f64::from((i64::from(high[axis]) - i64::from(low[axis]) + 1).max(0) as u32);
+        [0, 1].map(|axis| cells(axis) * self.resolution)
+    }
+
     /// The cell that holds a point; may lie outside the grid.
     pub fn cell_at(&self, point: Point) -> Cell {
         Cell::at(point, self.resolution)

@@ -1,8 +1,7 @@
 //! User requests to a robot, executed or refused.
 
 use super::{
-    Calibrated, Calibrating, Calibration, Connection, FloorMeasure, RecordedEvent, Request,
-    RequestRefused, refuse,
+    Calibrated, Calibrating, Calibration, Connection, FloorMeasure, RecordedEvent, Request, RequestRefused, refuse,
 };
 use robovac_core::registry::Params;
 use robovac_sim::controller::{self, Joystick as Stick, Setup};
@@ -46,7 +45,7 @@ impl Connection {
             }
             Request::Disconnect => {
                 self.end_ride("Disconnected.");
-                self.has_left = true;
+                (self.ride, self.distance_m) = (None, 0.0);
                 self.driver.leave(now);
                 // The next one may be another robot.
                 (self.known, self.calibrating) = (Calibrated::default(), None);

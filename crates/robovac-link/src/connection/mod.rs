@@ -116,8 +116,6 @@ pub struct Connection {
     trace: Vec<f64>,
     console: Console,
     recorder: Recorder,
-    /// Whether the user has disconnected: who connects then begins anew.
-    has_left: bool,
     /// What happens, if it is watched.
     watched: Option<Vec<(f64, LineEvent)>>,
 }
@@ -159,7 +157,6 @@ impl Connection {
             trace: Vec::new(),
             console: Console::default(),
             recorder: Recorder::default(),
-            has_left: false,
             watched: None,
         }
     }
@@ -171,9 +168,6 @@ impl Connection {
         self.now = now;
         self.page.start(now);
         self.end_ride("The connection was reopened.");
-        if std::mem::take(&mut self.has_left) {
-            (self.ride, self.distance_m) = (None, 0.0);
-        }
         self.recorder.note(now, RecordedEvent::Line("open".into()));
         self.driver.open(now);
         self.place(self.odometry.pose());

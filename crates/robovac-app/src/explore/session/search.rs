@@ -1,9 +1,12 @@
 //! Display of the planner's search, on demand.
 
 use super::Session;
-use crate::explore::{
-    FilmPicture, PlanSearch, SessionState, Showing,
-    view::{FilmView, SearchView},
+use crate::{
+    amount::grouped,
+    explore::{
+        FilmPicture, PlanSearch, SessionState, Showing,
+        view::{FilmView, SearchView},
+    },
 };
 use coverage_planners::{MOST_FILMED_CELLS, PlannerInfo, ShownSearch, TraceStep};
 use robovac_sim::experiment::planning::MOST_SEARCH_CELLS;
@@ -156,28 +159,5 @@ impl Session {
             },
             (None, None) => String::new(),
         }
-    }
-}
-
-/// A number with commas between its thousands, as the page shows them.
-fn grouped(number: usize) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::grouped;
-
-    #[test]
-    fn thousands_are_grouped() {
-        assert_eq!([0, 999, 2000, 12_345, 1_234_567].map(grouped), ["0", "999", "2,000", "12,345", "1,234,567"]);
     }
 }

@@ -71,6 +71,7 @@ impl Session {
             _ if self.is_changed_room() => (None, ""),
             _ => (None, plan.note.as_str()),
         };
+        let [width_m, height_m] = self.prepared.as_ref().map_or([plan.width_m(), plan.height_m()], |room| room.size);
         SessionView {
             state,
             can: self.can(state),
@@ -81,8 +82,8 @@ impl Session {
                 title: self.room_title(),
                 note: about.to_owned(),
                 flat,
-                width_m: plan.width_m(),
-                height_m: plan.height_m(),
+                width_m,
+                height_m,
                 resolution_m: plan.resolution,
                 cells: plan.occupancy.len(),
                 reachable_m2: self.prepared.as_ref().map_or(0.0, |p| p.floor.area()),

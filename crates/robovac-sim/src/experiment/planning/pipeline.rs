@@ -33,6 +33,8 @@ pub struct RoomSetup {
     pub world: Arc<World>,
     /// The robot.
     pub robot: RobotModel,
+    /// Width and height of the floor within its walls, m.
+    pub size: [f64; 2],
 }
 
 /// A job for a planner, which can run in a worker.
@@ -109,7 +111,14 @@ impl RoomSetup {
         let floor = Arc::new(floor);
         let job = CoverageJob::on_planning_grid(&planning_grid, &floor, robot).in_place(&floor, robot);
         let world = Arc::new(World::new(plan));
-        Self { floor, planning_grid: Arc::new(planning_grid), job, world, robot: robot.clone() }
+        Self {
+            floor,
+            planning_grid: Arc::new(planning_grid),
+            job,
+            world,
+            robot: robot.clone(),
+            size: plan.floor_size(),
+        }
     }
 
     /// Lays out `plan` for `robot` that drives `path` and stands at its start, with `heading` rad if it turns to where it
