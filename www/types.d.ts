@@ -1187,9 +1187,9 @@ title: string,
 note: string,
 /** What it was generated from, also after changes. */
 flat: FlatView | null,
-/** Width, m. */
+/** Width of the floor within its walls, m. */
 width_m: number,
-/** Height, m. */
+/** Its height, m. */
 height_m: number,
 /** Side of a map cell, m. */
 resolution_m: number,
