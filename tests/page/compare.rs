@@ -486,6 +486,17 @@ fn nine_that_race_are_chosen_by_the_user() {
     comparison.set_racing(first[0], false);
     assert!(!racing(&comparison).contains(&first[0]) && racing(&comparison).len() == MOST_LANES);
     assert!(comparison.waiting().contains(&first[0]));
+    // A link has the same race.
+    let mut elsewhere = Comparison::new();
+    elsewhere.take(&session);
+    elsewhere.restore(&comparison.to_link()).unwrap();
+    assert_eq!(elsewhere.to_link().matches("bench=").count(), 1, "also before there are plans");
+    work(&mut elsewhere);
+    let sorted = |mut racing: Vec<usize>| {
+        racing.sort_unstable();
+        racing
+    };
+    assert_eq!(sorted(racing(&elsewhere)), sorted(racing(&comparison)));
     for other in comparison.waiting().into_iter().chain([first[1]]) {
         comparison.choose(other, false);
     }

@@ -305,9 +305,9 @@ impl Run {
         self.robot.pose()
     }
 
-    /// The controller's activity, in a few words.
+    /// The controller's activity, in a few words, or that the battery is empty.
     pub fn activity(&self) -> &'static str {
-        self.controller.activity()
+        if self.robot.is_empty() { "battery empty" } else { self.controller.activity() }
     }
 
     /// The blocked part of a person's commands, with reasons; `None` for autonomous controllers.

@@ -112,13 +112,14 @@ fn what_a_person_did_happens_again_after_scrubbing() {
 fn what_is_clean_stays_clean_when_the_room_is_changed() {
     let mut session = opened();
     session.run_ahead(600.0);
-    let before = session.view().coverage;
-    assert!(before > 0.1, "{before}");
+    let (before, again) = (session.view().coverage, session.view().overlap);
+    assert!(before > 0.1 && again > 0.05, "{before} {again}");
     session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
     session.go_on_stroke(Point::new(2.4, 1.5));
     session.end_stroke();
     session.plan_now(|| 0.0);
     let view = session.view();
+    assert!(view.overlap < 0.02, "the new run has swept next to nothing again: {}", view.overlap);
     assert!(view.time_s < 1.0 && (view.coverage - before).abs() < 0.05, "{} after {before}", view.coverage);
     assert!((view.swept_before - view.coverage).abs() < 0.01, "{}", view.swept_before);
     // A second change before the robot has moved, and its undo, lose nothing.

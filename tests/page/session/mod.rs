@@ -40,6 +40,16 @@ fn opens_with_a_robot_that_cleans_the_flat() {
     assert!(view.can.pause && !view.can.play && view.can.seek);
 }
 
+#[test]
+fn a_behaviour_whose_battery_is_empty_says_so_and_not_what_it_was_about_to_do() {
+    let mut session = opened();
+    session.restore("room=empty&behaviour=bounce&charge=1").unwrap();
+    session.plan_now(|| 0.0);
+    finish(&mut session);
+    let view = session.view();
+    assert_eq!((view.state, view.activity), (SessionState::Finished, "battery empty"));
+}
+
 // slow: the contract of the rooms that ship: each is planned and driven to its end
 #[test]
 fn every_room_is_cleaned_to_the_end() {

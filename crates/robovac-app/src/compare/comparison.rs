@@ -170,7 +170,10 @@ impl Comparison {
         let behaviours = self.entrants.to_link(true);
         let behaviours = if behaviours.is_empty() { behaviours } else { format!("&behaviours={behaviours}") };
         let pace = if self.speed == SPEED { String::new() } else { format!("&pace={}", self.speed) };
-        format!("vs={}{behaviours}&rooms={}&seeds={}{pace}", self.entrants.to_link(false), self.set.id(), self.seeds)
+        let bench = self.entrants.bench_to_link(&self.waiting());
+        let bench = if bench.is_empty() { bench } else { format!("&bench={bench}") };
+        let planners = self.entrants.to_link(false);
+        format!("vs={planners}{behaviours}{bench}&rooms={}&seeds={}{pace}", self.set.id(), self.seeds)
     }
 
     /// Reads the pairs that [`Comparison::to_link`] wrote, among others, joined by `&`. Changes nothing on an error.
@@ -190,6 +193,9 @@ impl Comparison {
                 "pace" => speed = pace(value)?,
                 _ => {}
             }
+        }
+        if let Some((_, places)) = pairs().find(|&(key, _)| key == "bench") {
+            entrants.bench(places);
         }
         (self.entrants, self.set, self.seeds) = (entrants, set, number);
         self.set_speed(speed);

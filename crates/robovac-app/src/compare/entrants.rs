@@ -234,6 +234,26 @@ impl Entrants {
         chosen.map(|&entrant| self.all[entrant].to_string()).collect::<Vec<_>>().join(",")
     }
 
+    /// The chosen ones as a link lists them: planners, then behaviours.
+    fn listed(&self) -> impl Iterator<Item = usize> {
+        [false, true]
+            .into_iter()
+            .flat_map(|behaves| self.chosen.iter().copied().filter(move |&entrant| self.is_behaviour(entrant) == behaves))
+    }
+
+    /// The places in a link of those that don't race: taken out of the race, or `waiting` for a lane.
+    pub fn bench_to_link(&self, waiting: &[usize]) -> String {
+        let places = self.listed().enumerate().filter(|(_, it)| waiting.contains(it) || self.benched.contains(it));
+        places.map(|(place, _)| place.to_string()).collect::<Vec<_>>().join(",")
+    }
+
+    /// Takes those at these places of a link out of the race; what isn't a place is left out.
+    pub fn bench(&mut self, link: &str) {
+        let listed: Vec<usize> = self.listed().collect();
+        let places = link.split(',').filter_map(|place| place.parse::<usize>().ok());
+        self.benched.extend(places.filter_map(|place| listed.get(place)));
+    }
+
     /// Excludes all, and removes all copies.
     pub fn clear(&mut self) {
         self.chosen.clear();

@@ -283,8 +283,14 @@ fn explain(name: &str, error: ImageError) -> MapError {
         ImageError::Limits(_) => MapError::BadImage { name, cause: "decoding it takes too much memory".to_owned() },
         // The decoder of plain PGM has no error kind of its own for this.
         other if other.to_string().contains("Not enough data") => MapError::Truncated { name, part: "picture" },
-        other => MapError::BadImage { name, cause: other.to_string() },
+        other => MapError::BadImage { name, cause: in_short(&other.to_string()) },
     }
+}
+
+/// A decoder's reason without its name and its numbers: "CRC error" of "Format error decoding Png: CRC error: expected 0x505".
+fn in_short(message: &str) -> String {
+    let (_, reason) = message.split_once("decoding ").and_then(|(_, rest)| rest.split_once(": ")).unwrap_or(("", message));
+    reason.split(": ").next().unwrap_or(reason).trim_end_matches('.').to_owned()
 }
 
 #[cfg(test)]
