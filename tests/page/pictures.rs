@@ -489,7 +489,17 @@ fn plans_on_paper_offer_its_scales() {
     assert_eq!((session.view().asks.as_str(), session.view().papers.len()), ("", 0));
     // A scanned sheet.
     let sheet = GrayImage::from_fn(424, 300, |x, y| Luma([if x % 100 < 4 || y % 100 < 4 { 0 } else { 255 }]));
-    let names: Vec<String> = opened(&sheet).view().units.into_iter().map(|unit| unit.name).collect();
+    let mut session = opened(&sheet);
+    // Turned, it is the same sheet.
+    for turn in [0.0, 8.0] {
+        change(&mut session, |settings| settings.turn = turn);
+        let units = session.view().units;
+        let sheet = units.iter().find(|unit| unit.name == "A4 sheet, 1:100").unwrap();
+        assert!((sheet.metre - 29.7 / 424.0).abs() < 1e-9, "{turn}: {units:?}");
+        assert!(units.iter().all(|unit| !unit.name.contains("Letter")), "{turn}: {units:?}");
+    }
+    change(&mut session, |settings| settings.turn = 0.0);
+    let names: Vec<String> = session.view().units.into_iter().map(|unit| unit.name).collect();
     assert!(names.contains(&"A4 sheet, 1:100".to_owned()) && names.contains(&"A3 sheet, 1:50".to_owned()), "{names:?}");
     let letter = GrayImage::from_fn(440, 340, |x, y| Luma([if x % 100 < 4 || y % 100 < 4 { 0 } else { 255 }]));
     let units = opened(&letter).view().units;

@@ -149,7 +149,9 @@ impl DrawingSource {
                 let unknown = if original.is_some() { 0.001 } else { 0.0254 / 96.0 };
                 Some(drawing.metre.unwrap_or(unknown)).filter(|metre| size.max() * metre <= LARGEST_SHEET)
             }
-            Self::Image { .. } => {
+            Self::Image { shades, .. } => {
+                // As it is in the file: turned, its box has other sides.
+                let size = Vector::new(shades.width() as f64, shades.height() as f64);
                 let is_sheet = (size.min() * longer / (size.max() * shorter) - 1.0).abs() <= SHEET_NEAR;
                 is_sheet.then(|| longer / size.max())
             }
