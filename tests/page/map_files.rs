@@ -331,7 +331,10 @@ mod formats {
             (message(&[file("a.pgm", "P2 2 2 255\n1 2 3 x")]), "\"a.pgm\" is damaged: "),
             (message(&[file("a.jpg", b"\xff\xd8\xff\xe0")]), "\"a.jpg\" is damaged: "),
             (
-                message(&[file("a.png", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x02\0\0\0\x02\x08\0\0\0\0\x05\x05\x05\x05")]),
+                message(&[file(
+                    "a.png",
+                    b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x02\0\0\0\x02\x08\0\0\0\0\x05\x05\x05\x05",
+                )]),
                 "\"a.png\" is damaged: CRC error; save the image again, best as PNG",
             ),
         ]);

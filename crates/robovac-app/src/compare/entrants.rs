@@ -236,9 +236,9 @@ impl Entrants {
 
     /// The chosen ones as a link lists them: planners, then behaviours.
     fn listed(&self) -> impl Iterator<Item = usize> {
-        [false, true]
-            .into_iter()
-            .flat_map(|behaves| self.chosen.iter().copied().filter(move |&entrant| self.is_behaviour(entrant) == behaves))
+        [false, true].into_iter().flat_map(move |behaves| {
+            self.chosen.iter().copied().filter(move |&entrant| self.is_behaviour(entrant) == behaves)
+        })
     }
 
     /// The places in a link of those that don't race: taken out of the race, or `waiting` for a lane.

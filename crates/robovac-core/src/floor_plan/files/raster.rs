@@ -289,7 +289,8 @@ fn explain(name: &str, error: ImageError) -> MapError {
 
 /// A decoder's reason without its name and its numbers: "CRC error" of "Format error decoding Png: CRC error: expected 0x505".
 fn in_short(message: &str) -> String {
-    let (_, reason) = message.split_once("decoding ").and_then(|(_, rest)| rest.split_once(": ")).unwrap_or(("", message));
+    let (_, reason) =
+        message.split_once("decoding ").and_then(|(_, rest)| rest.split_once(": ")).unwrap_or(("", message));
     reason.split(": ").next().unwrap_or(reason).trim_end_matches('.').to_owned()
 }
 
