@@ -209,7 +209,7 @@ test("getting lost says that clock and figures restart, and leads back", async (
   const before = await explore(app, 150);
   await page.locator("#map-lose").click();
   await page.locator("#map-began").waitFor();
-  assert.match(await page.locator("#map-began-text").textContent(), /restart.*\d:\d\d min, \d+ % mapped\) is kept/);
+  assert.match(await page.locator("#map-began-text").textContent(), /restart.*\d:\d\d min, \d+\.\d % mapped\) is kept/);
   assert.ok((await figures(app)).time < before.time);
   // What counts now is where it is, not what is mapped.
   await app.poll(() => page.locator("#map-curve-name").textContent(), (text) => /^Position error over time/.test(text));
