@@ -45,6 +45,7 @@ impl Connection {
             }
             Request::Disconnect => {
                 self.end_ride("Disconnected.");
+                // Whoever connects then begins anew.
                 (self.ride, self.distance_m) = (None, 0.0);
                 self.driver.leave(now);
                 // The next one may be another robot.
