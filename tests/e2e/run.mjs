@@ -41,7 +41,6 @@ const isStop = (file) => /^connection-(bridge|stop|window)\.test/.test(path.base
 const hasOneTry = (file) => /^connection-(bridge|stop)\.test/.test(path.basename(file));
 /** Of each file, the tests with these names; the ends of files are always among them. */
 const testNamePatterns = process.env.ONLY ? [process.env.ONLY, "^end of "] : undefined;
-const timeout = 900_000 * Math.max(1, Number(process.env.LINK_ROUNDS ?? 0) / 10);
 /** How long every test took that has run, in ms, and what it is called. */
 const took = [];
 
@@ -66,7 +65,7 @@ async function runAll(files, lanes) {
   if (files.length === 0) return failed;
   const taken = fs.mkdtempSync(path.join(os.tmpdir(), "robovac-e2e-"));
   Object.assign(process.env, { E2E_FILES: JSON.stringify(files), E2E_TAKEN: taken });
-  const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, "lane.mjs")), concurrency: lanes, timeout, testNamePatterns })
+  const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, "lane.mjs")), concurrency: lanes, testNamePatterns })
     .on("test:pass", note)
     .on("test:fail", (test) => {
       note(test);
