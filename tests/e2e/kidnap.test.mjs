@@ -126,6 +126,11 @@ test("a robot with a plan is carried at the pointer, and the page says that it d
   await app.says(/follows its plan by odometry and can't detect that it was kidnapped/);
   await page.locator("#senses-fold summary").click();
   await app.poll(() => events(page), (text) => /put down, follows its plan as before/.test(text));
+  // In another tab it would mean nothing.
+  await page.locator("#tab-compare").click();
+  await page.locator("#message").waitFor({ state: "hidden" });
+  await page.locator("#tab-explore").click();
+  await app.says(/can't detect that it was kidnapped/);
 });
 
 test("before the run begins, dragging the robot moves the start", async (t) => {

@@ -126,6 +126,19 @@ test("everything works by keyboard, the robot in the hand included", async (t) =
   await page.keyboard.press("Enter");
   await phase("paused");
   await app.poll(() => figures(app), ({ error }) => error !== before);
+  // By hand: a tap puts it down there, a drag of the floor doesn't.
+  await page.keyboard.press("p");
+  await phase("held");
+  const { x, y, width, height } = await page.locator("#map-floor").boundingBox();
+  const middle = [x + width / 2, y + height / 2];
+  await page.mouse.move(...middle);
+  await page.mouse.down();
+  await page.mouse.move(middle[0] + 30, middle[1] + 10, { steps: 3 });
+  await page.mouse.up();
+  await app.frames(2);
+  await phase("held");
+  await page.mouse.click(...middle);
+  await phase("paused");
   await page.keyboard.press("r");
   await app.poll(() => figures(app), ({ time }) => time === 0);
   await page.locator("#map-scrubber").focus();
@@ -155,8 +168,10 @@ test("a reload goes on where it was", async (t) => {
   await phase("paused");
   assert.equal((await figures(app)).time, late.time);
   await app.linked("tab", (tab) => tab === "map");
-  // Start afresh forgets it for good.
+  // Forget map asks first.
   await page.locator("#map-forget").click();
+  assert.equal((await figures(app)).time, late.time);
+  await page.getByRole("button", { name: "Forget it for good" }).click();
   await app.poll(() => stored(page), (ends) => ends.length === 0);
   await page.reload();
   await phase("ready");

@@ -3,8 +3,8 @@
 use coverage_planners::{PLANNERS, find, metrics::METRICS};
 use robovac_app::{
     compare::{
-        Comparison, ComparisonTable, MOST_LANES, MedianAndRange, PrintedRow, RoomChoice, Row, TrialProgress, to_csv,
-        to_json,
+        Comparison, ComparisonTable, MOST_LANES, ManyRuns, ManyRunsPlace, MedianAndRange, PrintedRow, RoomChoice, Row,
+        TrialProgress, to_csv, to_json,
     },
     explore::{Session, SessionState},
 };
@@ -286,6 +286,20 @@ fn files_hold_every_trial_with_all_numbers() {
     let json: serde_json::Value = serde_json::from_str(&to_json(&comparison.records())).expect("it is JSON");
     assert_eq!(json[1]["numbers"]["turns"], 34.0);
     assert_eq!(json[0]["error"], "a \"reason\", with a comma");
+}
+
+#[test]
+fn files_name_an_own_robot_with_what_makes_it_one() {
+    let mut session = Session::new();
+    session.restore("room=room12ft&robot=roomba600&own=tool:0.28,speed:0.25").expect("it is a link");
+    let mut comparison = comparison(&session, &["snake"]);
+    work(&mut comparison);
+    let csv = to_csv(&comparison.records());
+    assert!(csv.contains(",\"roomba600 own:tool:0.28,speed:0.25\",0."), "{csv}");
+    let mut many = ManyRuns::new();
+    many.take(&session);
+    let place = ManyRunsPlace::new(&many).map(|place| serde_json::to_value(place).expect("it is JSON"));
+    assert_eq!(place.expect("there is a room")["robot"], "Own robot");
 }
 
 #[test]

@@ -96,7 +96,7 @@ export function startRuns(app, module, guard, mirror) {
     setHidden(byId("runs-chart"), known.length === 0);
     /** @type {import("../types").ManyRunsPlace | null} */
     const place = study.place();
-    setText(byId("runs-title"), place ? titleOf(app, place, view, rows) : "");
+    setText(byId("runs-title"), place ? titleOf(place, view, rows) : "");
     setText(byId("runs-note"), `Lines and large numbers are medians; bands and small numbers span the 10 % to 90 % quantiles.${view.minutes > 60 ? " When its battery is low, a robot goes to its dock or stops; from then on its curve is level." : ""}`);
     chart.show(known.map((row) => ({ ...row, ...bandsOf(study.curve(row.index)) })), view.minutes);
     showTable(byId("runs-table"), rows, view.minutes, (which) => chart.stress(which === undefined ? undefined : known.findIndex((row) => row === rows[which])));
@@ -138,12 +138,11 @@ export function bandsOf(flat) {
   return { low: flat.subarray(0, third), median: flat.subarray(third, 2 * third), high: flat.subarray(2 * third) };
 }
 
-/** @param {import("../main.js").App} app @param {import("../types").ManyRunsPlace} place @param {View} view @param {{ explores: boolean }[]} rows */
-function titleOf({ catalogue }, { room, robot, slip, noise, quantised, start_charge_percent: charge }, { minutes }, rows) {
+/** @param {import("../types").ManyRunsPlace} place @param {View} view @param {{ explores: boolean }[]} rows */
+function titleOf({ room, robot, slip, noise, quantised, start_charge_percent: charge }, { minutes }, rows) {
   const all = rows.every(({ explores }) => explores);
   const what = all ? "Boundary found" : rows.some(({ explores }) => explores) ? "Coverage (boundary found, for explorers)" : "Coverage";
-  const title = catalogue.robots.find(({ id }) => id === robot)?.title ?? robot;
-  return `${what} over ${minutes} minutes: ${room}, ${title}, slip ${slip}, noise ${noise}${quantised ? ", rounded wheel speeds" : ""}${charge < 100 ? `, start charge ${charge} %` : ""}`;
+  return `${what} over ${minutes} minutes: ${room}, ${robot}, slip ${slip}, noise ${noise}${quantised ? ", rounded wheel speeds" : ""}${charge < 100 ? `, start charge ${charge} %` : ""}`;
 }
 
 /** @param {View} view @param {Offer} offer @param {HTMLElement[]} items */

@@ -83,10 +83,12 @@ export function startCompare(app, module, guard) {
     /** Once a frame while the tab is shown. @param {number} now */
     frame(now) {
       updatePlace(app);
-      if (shownView() === "study") return;
+      // What isn't an error is about the robot in Explore.
+      const said = app.view.message_kind === "error" ? app.view : { message: "", message_kind: "" };
+      if (shownView() === "study") return said;
       if (shownView() === "runs") {
         runs.frame();
-        return;
+        return said;
       }
       comparison.take(mirror());
       pool.tend();
@@ -101,6 +103,7 @@ export function startCompare(app, module, guard) {
       updateSetup(it);
       if (shownView() === "race") race.update(it.view);
       else updateNumbers(it.view);
+      return said;
     },
     /** @param {string} link */
     restore(link) {
@@ -152,9 +155,9 @@ const trialsOf = (comparison, program) => ({
 });
 
 /** Where all of it happens. @param {App} app */
-function updatePlace({ view: { room, robot, cell_size_m, seed, slip }, catalogue }) {
+function updatePlace({ playground, view: { room, cell_size_m, seed, slip } }) {
   setText(byId("compare-room"), room.title);
-  const title = catalogue.robots.find(({ id }) => id === robot)?.title ?? robot;
+  const { title } = playground.robot();
   const slips = slip === "none" ? "" : `, ${slip} wheel slip${shownView() === "runs" ? "" : " in the race"}`;
   const where = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}${slips}.`;
   setText(byId("compare-robot"), where);

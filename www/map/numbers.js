@@ -1,7 +1,7 @@
 // @ts-check
 // The figures: three large ones, and the table that holds the map against one by odometry alone.
 import { byId, make, setText } from "../dom.js";
-import { clock, percent } from "../format.js";
+import { clock, percent, smallLength } from "../format.js";
 
 /**
  * @typedef {import("../types").MapErrorFigures} Figures
@@ -9,12 +9,9 @@ import { clock, percent } from "../format.js";
  * @typedef {{ label: string, tip: string, of: (figures: Figures) => string }} Row
  */
 
-/** @param {number} metres */
-const centimetres = (metres) => (metres < 1 ? `${(100 * metres).toFixed(1)} cm` : `${metres.toFixed(2)} m`);
-
 /** @type {Row[]} */
 const ROWS = [
-  { label: "Position error", tip: "Current distance between true and estimated position.", of: ({ position_m }) => (position_m === null ? "lost" : centimetres(position_m)) },
+  { label: "Position error", tip: "Current distance between true and estimated position.", of: ({ position_m }) => (position_m === null ? "lost" : smallLength(position_m)) },
   { label: "Heading error", tip: "Current angle between true and estimated heading.", of: ({ heading_deg }) => (heading_deg === null ? "lost" : `${heading_deg.toFixed(1)}°`) },
   { label: "Cells right", tip: "Share of the map's known cells that are right, to within one 5 cm cell.", of: ({ right }) => `${percent(right)} %` },
   { label: "Boundary mapped", tip: "Share of the walls and furniture within the bumper's reach that are on the map, to within one cell.", of: ({ boundary }) => `${percent(boundary)} %` },
@@ -23,7 +20,7 @@ const ROWS = [
 
 /** @type {{ label: string, tip: string, of: (view: MapView) => string }[]} */
 const SINGLE = [
-  { label: "Own error estimate", tip: "The robot's own estimate: one standard deviation of the position (along the longer axis) and of the heading. Ellipse and wedge on the map show two.", of: ({ spread }) => (spread ? `±${centimetres(spread[0])}, ±${spread[1].toFixed(1)}°` : "–") },
+  { label: "Own error estimate", tip: "The robot's own estimate: one standard deviation of the position (along the longer axis) and of the heading. Ellipse and wedge on the map show two.", of: ({ spread }) => (spread ? `±${smallLength(spread[0])}, ±${spread[1].toFixed(1)}°` : "–") },
   { label: "Cleaned by its map", tip: "Estimated swept share of the reachable floor on its own map, and what is left. Shown once it cleans with its map.", of: ({ by_map }) => (by_map ? `${percent(by_map[0] / Math.max(by_map[1], 1e-9))} %, ${(by_map[1] - by_map[0]).toFixed(1)} m² left` : "–") },
   { label: "Actually cleaned", tip: "Share of the reachable floor actually swept since the figures started.", of: ({ coverage }) => `${percent(coverage)} %` },
   { label: "Estimated cleaned", tip: "Estimated swept area on its own map; not counted while it is lost.", of: ({ cleaned_m2 }) => `${cleaned_m2.toFixed(1)} m²` },
@@ -57,7 +54,7 @@ export function startNumbers(_it) {
     }
     drifts.forEach(({ cells }, i) => {
       const [position, heading] = view.drifts[i] ?? [0, 0];
-      [centimetres(position), `${heading.toFixed(1)}°`].forEach((text, j) => cells[j] && setText(cells[j], view.time_s > 0 ? text : "–"));
+      [smallLength(position), `${heading.toFixed(1)}°`].forEach((text, j) => cells[j] && setText(cells[j], view.time_s > 0 ? text : "–"));
     });
     for (const { row, cell } of single) setText(cell, row.of(view));
     setText(byId("map-here"), view.known !== null ? "Relocalising" : view.grid === "thesis" ? "Thesis" : view.tracking === "odometry" ? "Robot" : "Corrected");
@@ -65,8 +62,8 @@ export function startNumbers(_it) {
     setText(byId("map-n-boundary"), view.figures ? percent(view.figures.boundary) : "–");
     setText(byId("map-n-time"), clock(view.time_s));
     setText(byId("map-n-time-unit"), view.time_s < 3600 ? "min" : "h");
-    const error = view.figures?.position_m ?? 0;
-    setText(byId("map-n-error"), has && view.figures?.position_m === null ? "lost" : has ? (error < 1 ? (100 * error).toFixed(error < 0.1 ? 1 : 0) : error.toFixed(2)) : "–");
-    setText(byId("map-n-error-unit"), view.figures?.position_m === null ? "" : error < 1 ? "cm" : "m");
+    const [error = "–", unit = ""] = !has ? [] : view.figures?.position_m === null ? ["lost"] : smallLength(view.figures?.position_m ?? 0).split(/\s/);
+    setText(byId("map-n-error"), error);
+    setText(byId("map-n-error-unit"), unit);
   };
 }

@@ -2,7 +2,7 @@
 // Time: play, step, speed, and the time line with the share of the boundary that is mapped; of a robot that is lost on a map,
 // with how far off it is.
 import { button, byId, changed, setAttribute, setText } from "../dom.js";
-import { clock, pace, percent } from "../format.js";
+import { clock, pace, percent, smallLength } from "../format.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { startTimeLine, startTransport, through } from "../shared/time-line.js";
 
@@ -67,7 +67,7 @@ export function rangeOf(view) {
 /** How far off it is, in words. @param {import("../types").MapView} view */
 function off({ figures }) {
   const error = figures?.position_m;
-  return error === null || error === undefined ? "lost" : `off by ${error < 1 ? `${(100 * error).toFixed(0)} cm` : `${error.toFixed(2)} m`}`;
+  return error === null || error === undefined ? "lost" : `off by ${smallLength(error)}`;
 }
 
 /** @param {number} metres */

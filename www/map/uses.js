@@ -31,10 +31,18 @@ export function startUses(it, keeping) {
     const { saveBag } = await import("../bags.js");
     await saveBag({ snapshot: app.playground.snapshot(), link: session.link(), stored, log: session.program_log() }, `${fileName(it.view.title)}.mapping`);
   });
-  button("map-forget").addEventListener("click", () => {
-    if (!it.act((s) => s.forget())) return;
-    keeping.forget();
+  const forget = button("map-forget");
+  const ask = (/** @type {string} */ sure) => {
+    forget.dataset.sure = sure;
+    setText(forget, sure ? "Forget it for good" : "Forget map");
+  };
+  forget.addEventListener("click", () => {
+    // There is no way back.
+    if (!forget.dataset.sure) return ask("yes");
+    ask("");
+    if (it.act((s) => s.forget())) keeping.forget();
   });
+  forget.addEventListener("blur", () => ask(""));
   button("map-clean").addEventListener("click", () => it.act((s) => s.clean()));
   fill(select("map-planner"), it.cleaners);
   select("map-planner").addEventListener("change", () => {

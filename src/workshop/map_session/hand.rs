@@ -31,6 +31,11 @@ enum MapGesture {
         x: f64,
         y: f64,
     },
+    /// Puts the lifted robot down here on release, unless the view is panned.
+    Tap {
+        x: f64,
+        y: f64,
+    },
     /// Grips the robot, whose centre is `grip` from the pointer that went down at (`x`, `y`).
     Grip {
         x: f64,
@@ -65,11 +70,25 @@ impl RobotHand {
 #[wasm_bindgen]
 impl MapSession {
     /// Handles a pointer event at (`x`, `y`), CSS pixels: `down`, `move`, `up` or `cancel`. It pans the view, or
-    /// carries the robot if it went down on it.
+    /// carries the robot if it went down on it. A tap elsewhere puts a lifted robot down.
     pub fn pointer(&mut self, what: &str, x: f64, y: f64) {
         let at = self.viewport.to_world(x, y);
         match (what, self.hand.gesture) {
-            ("down", _) => self.hand.gesture = Some(self.grip(at, x, y).unwrap_or(MapGesture::Pan { x, y })),
+            ("down", _) => {
+                let elsewhere = if self.hand.holds() { MapGesture::Tap { x, y } } else { MapGesture::Pan { x, y } };
+                self.hand.gesture = Some(self.grip(at, x, y).unwrap_or(elsewhere));
+            }
+            ("move", Some(MapGesture::Tap { x: from_x, y: from_y }))
+                if (Point::new(x, y) - Point::new(from_x, from_y)).norm() >= LEAST_LIFT_PX =>
+            {
+                self.viewport.pan(x - from_x, y - from_y);
+                self.hand.gesture = Some(MapGesture::Pan { x, y });
+            }
+            ("up", Some(MapGesture::Tap { .. })) => {
+                self.carry_to(at);
+                self.put_down();
+                self.hand.gesture = None;
+            }
             ("move", Some(MapGesture::Pan { x: from_x, y: from_y })) => {
                 self.viewport.pan(x - from_x, y - from_y);
                 self.hand.gesture = Some(MapGesture::Pan { x, y });

@@ -23,6 +23,8 @@ pub(super) struct ComparisonBase {
     pub prepared: Option<RoomSetup>,
     start: Option<Pose>,
     pub robot: &'static str,
+    /// Name of the robot in exports.
+    pub robot_name: String,
     pub custom: Option<CustomRobot>,
     pub cell_size: f64,
     pub seed: u64,
@@ -50,6 +52,7 @@ impl ComparisonBase {
             prepared: session.planning_room(),
             start: session.start(),
             robot: settings.robot,
+            robot_name: settings.robot_name(),
             custom: settings.custom.clone(),
             cell_size: settings.cell_size,
             seed: settings.seed,

@@ -383,7 +383,7 @@ impl Comparison {
         let Some(base) = &self.base else { return Vec::new() };
         let record = |(t, result): (&Trial, _)| Record {
             room: self.room_name(t.room),
-            robot: base.robot,
+            robot: &base.robot_name,
             cell_size: base.cell_size,
             entrant: self.entrants.get(t.entrant),
             seed: t.seed,

@@ -15,7 +15,7 @@ use std::{collections::BTreeMap, fmt::Write};
 pub struct Record<'a> {
     /// Name of the room.
     pub room: &'a str,
-    /// Id of the robot.
+    /// Name of the robot: its id, with what makes it an own one or a twin.
     pub robot: &'a str,
     /// Side of the planning cells, m.
     pub cell_size: f64,
@@ -83,8 +83,8 @@ pub fn to_csv(records: &[Record<'_>]) -> String {
     csv.push('\n');
     for r in records {
         let error = r.result.as_ref().err().map_or("", String::as_str);
-        let (room, error) = (quoted(r.room), quoted(error));
-        let _ = write!(csv, "{room},{},{},{},{},{error},", r.robot, r.cell_size, r.entrant, r.seed);
+        let (room, robot, error) = (quoted(r.room), quoted(r.robot), quoted(error));
+        let _ = write!(csv, "{room},{robot},{},{},{},{error},", r.cell_size, r.entrant, r.seed);
         let numbers = r.result.as_ref().ok();
         csv += &numbers.and_then(|n| Some(n.walk?.reachable_cells.to_string())).unwrap_or_default();
         match numbers.and_then(|n| n.bounds) {

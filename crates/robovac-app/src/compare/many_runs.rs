@@ -5,6 +5,7 @@ use crate::explore::{ProgramJob, Session, SessionSnapshot};
 use robovac_core::{
     floor_plan::{FloorPlan, Scenario},
     program::{Program, ProgramKind},
+    robot::RobotModel,
 };
 use robovac_sim::{
     experiment::{Algorithm, BEHAVIOUR, Entrant, PLANNER, Settings, SettingsError},
@@ -63,6 +64,8 @@ struct RunBatch {
 struct StudyBase {
     plan: Arc<FloorPlan>,
     title: String,
+    /// Name of the robot in exports.
+    robot: String,
     room: Option<&'static str>,
     settings: Settings,
     /// The settings that runs depend on, as in a link.
@@ -89,6 +92,7 @@ impl StudyBase {
         Self {
             plan: Arc::clone(session.plan()),
             title: session.room_title(),
+            robot: settings.robot_name(),
             room,
             job: settings.program().and_then(|program| session.job_beside(program.kind)),
             settings,
@@ -212,9 +216,14 @@ impl ManyRuns {
         !entrant.algorithm.is_program() || self.program_of(entrant).is_some()
     }
 
+    /// The robot of all runs, once there is one.
+    pub fn robot(&self) -> Option<RobotModel> {
+        self.base.as_ref().map(|base| base.settings.robot_model())
+    }
+
     /// What the robot lacks for an algorithm to do anything; empty if nothing.
     pub fn lacks(&self, entrant: usize) -> &'static str {
-        let robot = self.base.as_ref().map(|base| base.settings.robot_model());
+        let robot = self.robot();
         let algorithm = self.entrants.get(entrant).map(|entrant| entrant.algorithm);
         algorithm.zip(robot).map_or("", |(algorithm, robot)| lacking(algorithm, &robot))
     }
@@ -443,7 +452,7 @@ impl ManyRuns {
         let base = self.base.as_ref()?;
         let head = RunsHeader {
             room: &base.title,
-            robot: base.settings.robot,
+            robot: &base.robot,
             cell_size_m: base.settings.cell_size,
             conditions: base.settings.conditions,
             odometry: base.settings.odometry,

@@ -123,7 +123,8 @@ impl<'a> ManyRunsView<'a> {
 impl<'a> ManyRunsPlace<'a> {
     /// The place of `many`; `None` before it has a room.
     pub fn new(many: &'a ManyRuns) -> Option<Self> {
-        let (RunsHeader { room, robot, conditions, .. }, _) = many.export()?;
+        let (RunsHeader { room, conditions, .. }, _) = many.export()?;
+        let robot = many.robot()?.title;
         let (slip, noise) = (conditions.slip.id(), conditions.noise.to_string());
         let Conditions { quantised, start_charge_percent, .. } = conditions;
         Some(Self { room, robot, slip, noise, quantised, start_charge_percent })

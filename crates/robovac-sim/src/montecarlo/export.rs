@@ -12,7 +12,7 @@ use std::fmt::Write;
 pub struct RunsHeader<'a> {
     /// Name of the room.
     pub room: &'a str,
-    /// Id of the robot.
+    /// Name of the robot, as [`Settings::robot_name`](crate::experiment::settings::Settings::robot_name) has it.
     pub robot: &'a str,
     /// Side of the planning cells, m.
     pub cell_size_m: f64,
@@ -107,7 +107,7 @@ pub fn to_csv(head: &RunsHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     let common = format!(
         "{},{},{},{},{quantised},{start_charge_percent},{}",
         quoted(head.room),
-        head.robot,
+        quoted(head.robot),
         slip.id(),
         quoted(&head.conditions.noise.to_string()),
         head.minutes

@@ -328,6 +328,12 @@ impl Settings {
             && self.chosen_program() == other.chosen_program()
     }
 
+    /// Id of the robot; with what makes it another one, as in a link, if it isn't just the model.
+    pub fn robot_name(&self) -> String {
+        let custom = self.custom.as_ref().filter(|_| self.robot != "cell");
+        custom.map_or_else(|| self.robot.to_owned(), |custom| format!("{} {}:{custom}", self.robot, custom.key()))
+    }
+
     /// The robot, which for the idealised one depends on the size of a cell.
     pub fn robot_model(&self) -> RobotModel {
         match model(self.robot) {
