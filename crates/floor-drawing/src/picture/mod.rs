@@ -1,6 +1,7 @@
 //! Floor plans in images: photographs, scans, exported pictures. Their shades become walls, and rooms are traced from
 //! them as from drawings.
 
+mod door_symbols;
 mod lettering;
 mod level;
 mod local;
@@ -43,7 +44,8 @@ pub struct WallShades {
     pub contrast: f64,
     /// Whether light shades are walls instead.
     pub negate: bool,
-    /// Marks that are smaller than this are left out, pixels; and words, unless it is 0. Not for [`ShadeMethod::Map`].
+    /// Marks that are smaller than this are left out, pixels; and words and symbols of doors, unless it is 0. Not for
+    /// [`ShadeMethod::Map`].
     pub specks: f64,
 }
 
@@ -63,6 +65,7 @@ impl WallShades {
         if self.specks > 0.0 {
             // First, while the pieces of their letters are there.
             lettering::remove(&mut walls);
+            door_symbols::remove(&mut walls);
         }
         specks::remove(&mut walls, self.specks);
         walls.map(|&is_wall| light(is_wall))
