@@ -34,9 +34,16 @@ const SPLITS: [f64; 3] = [0.5, 0.65, 0.35];
 
 /// Removes the symbols of doors, and the lines of their thresholds.
 pub(super) fn remove(walls: &mut Grid<bool>) {
-    let Some(usual) = strokes::usual_thickness(walls) else { return };
-    let by = walls.width().max(walls.height()).div_ceil(LONGEST).min((usual / THINNEST_WALL) as usize).max(1);
-    let (reduced, usual) = (reduced(walls, by), usual / by as f64);
+    // A large picture takes long, and shows no more.
+    let mut by = walls.width().max(walls.height()).div_ceil(LONGEST).max(1);
+    let (reduced, usual) = loop {
+        let reduced = reduced(walls, by);
+        let Some(usual) = strokes::usual_thickness(&reduced) else { return };
+        if by == 1 || usual >= THINNEST_WALL {
+            break (reduced, usual);
+        }
+        by -= 1;
+    };
     let mut found = FoundDoors { doors: Vec::new(), pixels: reduced.map(|_| false) };
     // Thick lines first: of those, the other look sees only the thinnest parts.
     let mut before = u16::MAX;
