@@ -370,7 +370,8 @@ method: ShadeMethod,
 shade: number,
 /** How much darker than their surroundings walls are, 0 to 1. For the method *local*. */
 contrast: number,
-/** Marks of an image that are smaller than this are left out, m; and words, unless it is 0. Not by the method *map*. */
+/** Marks of an image that are smaller than this are left out, m; and words and symbols of doors, unless it
+ * is 0. Not by the method *map*. */
 specks: number,
 /** Whether light shades are walls instead. */
 negate: boolean,

@@ -55,7 +55,8 @@ pub struct FloorPlanSettings {
     /// How much darker than their surroundings walls are, 0 to 1. For the method *local*.
     #[serde(default)]
     pub contrast: f64,
-    /// Marks of an image that are smaller than this are left out, m; and words, unless it is 0. Not by the method *map*.
+    /// Marks of an image that are smaller than this are left out, m; and words and symbols of doors, unless it
+    /// is 0. Not by the method *map*.
     #[serde(default)]
     pub specks: f64,
     /// Whether light shades are walls instead.

