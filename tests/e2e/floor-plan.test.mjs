@@ -291,6 +291,9 @@ test("a terrace door is told with its width, and one press closes it and leaves 
 test("what can't be read is refused, and what was there before stays", async (t) => {
   const { page, app } = await openFloorPlan(t);
   await app.bring(dxf("rooms.dxf", TWO_ROOMS, { units: 6 }));
+  // What the page reads can be chosen, and what it only explains how to convert.
+  const offered = (await page.locator("#files").getAttribute("accept")).split(",");
+  for (const kind of [".dxf", ".svg", ".geojson", ".png", ".jpg", ".jpeg", ".webp", ".heic", ".pdf"]) assert.ok(offered.includes(kind), kind);
   const [before, room] = [await floor(app), await app.room()];
   const block = (name, inside) => ["0", "BLOCK", "8", "0", "2", name, "70", "0", "10", "0", "20", "0", "0", "INSERT", "8", "0", "2", inside, "10", "0", "20", "0", "0", "ENDBLK", "8", "0"];
   const cyclic = ["0", "SECTION", "2", "BLOCKS", ...block("A", "B"), ...block("B", "A"), "0", "ENDSEC", "0", "SECTION", "2", "ENTITIES", "0", "INSERT", "8", "0", "2", "A", "10", "0", "20", "0", "0", "ENDSEC", "0", "EOF"];
