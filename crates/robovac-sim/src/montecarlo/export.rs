@@ -12,7 +12,7 @@ use std::fmt::Write;
 pub struct RunsHeader<'a> {
     /// Name of the room.
     pub room: &'a str,
-    /// Name of the robot, as [`Settings::robot_name`](crate::experiment::settings::Settings::robot_name) has it.
+    /// Name of the robot, as [`Settings::robot_name`](crate::experiment::Settings::robot_name) has it.
     pub robot: &'a str,
     /// Side of the planning cells, m.
     pub cell_size_m: f64,
