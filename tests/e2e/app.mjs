@@ -5,8 +5,8 @@ import { openPage } from "./harness.mjs";
 /** States in which nothing is left to wait for. */
 const SETTLED = ["ready", "playing", "paused", "finished", "failed"];
 
-/** How long a condition is waited for. */
-const PATIENCE_MS = 30_000;
+/** How long a condition is waited for: three browsers on a slow machine with two cores take long. */
+const PATIENCE_MS = 90_000;
 
 /** "1:02" as seconds. */
 export const seconds = (text) => text.split(":").reduce((sum, part) => 60 * sum + Number(part), 0);
