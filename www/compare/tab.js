@@ -155,9 +155,9 @@ const trialsOf = (comparison, program) => ({
 });
 
 /** Where all of it happens. @param {App} app */
-function updatePlace({ playground, view: { room, cell_size_m, seed, slip } }) {
+function updatePlace({ playground, catalogue, view: { room, robot, own_robot: own, twin, cell_size_m, seed, slip } }) {
   setText(byId("compare-room"), room.title);
-  const { title } = playground.robot();
+  const title = own || twin ? playground.robot().title : catalogue.robots.find(({ id }) => id === robot)?.title;
   const slips = slip === "none" ? "" : `, ${slip} wheel slip${shownView() === "runs" ? "" : " in the race"}`;
   const where = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}${slips}.`;
   setText(byId("compare-robot"), where);
