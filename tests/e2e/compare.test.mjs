@@ -124,6 +124,12 @@ test("the copied link brings room, algorithms, parameters, seeds and view to ano
   await page.keyboard.press("Tab");
   await page.locator("#view-numbers").click();
   await app.linked("vs", (vs) => vs === "snake~patience:5,spiral_stc");
+  // The order of the rows and the room of the table, too: twice the same column is the worst first.
+  const sort = page.locator("#compared thead button", { hasText: /^Distance$/ });
+  for (let i = 0; i < 2; i += 1) await sort.click();
+  await page.locator("#table-room").selectOption("2");
+  await app.linked("sort", (metric) => metric?.endsWith("-"));
+  await app.linked("of", (room) => room === "2");
   await page.getByRole("button", { name: "Copy link" }).click();
   const copied = await app.poll(() => page.evaluate(() => navigator.clipboard.readText()), (text) => text.includes("tab=compare"));
 
@@ -136,6 +142,8 @@ test("the copied link brings room, algorithms, parameters, seeds and view to ano
   assert.equal(await other.locator("#compare-seeds").inputValue(), "3");
   assert.equal(await other.locator("#compare-rooms").inputValue(), "shapes");
   assert.equal(await other.locator("#view-numbers").getAttribute("aria-pressed"), "true");
+  await other.locator("#compared thead [aria-sort=descending]", { hasText: "Distance" }).waitFor();
+  assert.equal(await other.locator("#table-room").inputValue(), "2");
   assert.match(await other.locator("#compare-robot").innerText(), /seed 5/);
   assert.equal(await other.locator("#compare-room").innerText(), await page.locator("#compare-room").innerText());
   await new App(other).linked("vs", (vs) => vs === "snake~patience:5,spiral_stc");

@@ -120,6 +120,17 @@ test("everything works by keyboard, the robot in the hand included", async (t) =
   await page.keyboard.press("p");
   await phase("held");
   assert.ok(await page.locator("#map-held").isVisible());
+  await app.frames(3);
+  const { x: left, y: top, width: wide, height: high } = await page.locator("#map-held").boundingBox();
+  const under = await page.evaluate(([left, top, wide, high]) => {
+    const canvas = document.getElementById("map-floor");
+    const [floor, copy] = [canvas.getBoundingClientRect(), new OffscreenCanvas(canvas.width, canvas.height).getContext("2d")];
+    const scale = canvas.width / floor.width;
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(...[left - floor.left, top - floor.top, wide, high].map((side) => Math.round(side * scale)));
+    return new Set(new Uint32Array(data.buffer)).size;
+  }, [left, top, wide, high]);
+  assert.ok(under <= 3, `nothing but the ground and its grid is under the note: ${under} colours`);
   const before = (await figures(app)).error;
   for (const key of ["ArrowRight", "ArrowUp", "Shift+ArrowLeft"]) await page.keyboard.press(key);
   for (let i = 0; i < 6; i++) await page.keyboard.press("ArrowRight");

@@ -15,11 +15,15 @@ import { cueScroll } from "./scroll-cue.js";
 /** Table 2 of Emu & Obaida 2020: their three algorithms in a room with as many cells as theirs. */
 const TABLE_2 = { place: "room=thesis226&robot=cell&cell=0.2&seed=1", plans: "vs=spiral,snake,genetic&rooms=this&seeds=1" };
 
-/** @param {import("./tab.js").Comparing} it @returns {(view: import("../types").ComparisonView) => void} */
+/** What rows are sorted by, and whether upside down. @typedef {{ metric: string, down: boolean } | undefined} Order */
+
+/** @param {import("./tab.js").Comparing} it */
 export function startNumbers(it) {
   const { comparison, app } = it;
-  /** Column that rows are sorted by, and whether upside down. @type {{ column: number, down: boolean } | undefined} */
+  /** @type {Order} */
   let order;
+  /** The room of a link, until the menu has it. */
+  let wanted = "";
   /** @type {Table | undefined} */
   let table;
   const head = byId("compared").querySelector("thead");
@@ -31,9 +35,9 @@ export function startNumbers(it) {
     if (app.act((p) => p.restore(TABLE_2.place)) && it.act((c) => c.restore(TABLE_2.plans))) button("view-numbers").click();
   });
 
-  /** @param {number} column */
-  const sortBy = (column) => {
-    order = order?.column === column ? (order.down ? undefined : { column, down: true }) : { column, down: false };
+  /** @param {string} metric */
+  const sortBy = (metric) => {
+    order = order?.metric === metric ? (order.down ? undefined : { metric, down: true }) : { metric, down: false };
     show();
   };
 
@@ -49,17 +53,36 @@ export function startNumbers(it) {
     if (same instanceof HTMLElement) same.focus({ preventScroll: true });
   };
 
-  return (view) => {
+  /** @param {import("../types").ComparisonView} view */
+  const update = (view) => {
     const menu = select("table-room");
     if (changed(menu, "rooms", view.rooms.join("\n"))) {
       const all = view.rooms.length > 1 ? [/** @type {[string, string]} */ (["all", `all ${view.rooms.length} rooms together`])] : [];
       fill(menu, [...all, ...view.rooms.map((name, index) => /** @type {[string, string]} */ ([String(index), name]))]);
     }
+    const room = [...menu.options].find(({ value }) => value === wanted);
+    if (room) [menu.value, wanted] = [room.value, ""];
     if (!changed(body, "table", `${view.version} ${menu.value}`)) return;
-    const room = menu.value === "all" ? undefined : Number(menu.value);
-    table = comparison.table(room);
-    setText(byId("table-note"), `${note(view, room === undefined)} ${table ? proven(table) : ""} ${table ? beside(table) : ""}`.trim());
+    const chosen = menu.value === "all" ? undefined : Number(menu.value);
+    table = comparison.table(chosen);
+    setText(byId("table-note"), `${note(view, chosen === undefined)} ${table ? proven(table) : ""} ${table ? beside(table) : ""}`.trim());
     show();
+  };
+
+  return {
+    update,
+    /** What the view adds to a link. */
+    link() {
+      const menu = select("table-room");
+      return `${order ? `&sort=${order.metric}${order.down ? "-" : ""}` : ""}${menu.selectedIndex > 0 ? `&of=${menu.value}` : ""}`;
+    },
+    /** @param {URLSearchParams} pairs */
+    restore(pairs) {
+      const [, metric, down] = /^(\w+)(-?)$/.exec(pairs.get("sort") ?? "") ?? [];
+      order = metric ? { metric, down: down === "-" } : undefined;
+      wanted = pairs.get("of") ?? "";
+      show();
+    },
   };
 }
 
@@ -82,20 +105,21 @@ function beside({ rows }) {
   return "Dashed bars: Table 2 as Emu & Obaida print it. Their room is lost; this one has as many cells and was laid out so that the snake does about what is printed. Compare the order of the algorithms, not the values.";
 }
 
-/** @param {Metric} metric @param {number} column @param {Row[]} rows @param {{ column: number, down: boolean } | undefined} order @param {(column: number) => void} sortBy */
+/** @param {Metric} metric @param {number} column @param {Row[]} rows @param {Order} order @param {(metric: string) => void} sortBy */
 function heading(metric, column, rows, order, sortBy) {
   const cell = make("th", { scope: "col", "data-tip": `${metric.definition} ${metric.better === "lower" ? "Lower" : "Higher"} is better.` });
   const most = Math.max(...rows.map(({ values }) => values[column]?.max ?? 0));
   const unit = metric.unit ? make("span", { className: "unit" }, unitOf(metric, most)) : "";
-  cell.append(make("button", { type: "button", className: "term", "data-key": metric.id, onclick: () => sortBy(column) }, metric.label), unit);
-  cell.setAttribute("aria-sort", order?.column !== column ? "none" : order.down === (metric.better === "lower") ? "descending" : "ascending");
+  cell.append(make("button", { type: "button", className: "term", "data-key": metric.id, onclick: () => sortBy(metric.id) }, metric.label), unit);
+  cell.setAttribute("aria-sort", order?.metric !== metric.id ? "none" : order.down === (metric.better === "lower") ? "descending" : "ascending");
   return cell;
 }
 
-/** Best first, or last. @param {Row[]} rows @param {Metric[]} metrics @param {{ column: number, down: boolean } | undefined} order */
+/** Best first, or last. @param {Row[]} rows @param {Metric[]} metrics @param {Order} order */
 function sorted(rows, metrics, order) {
-  if (!order) return rows;
-  const { column, down } = order;
+  const column = metrics.findIndex(({ id }) => id === order?.metric);
+  if (!order || column < 0) return rows;
+  const { down } = order;
   const sign = (metrics[column]?.better === "lower") === down ? -1 : 1;
   const value = (/** @type {Row} */ row) => row.values[column]?.median ?? sign * Infinity;
   return [...rows].sort((a, b) => sign * (value(a) - value(b)));

@@ -53,7 +53,7 @@ export function startCompare(app, module, guard) {
     byId("tab-explore").click();
   });
   const race = startRace(it);
-  const updateNumbers = startNumbers(it);
+  const numbers = startNumbers(it);
   const runs = startRuns(app, module, guard, mirror);
   const plans = { name: "comparison", csv: () => comparison.csv(), json: () => comparison.json(), charts: byId("charts") };
   /** @type {typeof import("./study.js") | undefined} */
@@ -102,7 +102,7 @@ export function startCompare(app, module, guard) {
       }
       updateSetup(it);
       if (shownView() === "race") race.update(it.view);
-      else updateNumbers(it.view);
+      else numbers.update(it.view);
       return said;
     },
     /** @param {string} link */
@@ -116,12 +116,13 @@ export function startCompare(app, module, guard) {
         }
       }
       const pairs = new URLSearchParams(link);
+      numbers.restore(pairs);
       const wanted = pairs.get("view");
       starts = pairs.has("go") && !matchMedia("(prefers-reduced-motion: reduce)").matches;
       // A link has no file.
       showView(VIEWS.find((name) => name === wanted && name !== "study") ?? "race");
     },
-    link: () => `tab=compare&view=${shownView()}&${comparison.link()}${shownView() === "runs" ? `&${runs.link()}` : ""}`,
+    link: () => `tab=compare&view=${shownView()}&${comparison.link()}${shownView() === "runs" ? `&${runs.link()}` : ""}${shownView() === "numbers" ? numbers.link() : ""}`,
     take,
     /** A single key, space for one. @param {string} key */
     key: (key) => shownView() === "race" && race.key(key),

@@ -8,9 +8,16 @@ const GAP = 10;
 /** @param {import("./tab.js").MapTab} it @returns {() => void} */
 export function startClear({ session }) {
   const stage = byId("map-stage");
+  let isPressed = false;
+  /** Where the note about a robot in the hand ends. */
+  let held = 0;
+  addEventListener("pointerdown", () => (isPressed = true), { capture: true });
+  for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => (isPressed = false), { capture: true });
+  const low = (/** @type {string} */ id) => (byId(id).checkVisibility() ? byId(id).getBoundingClientRect().bottom + GAP - stage.getBoundingClientRect().top : 0);
   return () => {
-    const ends = ["map-end", "map-began", "map-return"].map(byId).filter((message) => message.checkVisibility()).map((message) => message.getBoundingClientRect().bottom + GAP);
-    const below = Math.max(0, ...ends.map((end) => end - stage.getBoundingClientRect().top));
+    // The map stays while one presses where to put the robot.
+    if (!isPressed) held = low("map-held");
+    const below = Math.max(held, ...["map-end", "map-began", "map-return"].map(low));
     if (changed(stage, "below", below)) session.keep_clear(below);
   };
 }
