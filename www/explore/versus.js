@@ -1,9 +1,10 @@
 // @ts-check
 // You against the algorithm: in the same room from the same start, who sweeps more in the same time?
-import { fill, make, setText } from "../dom.js";
+import { fill, make } from "../dom.js";
 import { clock, percent } from "../format.js";
 import { without } from "../settings-link.js";
 import { act, send } from "./games.js";
+import { labelled, scoreRow, sweptAt } from "./score.js";
 
 /**
  * @typedef {import("../main.js").App} App
@@ -98,8 +99,8 @@ export function startVersus(app, card) {
     });
     if (!worked) return card.close();
     place = placeNow();
-    const [time, yours, theirs] = [score_("time", "Time left"), score_("you", "You"), score_("", titleOf(terms.rival))];
-    const toBeat = terms.beat === null ? undefined : score_("", "To beat");
+    const [time, yours, theirs] = [scoreRow("time", "Time left"), scoreRow("you", "You"), scoreRow("", titleOf(terms.rival))];
+    const toBeat = terms.beat === null ? undefined : scoreRow("", "To beat");
     const rows = [time, yours, theirs, ...(toBeat ? [toBeat] : [])];
     card.show("Your turn", make("p", { className: "how" }, "Drive with the arrow keys or the joystick. The clock runs from your first move."), make("div", { className: "scores" }, ...rows.flatMap(({ nodes }) => nodes)));
     document.getElementById("floor")?.focus();
@@ -116,15 +117,7 @@ export function startVersus(app, card) {
   }
 
   /** What the algorithm had swept after so many seconds, 0 to 1. @param {number} seconds */
-  function at(seconds) {
-    let [before, reached] = [0, 0];
-    for (let i = 0; i + 1 < curve.length; i += 2) {
-      const [time, share] = [curve[i] ?? 0, curve[i + 1] ?? 0];
-      if (time > seconds) return reached + ((share - reached) * (seconds - before)) / (time - before);
-      [before, reached] = [time, share];
-    }
-    return reached;
-  }
+  const at = (seconds) => sweptAt(curve, seconds);
 
   function over() {
     phase = "over";
@@ -190,17 +183,4 @@ export function startVersus(app, card) {
     },
     link: () => (phase === "terms" || phase === "rival" ? "" : [terms.rival, terms.seconds, ...(phase === "over" && counts ? [percent(score)] : terms.beat === null ? [] : [percent(terms.beat)])].join(",")),
   };
-}
-
-/** @param {string} label @param {HTMLElement} control @param {string} [className] */
-const labelled = (label, control, className = "field") => make("label", { className }, make("span", { className: "label" }, label), control);
-
-/** A row of the score. @param {string} who @param {string} name */
-function score_(who, name) {
-  const [bar, value] = [make("i"), make("b", {}, "")];
-  const show = (/** @type {number} */ next, /** @type {string} */ text) => {
-    bar.style.setProperty("--share", String(next));
-    setText(value, text);
-  };
-  return { nodes: [make("span", {}, name), make("span", { className: `meter ${who}`, "aria-hidden": "true" }, bar), value], show };
 }

@@ -21,7 +21,7 @@ pub enum PlanError {
     #[error("the planner plans in metres: it needs the floor that the cells lie on")]
     NoFloor,
     /// The planner plans for a disc and the robot's tool isn't one.
-    #[error("the planner plans in metres for a tool in the middle of the robot, narrower than it")]
+    #[error("the planner plans in metres for a round tool, and this robot cleans with its whole body; give it a tool")]
     OtherTool,
 }
 

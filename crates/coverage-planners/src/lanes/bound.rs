@@ -4,7 +4,7 @@ use robovac_core::{
     coverage::ReachableFloor,
     geometry::Vector,
     math,
-    robot::{RobotModel, WheelLayout},
+    robot::{RobotModel, Tool, WheelLayout},
 };
 use serde::{Deserialize, Serialize};
 
@@ -23,8 +23,12 @@ pub struct MetricBound {
 }
 
 impl MetricBound {
-    /// Bounds on a path that sweeps the share `coverage`, 0 to 1, of `floor`; see [`MetricBound::of_area`].
+    /// Bounds on a path that sweeps the share `coverage`, 0 to 1, of `floor`; see [`MetricBound::of_area`]. All are 0 for a tool
+    /// that isn't in the middle: turning sweeps, too.
     pub fn new(floor: &ReachableFloor, robot: &RobotModel, coverage: f64) -> Self {
+        if robot.tool != Tool::CENTRED {
+            return Self { length_m: 0.0, turning_rad: 0.0, duration_s: 0.0 };
+        }
         // The body's centre is never farther out than the floor that the tool sweeps around it.
         let cells = || floor.floor.iter().filter(|&(_, &is_floor)| is_floor).map(|(cell, _)| floor.centre(cell));
         let first = cells().next().unwrap_or_default();

@@ -28,6 +28,7 @@ mod order;
 mod planner;
 mod raster;
 mod scan;
+mod tool;
 
 pub use bound::MetricBound;
 pub use error::LanesError;
@@ -36,6 +37,7 @@ pub(crate) use planner::BUILD;
 pub use planner::{EXPLAINER, INFO};
 pub(crate) use scan::across;
 pub use scan::swept_share;
+pub(crate) use tool::ToolPlace;
 
 use anneal::anneal;
 use cost::MotionTimes;
@@ -108,7 +110,7 @@ pub struct LanesPlan {
     pub excess: [f64; 2],
 }
 
-/// Plans a path for `robot` from the start of `floor`.
+/// Plans a path for `robot` from the start of `floor`. Its tool is taken to be a disc, in the middle or elsewhere.
 ///
 /// If the required share can't be reached at this clearance, the path sweeps as much as the search finds. Deterministic for a
 /// seed and an effort, unless the observer stops it.

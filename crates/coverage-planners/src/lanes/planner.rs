@@ -77,7 +77,7 @@ struct Lanes(LanesSetup);
 impl Planner for Lanes {
     fn plan(&self, job: &CoverageJob, ctx: &mut PlanContext<'_>) -> Result<CoveragePath, PlanError> {
         let place = job.place.as_ref().ok_or(PlanError::NoFloor)?;
-        if place.robot.tool != Tool::CENTRED {
+        if place.robot.tool == Tool::Body {
             return Err(PlanError::OtherTool);
         }
         let setup = LanesSetup { seed: ctx.rng.random(), is_rounded: place.is_rounded, ..self.0 };

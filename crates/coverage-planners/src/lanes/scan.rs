@@ -1,5 +1,6 @@
 //! The swept share of a floor, measured along lines: exact on each line, and independent of the planner's raster.
 
+use super::tool::ToolPlace;
 use robovac_core::{
     coverage::ReachableFloor,
     geometry::{Point, Vector},
@@ -15,7 +16,8 @@ const SPACING: f64 = 0.004;
 /// Least area for which lines are farther apart, m², and how far: as the root of the area.
 const LARGE: f64 = 400.0;
 
-/// The share of `floor`, 0 to 1, that a disc of the tool's width sweeps whose centre moves along `path`, corners in metres.
+/// The share of `floor`, 0 to 1, that the tool's disc sweeps while the robot drives along `path`, corners in metres. A tool that
+/// isn't in the middle is beside the path, and turned on the spot at its corners.
 ///
 /// Along parallel lines 4 mm apart that run askew to the plan, the lengths of floor and of swept floor are computed exactly;
 /// their ratio is accurate to about 0.01 % in rooms of 10 m² and more. (An axis-parallel raster of 1.25 cm flatters
@@ -30,10 +32,8 @@ pub fn swept_share(floor: &ReachableFloor, path: &[Point]) -> f64 {
     let high = corners.iter().fold(f64::MIN, |high, c| high.max(c.y));
     let lines = ((high - low) / spacing) as usize + 1;
     let mut runs: Vec<Vec<(f64, f64)>> = vec![Vec::new(); lines];
-    let single = [path.first().copied().unwrap_or(Point::origin()); 2];
-    let pieces = if path.len() > 1 { path.windows(2) } else { single.windows(2) };
-    for piece in pieces.filter(|_| !path.is_empty()) {
-        let (a, b) = (into(piece[0]), into(piece[1]));
+    for (a, b) in ToolPlace::of(floor).strokes(path, floor.start.direction()) {
+        let (a, b) = (into(a), into(b));
         let (bottom, top) = (a.y.min(b.y) - floor.tool_radius, a.y.max(b.y) + floor.tool_radius);
         let first = math::ceil((bottom - low) / spacing - 0.5).max(0) as usize;
         let last = math::floor((top - low) / spacing - 0.5).min(lines as i32 - 1);

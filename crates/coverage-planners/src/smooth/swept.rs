@@ -1,6 +1,6 @@
 //! How often every part of the floor is swept, on samples.
 
-use crate::lanes::across;
+use crate::lanes::{ToolPlace, across};
 use robovac_core::{
     coverage::ReachableFloor,
     geometry::{Point, Vector},
@@ -20,6 +20,7 @@ pub(super) type Runs = Vec<(u32, u32, u32)>;
 /// Counts of passes on a square raster of samples, askew to the plan.
 pub(super) struct SweptCounts<'a> {
     floor: &'a ReachableFloor,
+    tool: ToolPlace,
     /// Direction of the rows, and the corner where the raster begins.
     along: Vector,
     low: Vector,
@@ -39,7 +40,8 @@ impl<'a> SweptCounts<'a> {
             (Vector::new(0.0, -sin * width), Vector::new(cos * width + sin * height, sin * width + cos * height));
         let spacing = SPACING.max((size.x * size.y / MOST).sqrt());
         let [columns, rows] = [size.x, size.y].map(|metres| (metres / spacing) as usize + 1);
-        Self { floor, along: Vector::new(cos, sin), low, spacing, columns, rows, counts: vec![0; columns * rows] }
+        let (tool, along) = (ToolPlace::of(floor), Vector::new(cos, sin));
+        Self { floor, tool, along, low, spacing, columns, rows, counts: vec![0; columns * rows] }
     }
 
     /// A point of the plan in the raster.
@@ -62,16 +64,19 @@ impl<'a> SweptCounts<'a> {
     /// The samples that the tool sweeps along `points`, each once.
     pub fn runs(&self, points: &[Point]) -> Runs {
         let radius = self.floor.tool_radius;
-        let points: Vec<Vector> = points.iter().map(|&point| self.turned(point)).collect();
-        let low = points.iter().fold(f64::MAX, |low, p| low.min(p.y)) - radius;
-        let high = points.iter().fold(f64::MIN, |high, p| high.max(p.y)) + radius;
+        let turned = |(a, b)| [self.turned(a), self.turned(b)];
+        let strokes: Vec<[Vector; 2]> =
+            points.windows(2).map(|pair| turned(self.tool.stroke(pair[0], pair[1]))).collect();
+        let ends = || strokes.as_flattened().iter();
+        let low = ends().fold(f64::MAX, |low, p| low.min(p.y)) - radius;
+        let high = ends().fold(f64::MIN, |high, p| high.max(p.y)) + radius;
         let row = |y: f64| ((y / self.spacing - 0.5).max(0.0) as usize).min(self.rows);
         let mut found = Vec::new();
         let mut across_row: Vec<(f64, f64)> = Vec::new();
         for row in row(low)..(row(high) + 2).min(self.rows) {
             let y = (row as f64 + 0.5) * self.spacing;
             across_row.clear();
-            across_row.extend(points.windows(2).filter_map(|pair| across(pair[0], pair[1], radius, y)));
+            across_row.extend(strokes.iter().filter_map(|&[a, b]| across(a, b, radius, y)));
             across_row.sort_by(|a, b| a.0.total_cmp(&b.0));
             let sample = |x: f64| ((x / self.spacing + 0.5).max(0.0) as usize).min(self.columns) as u32;
             let mut end = 0;
