@@ -6,8 +6,10 @@ mod lettering;
 mod level;
 mod local;
 mod marks;
+mod outlying;
 mod specks;
 mod suggest;
+mod thickness;
 
 pub use suggest::suggest;
 
@@ -44,7 +46,8 @@ pub struct WallShades {
     pub contrast: f64,
     /// Whether light shades are walls instead.
     pub negate: bool,
-    /// Marks that are smaller than this are left out, pixels; and words and symbols of doors, unless it is 0. Not for
+    /// Marks that are smaller than this are left out, pixels; and, unless it is 0, words, symbols of doors and thin lines outside of
+    /// the building. Not for
     /// [`ShadeMethod::Map`].
     pub specks: f64,
 }
@@ -66,6 +69,7 @@ impl WallShades {
             // First, while the pieces of their letters are there.
             lettering::remove(&mut walls);
             door_symbols::remove(&mut walls);
+            outlying::remove(&mut walls);
         }
         specks::remove(&mut walls, self.specks);
         walls.map(|&is_wall| light(is_wall))

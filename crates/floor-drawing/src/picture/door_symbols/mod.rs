@@ -7,17 +7,12 @@ mod swing;
 #[cfg(test)]
 mod tests;
 
+use super::thickness::{ReducedPicture, erase_reduced};
 use contacts::contacts;
-use robovac_core::{
-    geometry::Point,
-    grid::{Cell, Grid},
-};
+use robovac_core::{geometry::Point, grid::Grid};
 use strokes::Strokes;
 use swing::Swing;
 
-/// Most pixels along the longer side of the picture in which doors are looked for, unless walls get thinner than so many.
-const LONGEST: usize = 1500;
-const THINNEST_WALL: f64 = 6.0;
 /// Widths of strokes that are too thin for a wall, as shares of the usual thickness of walls, and the least, pixels:
 /// partitions can be much thinner than outer walls, and lines nearly as thick as partitions. In small pictures walls are hardly
 /// thicker than lines.
@@ -35,16 +30,7 @@ const SPLITS: [f64; 3] = [0.5, 0.65, 0.35];
 
 /// Removes the symbols of doors, and the lines of their thresholds.
 pub(super) fn remove(walls: &mut Grid<bool>) {
-    // A large picture takes long, and shows no more.
-    let mut by = walls.width().max(walls.height()).div_ceil(LONGEST).max(1);
-    let (reduced, usual) = loop {
-        let reduced = reduced(walls, by);
-        let Some(usual) = strokes::usual_thickness(&reduced) else { return };
-        if by == 1 || usual >= THINNEST_WALL {
-            break (reduced, usual);
-        }
-        by -= 1;
-    };
+    let Some(ReducedPicture { by, cells: reduced, usual }) = ReducedPicture::new(walls) else { return };
     let mut found = FoundDoors { doors: Vec::new(), pixels: reduced.map(|_| false) };
     // Thick lines first: of those, the other look sees only the thinnest parts.
     let mut before = u16::MAX;
@@ -57,22 +43,7 @@ pub(super) fn remove(walls: &mut Grid<bool>) {
     if found.doors.is_empty() {
         return;
     }
-    for index in 0..walls.len() {
-        let cell = walls.cell(index);
-        walls.values_mut()[index] &= !found.pixels[Cell::new(cell.x / by as i32, cell.y / by as i32)];
-    }
-}
-
-/// The picture with `by` pixels a side in one, which is dark if one of them is: lines stay.
-fn reduced(walls: &Grid<bool>, by: usize) -> Grid<bool> {
-    if by == 1 {
-        return walls.clone();
-    }
-    let mut reduced = Grid::filled(walls.width().div_ceil(by), walls.height().div_ceil(by), false);
-    for (cell, _) in walls.iter().filter(|(_, is_wall)| **is_wall) {
-        reduced[Cell::new(cell.x / by as i32, cell.y / by as i32)] = true;
-    }
-    reduced
+    erase_reduced(walls, by, &found.pixels);
 }
 
 /// Doors that were found, and the pixels of their lines.
