@@ -71,7 +71,10 @@ function startPrint(app, root) {
     theme = root.dataset.theme ?? "";
     const isDark = theme === "dark" || (!theme && matchMedia("(prefers-color-scheme: dark)").matches);
     const [what] = caption(app);
-    line.replaceChildren(make("b", {}, what ?? ""), make("br"), location.href.length < 300 ? location.href : `${location.origin}${location.pathname} The link to this room is too long for paper. Copy link has it.`);
+    const where = location.href.length < 300 ? location.href : `${location.origin}${location.pathname} The link to this room is too long for paper. Copy link has it.`;
+    line.replaceChildren(make("b", {}, what ?? ""), make("br"), where);
+    const compare = document.getElementById("compare-link");
+    if (compare) compare.textContent = where;
     if (!isDark) return void (theme = undefined);
     root.dataset.theme = "light";
     redraw(false);

@@ -307,6 +307,9 @@ test("numbers of several rooms are summed up", async (t) => {
   assert.equal(await menu.inputValue(), "all");
   const together = await table(page);
   assert.match(await app.text("#table-note"), /Sums over the rooms; percentages are means/);
+  // The one room of Explore isn't where that was measured.
+  assert.match(await app.text("#compare-room"), new RegExp(`^\\D+ \\(${rooms}\\)$`));
+  assert.match(await app.text("#compare-robot"), /^Roomba .*cells of .* seed/);
   const sums = { Steps: [0, 0], Coverage: [0, 0] };
   for (let room = 0; room < rooms; room += 1) {
     await menu.selectOption(String(room));
@@ -410,6 +413,9 @@ test("table 2 of the thesis is one click away, with its printed values beside th
   assert.ok(charts.slice(3).every(([, printed]) => printed === 0));
   assert.match(await app.text("#charts"), /37 printed/);
   await screenshot("table-2");
+  // However wide the column is, their text stays small.
+  await page.setViewportSize({ width: 760, height: 900 });
+  assert.ok((await page.locator("#charts svg").first().boundingBox()).width < 420);
 });
 
 test("a planner and its copy are named by the setting that differs, and heads don't cut that off", async (t) => {
@@ -427,8 +433,12 @@ test("a planner and its copy are named by the setting that differs, and heads do
 });
 
 test("numbers on paper have every column, say where they are from, and have nothing to press", async (t) => {
-  const { page, screenshot } = await openCompare(t, { room: "room=bedroom", view: "numbers", viewport: { width: 794, height: 1123 } });
+  const { page, app, screenshot } = await openCompare(t, { room: "room=bedroom", view: "numbers", viewport: { width: 794, height: 1123 } });
   await tried(page, 4);
+  await app.poll(() => app.text("#table-note"), (text) => /needs at least .* each row's excess is above the bound for its own coverage\./.test(text));
+  await page.mouse.move(100, 100);
+  await page.locator("#printed").waitFor({ state: "attached" });
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   await page.emulateMedia({ media: "print" });
   t.after(() => page.emulateMedia({ media: null }));
   await screenshot("numbers-print");
@@ -440,6 +450,9 @@ test("numbers on paper have every column, say where they are from, and have noth
   const shown = await page.locator("#panel-compare").innerText();
   assert.match(shown, /Bedroom, 4\.0 × 4\.0 m, Roomba 600 .*cells of 12 cm/);
   assert.doesNotMatch(shown, /\b(CSV|JSON|Many runs|Results for)\b/);
+  assert.match(shown, /https?:\/\/\S+tab=compare/);
+  await page.evaluate(() => document.getElementById("view-race")?.click());
+  await app.poll(() => page.locator("#compare-place").innerText(), (text) => /The race after \d+:\d\d\.$/.test(text));
 });
 
 test("a room of one's own is compared in", async (t) => {
@@ -497,6 +510,7 @@ test("the comparison fits a phone, light and dark", async (t) => {
     figures.filter((figure) => [...figure.querySelectorAll("canvas, output")].some((part) => part.getBoundingClientRect().right > figure.getBoundingClientRect().right + 1)).length,
   );
   assert.equal(cut, 0, "lanes that are cut off");
+  assert.equal(await page.locator("#compare-setup > summary").evaluate((node) => getComputedStyle(node).display), "list-item", "a triangle says that it opens");
   await page.locator("#compare-setup > summary").tap();
   await fits("choices");
   await page.locator("#in-spiral").tap();

@@ -153,7 +153,7 @@ test("before a room is used it is told what a robot can't get to, which scale a 
   // 52 x 39 m would be a usual size, but not 2,000 m².
   await page.locator("#floor-plan-pixel").fill("13");
   await page.keyboard.press("Tab");
-  await app.poll(() => page.locator("#floor-plan-asks-text").textContent(), (text) => /m, with \d+ m² of floor\. Is that its size\?$/.test(text ?? ""));
+  await app.poll(() => page.locator("#floor-plan-asks-text").textContent(), (text) => /m, with \d,\d{3} m² of floor\. Is that its size\?$/.test(text ?? ""));
   // The question comes first; what a robot can't get to stays.
   assert.deepEqual(await page.locator(".floor-plan-doors:visible").evaluateAll((nodes) => nodes.map((node) => node.id)), ["floor-plan-asks", "floor-plan-cut"]);
   // However many scales are offered, the question is hardly higher than its text.

@@ -269,6 +269,15 @@ test("on paper a table has the names of its rows, and nothing that only works on
   const shown = await panel.innerText();
   assert.match(shown, /Bounce/);
   assert.doesNotMatch(shown, /Hand in|Press a name|Measure\b/);
+
+  // The list is printed, too.
+  await page.emulateMedia({ media: null });
+  await panel.getByRole("button", { name: "All lessons" }).click();
+  await panel.getByRole("button", { name: "Template" }).waitFor();
+  await page.emulateMedia({ media: "print" });
+  const list = await panel.innerText();
+  for (const { title } of INDEX) assert.ok(list.includes(title), title);
+  assert.doesNotMatch(list, /Template|Clear progress|of your own/);
 });
 
 test("in lecture mode page keys scroll a section that is longer than the window, and then turn", async (t) => {

@@ -426,6 +426,8 @@ test("kidnapped while it cleans, it relocalises on its map and continues", async
   if ((await page.locator("#panel-map").getAttribute("data-phase")) === "paused") await page.locator("#map-play").click();
   await app.poll(() => page.locator("#map-activity").textContent(), (text) => /relocalising/i.test(text));
   assert.ok(await page.locator("#map-sure").isVisible());
+  const badges = await page.locator(".map-states p:visible").allInnerTexts();
+  assert.ok(badges.filter((text) => /^relocalising/i.test(text)).length < 2, badges.join(", "));
   await page.locator("#map-speed").selectOption("256");
   await app.poll(() => page.locator("#map-activity").textContent(), (text) => /cleaning by its map|done/i.test(text));
   assert.ok(await page.locator("#map-sure").isHidden());

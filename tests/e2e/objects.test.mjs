@@ -53,7 +53,12 @@ test("places, moves, undoes, deletes and saves objects with the mouse", async (t
   await placing(app, "pet");
   await app.drag([0.3, 0.7], [0.4, 0.7]);
   assert.deepEqual(await names(page), ["Furniture", "Pet"]);
-  await page.keyboard.press("Delete");
+  await app.tool("wall");
+  await app.drag([0.35, 0.6], [0.35, 0.8]);
+  await app.says(/^The pet walks here: a wall at .* Move the pet's path first\.$/);
+  await app.press("Undo");
+  await app.settled();
+
   await app.settled();
   assert.deepEqual(await names(page), ["Furniture"]);
   assert.match(await page.locator("#floor").getAttribute("aria-label"), /furniture/);

@@ -42,6 +42,10 @@ test("drawing keeps what is clean, and back to the start begins anew", async (t)
   const after = await app.numbersThat(({ time }) => time < before.time);
   assert.ok(Math.abs(after.coverage - before.coverage) < 5, `${after.coverage} % after ${before.coverage} %`);
   assert.match(await page.locator("#opening").textContent(), /^: \d+\.\d % from before the change$/);
+  await app.choose("speed", "0");
+  await app.press("Play");
+  await app.until("finished");
+  await app.poll(() => page.locator("#ending").innerText(), (text) => /% of the reachable floor swept \(\d+\.\d % before the room changed\); the run since then took \d/.test(text));
   await app.press("Undo");
   await app.settled();
   assert.ok((await app.numbers()).coverage > before.coverage - 5);

@@ -195,6 +195,18 @@ fn what_cannot_be_there_is_refused_with_the_reason_and_nothing_changes() {
     session.move_start(robovac_core::geometry::Pose::new(4.0, 3.0, 0.0));
     assert!(session.view().message.contains("lies in a drop-off"), "{}", session.view().message);
     assert_eq!(session.start(), None);
+
+    // A wall across a path: whose it is.
+    place(&mut session, &mut hand, PlaceableKind::Pet, (1.0, 3.0), (2.0, 3.0));
+    session.begin_stroke(Brush::Wall, Point::new(1.5, 2.6));
+    session.go_on_stroke(Point::new(1.5, 3.4));
+    session.end_stroke();
+    let message = session.view().message;
+    assert!(
+        message.starts_with("The pet walks here: a wall at (1.") && message.ends_with("Move the pet's path first."),
+        "{message}"
+    );
+    assert_eq!(session.plan().blocked().count(), 0);
 }
 
 #[test]

@@ -94,7 +94,7 @@ function note({ seeds, entrants }, together) {
 
 /** @param {Table} table */
 function proven({ bounds, least }) {
-  const metric = least ? ` Any path that sweeps ${percent(least.coverage, 0)} % needs at least ${metres(least.length_m)} m and ${clock(least.duration_s)}.` : "";
+  const metric = least ? ` Any path that sweeps ${percent(least.coverage, 0)} % needs at least ${metres(least.length_m)} m and ${clock(least.duration_s)}; each row's excess is above the bound for its own coverage.` : "";
   if (!bounds) return "";
   return `Proven: no walk over these cells has fewer than ${count(bounds.steps)} steps or ${count(bounds.turns)} quarter turns, or steps + 2 × turns below ${count(bounds.cost)}.${metric}`;
 }
@@ -131,7 +131,7 @@ function line(it, row, metrics, rows, rooms) {
   const planner = it.view.entrants[row.entrant];
   const open = make("button", { type: "button", className: "link", "data-key": String(row.entrant), onclick: () => about(row.entrant) }, planner?.title ?? "");
   const name = make("th", { scope: "row" }, swatch(planner?.mark), open);
-  if (row.missing > 0 && rooms > 1) name.append(make("span", { className: "status" }, `${rooms - row.missing} of ${rooms} rooms`));
+  if (row.missing > 0 && rooms > 1) name.append(" ", make("span", { className: "status" }, `${rooms - row.missing} of ${rooms} rooms`));
   if (row.failure) name.append(make("span", { className: "failure", "data-tip": row.failure, tabIndex: 0 }, "failed"));
   if (row.leaves_floor) name.append(" ", make("span", { className: "status", "data-tip": "It leaves out floor that others clean, and costs less for it: only its coverage can be the best.", tabIndex: 0 }, "not all floor"));
   const cells = metrics.map((metric, column) => {

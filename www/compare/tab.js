@@ -4,6 +4,7 @@ import { Comparison, SessionMirror } from "../../workshop.js";
 import { startAbout } from "./about.js";
 import { button, byId, input, select, setText } from "../dom.js";
 import { startExports } from "./exports.js";
+import { clock } from "../format.js";
 import { startMirror } from "../session-mirror.js";
 import { startNumbers } from "./numbers.js";
 import { complain, textOf } from "../messages.js";
@@ -82,7 +83,7 @@ export function startCompare(app, module, guard) {
   return {
     /** Once a frame while the tab is shown. @param {number} now */
     frame(now) {
-      updatePlace(app);
+      updatePlace(it);
       // What isn't an error is about the robot in Explore.
       const said = app.view.message_kind === "error" ? app.view : { message: "", message_kind: "" };
       if (shownView() === "study") return said;
@@ -155,14 +156,20 @@ const trialsOf = (comparison, program) => ({
   failed: (id, message) => comparison.trial_failed(id, message),
 });
 
-/** Where all of it happens. @param {App} app */
-function updatePlace({ playground, catalogue, view: { room, robot, own_robot: own, twin, cell_size_m, seed, slip } }) {
-  setText(byId("compare-room"), room.title);
+/** Where all of it happens. @param {Comparing} it */
+function updatePlace({ app: { playground, catalogue, view: session }, view: { set, sets, rooms, race } }) {
+  const { room, robot, own_robot: own, twin, cell_size_m, seed, slip } = session;
+  // The race is in one room all the same.
+  const several = shownView() === "numbers" && rooms.length > 1 ? sets.find(([id]) => id === set)?.[1] : undefined;
+  const place = several ? `${several} (${rooms.length})` : room.title;
+  setText(byId("compare-room"), place);
   const title = own || twin ? playground.robot().title : catalogue.robots.find(({ id }) => id === robot)?.title;
   const slips = slip === "none" ? "" : `, ${slip} wheel slip${shownView() === "runs" ? "" : " in the race"}`;
-  const where = `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, ${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}${slips}.`;
+  const size = several ? "" : `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, `;
+  const where = `${size}${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}${slips}.`;
   setText(byId("compare-robot"), where);
   // On paper, where the choices aren't.
   const results = shownView() === "numbers" ? select("table-room").selectedOptions[0]?.text : "";
-  setText(byId("compare-place"), `${room.title}, ${where}${results && results !== room.title ? ` Results for ${results}.` : ""}`);
+  const time = shownView() === "race" && race ? ` The race after ${clock(race.time_s)}.` : "";
+  setText(byId("compare-place"), `${place}, ${where}${results && results !== place ? ` Results for ${results}.` : ""}${time}`);
 }

@@ -48,8 +48,9 @@ const driven = ({ distance_m }) => `, driving ${metres(distance_m)} m`;
 
 /** @param {App} app @param {View} view */
 function reached({ catalogue }, view) {
-  const { coverage, time_s, kind, activity, algorithm } = view;
-  const swept = `${percent(coverage)} % of the reachable floor swept in ${clock(time_s)}${driven(view)}.`;
+  const { coverage, swept_before, time_s, kind, activity, algorithm } = view;
+  const before = swept_before > 0.005 ? ` (${percent(swept_before)} % before the room changed); the run since then took` : " in";
+  const swept = `${percent(coverage)} % of the reachable floor swept${before} ${clock(time_s)}${driven(view)}.`;
   if (kind !== "behaviour") return `Done: ${swept}`;
   const ends = catalogue.behaviours.find(({ id }) => id === algorithm)?.ends;
   return `${ends ? "The robot has stopped by itself" : "The robot has stopped"}${activity && activity !== "done" ? ` (${activity})` : ""}: ${swept}`;

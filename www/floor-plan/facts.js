@@ -1,6 +1,7 @@
 // @ts-check
 // Facts about the file and the resulting room.
 import { button, byId, changed, make, setAttribute, setHidden, setText } from "../dom.js";
+import { metres } from "../format.js";
 
 /** @typedef {import("./types").FloorPlanView} FloorPlanView */
 
@@ -58,10 +59,10 @@ function showCut(view) {
   if (!view?.room || !cut) return;
   const { floor_m2: all, reachable_m2: reached } = view.room;
   const rest = reached === null ? 0 : all - reached - cut;
-  const besides = rest < 0.1 ? "" : ` Another ${rest.toFixed(1)} m² are corners and edges that its brush doesn't reach.`;
+  const besides = rest < 0.1 ? "" : ` Another ${metres(rest)} m² are corners and edges that its brush doesn't reach.`;
   const start = cut > all / 2 ? "If it starts in the wrong part, move the start in Explore. " : "";
   const mend = view.kind === "drawing" ? "make its layer Ignored" : view.kind === "image" ? "read the walls in another way" : "widen the way";
-  setText(byId("floor-plan-cut-text"), `A robot as wide as a Roomba can't get to ${cut.toFixed(1)} m² of this floor.${besides} ${start}If furniture stands there, all is well. Otherwise a line, an arc of a door or a narrow door is in its way: ${mend}, or use this room and rub the way free with Erase.`);
+  setText(byId("floor-plan-cut-text"), `A robot as wide as a Roomba can't get to ${metres(cut)} m² of this floor.${besides} ${start}If furniture stands there, all is well. Otherwise a line, an arc of a door or a narrow door is in its way: ${mend}, or use this room and rub the way free with Erase.`);
 }
 
 /** What is marked in the picture. @param {FloorPlanView | undefined} view */
@@ -79,7 +80,7 @@ function showDoors(view) {
   if (doors) {
     const { count, gap, floor_m2 } = doors;
     const opening = count === 1 ? "an opening" : `${count} openings`;
-    setText(byId("floor-plan-doors-text"), `${view?.room ? "This room continues" : "This floor continues outside"} through ${opening} as wide as a door. Closing ${count === 1 ? "it" : "them"} leaves ${floor_m2.toFixed(1)} m² of floor.`);
+    setText(byId("floor-plan-doors-text"), `${view?.room ? "This room continues" : "This floor continues outside"} through ${opening} as wide as a door. Closing ${count === 1 ? "it" : "them"} leaves ${metres(floor_m2)} m² of floor.`);
     setText(button("floor-plan-doors-close"), `Close gaps up to ${gap.toFixed(2)} m`);
   }
 }
@@ -98,8 +99,8 @@ function result({ room, settings, fault, asks, size, assumes_size }) {
   }
   const { width_m, height_m, floor_m2, cells, resolution, objects, gaps, outer_doors, around_m2, reachable_m2 } = room;
   if (assumes_size) return `Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m if the assumed scale is right: its size is still asked about.`;
-  const reach = reachable_m2 === null ? "" : `, ${reachable_m2.toFixed(1)} m² of it reachable by a Roomba's brush`;
+  const reach = reachable_m2 === null ? "" : `, ${metres(reachable_m2)} m² of it reachable by a Roomba's brush`;
   const [inner, openings] = [gaps - outer_doors, outer_doors === 1 ? "opening" : "openings"];
-  const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, inner && `${inner} ${inner === 1 ? "gap" : "gaps"} closed`, outer_doors && `${outer_doors} ${openings} to the outside closed`, around_m2 > 0 && `${around_m2.toFixed(1)} m² round the building left out`].filter(Boolean);
-  return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, without walls`, `${floor_m2.toFixed(1)} m² of floor${reach}`, `${cells[0]} × ${cells[1]} cells of ${(100 * resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm`, ...more].join(" · ");
+  const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, inner && `${inner} ${inner === 1 ? "gap" : "gaps"} closed`, outer_doors && `${outer_doors} ${openings} to the outside closed`, around_m2 > 0 && `${metres(around_m2)} m² round the building left out`].filter(Boolean);
+  return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, without walls`, `${metres(floor_m2)} m² of floor${reach}`, `${cells[0]} × ${cells[1]} cells of ${(100 * resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm`, ...more].join(" · ");
 }

@@ -155,13 +155,15 @@ function show(view) {
   const done = view.program ? view.activity || `The program has ended.${next}` : `Done: nothing left to explore.${next}`;
   const activity = isDone && !view.is_cleaning ? done : view.activity;
   setText(byId("map-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");
-  setHidden(byId("map-activity"), !activity || !["playing", "paused", "finished"].includes(view.phase));
+  const sure = view.is_sure === null ? "" : view.is_sure ? "Relocalised" : view.figures?.position_m === null ? "Lost" : "Relocalising";
+  // The other badge says it.
+  const isTwice = sure === "Relocalising" && view.activity.startsWith("relocalising");
+  setHidden(byId("map-activity"), !activity || isTwice || !["playing", "paused", "finished"].includes(view.phase));
   setHidden(byId("map-held"), !view.is_carried);
   setHidden(byId("map-hint-new"), view.known !== null);
   setHidden(byId("map-hint-lost"), view.known === null);
   setHidden(byId("map-known"), view.known === null);
   setText(byId("map-known-name"), view.known ?? "");
-  const sure = view.is_sure === null ? "" : view.is_sure ? "Relocalised" : view.figures?.position_m === null ? "Lost" : "Relocalising";
   setHidden(byId("map-sure"), !sure || view.phase === "ready");
   setText(byId("map-sure"), sure);
   setAttribute(byId("map-sure"), "data-sure", String(view.is_sure));

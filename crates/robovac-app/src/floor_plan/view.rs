@@ -4,7 +4,7 @@ use super::{
     Doors, DrawingPart, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, UNITS, paper_units,
     settings::MOST_OUTER, size_in_words,
 };
-use crate::amount::amount;
+use crate::amount::{amount, grouped};
 use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
 use floor_drawing::{OUTER_DOOR, OutsideLeak, Role};
 use robovac_core::{cspace::Outline, geometry::Point};
@@ -292,7 +292,7 @@ impl DrawingSession {
         let is_odd = room.is_some()
             && settings.part == DrawingPart::Indoors
             && !(USUAL_FLOOR[0]..=USUAL_FLOOR[1]).contains(&floor);
-        (is_odd && !is_stated).then(|| format!("{size}, with {floor:.0} m² of floor"))
+        (is_odd && !is_stated).then(|| format!("{size}, with {} m² of floor", grouped(floor.round() as usize)))
     }
 
     fn assumed_pixel(&self) -> String {
@@ -342,8 +342,9 @@ impl DrawingSession {
             };
             let counts =
                 if room.is_open { "so the outside counts as floor, too" } else { "so they don't count as floor" };
+            let floor_m2 = grouped(floor_m2.round() as usize);
             return format!(
-                "About {floor_m2:.0} m² are open to the outside through an opening about {width:.2} m wide, where the ring \
+                "About {floor_m2} m² are open to the outside through an opening about {width:.2} m wide, where the ring \
                  is, {counts}.{mend}"
             );
         }

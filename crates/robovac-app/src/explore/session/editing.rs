@@ -3,7 +3,7 @@
 use super::{Session, rounded, sentence};
 use crate::explore::{Brush, Editor};
 use robovac_core::{
-    floor_plan::FloorPlan,
+    floor_plan::{FloorPlan, PlacementFault, PlacementRefusal},
     geometry::{Point, Pose},
 };
 use robovac_sim::experiment::planning::RoomSetup;
@@ -29,12 +29,23 @@ impl Session {
     pub fn end_stroke(&mut self) {
         if let Err(refusal) = self.plan().check_objects(None) {
             self.editor.abandon();
-            self.say("error", sentence(&refusal.fault.to_string()));
+            let words = self.blocked_path(&refusal).unwrap_or_else(|| sentence(&refusal.fault.to_string()));
+            self.say("error", words);
         }
         if self.editor.end() {
             self.message = None;
             self.prepare_changed();
         }
+    }
+
+    /// Whose path a drawn wall would cross, and what to do; `None` for other faults.
+    fn blocked_path(&self, refusal: &PlacementRefusal) -> Option<String> {
+        let PlacementFault::PathInWall { x, y } = refusal.fault else { return None };
+        let index: usize = refusal.path.split(['[', ']']).nth(1)?.parse().ok()?;
+        let name = self.plan().objects.get(index)?.name();
+        Some(format!(
+            "The {name} walks here: a wall at ({x:.2} m, {y:.2} m) would be in the way. Move the {name}'s path first."
+        ))
     }
 
     /// Moves the start; if the robot can't stand there, reports that and leaves it.
