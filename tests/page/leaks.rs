@@ -71,6 +71,11 @@ impl Flat {
 
     /// Walls 15 cm thick on 2 m of paper, with `metre` metres a pixel.
     fn picture(&self, metre: f64) -> SourceFile {
+        self.picture_with(metre, &[])
+    }
+
+    /// The same with thin lines.
+    fn picture_with(&self, metre: f64, thin: &[Wall]) -> SourceFile {
         let [wide, high] = self.size.map(|side| ((side + 4.0) / metre) as u32);
         let image = GrayImage::from_fn(wide, high, |x, y| {
             let at = [(f64::from(x) + 0.5) * metre - 2.0, (f64::from(high - y) - 0.5) * metre - 2.0];
@@ -86,7 +91,11 @@ impl Flat {
                     (from[axis] - low..=to[axis] + high).contains(&at[axis])
                 })
             });
-            Luma([if is_wall { 30 } else { 240 }])
+            let is_line = thin.iter().any(|&[a, b, c, d]| {
+                let (x, y) = (at[0].clamp(a.min(c), a.max(c)) - at[0], at[1].clamp(b.min(d), b.max(d)) - at[1]);
+                x.abs().max(y.abs()) < 0.02
+            });
+            Luma([if is_wall || is_line { 30 } else { 240 }])
         });
         let mut bytes = Cursor::new(Vec::new());
         image.write_to(&mut bytes, ImageFormat::Png).unwrap();
@@ -217,4 +226,26 @@ fn an_opening_to_the_garden_is_closed_if_it_is_told() {
     }
     // One that is nearly as wide as the garden may not be.
     assert!(told >= 5, "{told} of 10");
+}
+
+#[test]
+fn dimension_lines_and_a_thin_fence_of_a_picture_are_no_walls() {
+    for seed in 0..3 {
+        let flat = Flat::of(seed, 1.0);
+        let [width, height] = flat.size;
+        let thin = [
+            [0.0, -0.5, width, -0.5],
+            [-0.55, 0.0, -0.55, height],
+            [-1.7, -1.7, width + 1.7, -1.7],
+            [width + 1.7, -1.7, width + 1.7, height + 1.7],
+            [width + 1.7, height + 1.7, -1.7, height + 1.7],
+            [-1.7, height + 1.7, -1.7, -1.7],
+        ];
+        let mut session = DrawingSession::open(&[flat.picture_with(0.02, &thin)]).unwrap();
+        change(&mut session, |settings| settings.metre = Some(0.02));
+        let share = session.floor_m2() / flat.floor_m2();
+        assert!((0.9..1.0).contains(&share), "seed {seed}: {share} of the floor");
+        let room = session.view().room.unwrap();
+        assert_eq!((room.outer_doors, room.around_m2), (1, 0.0), "seed {seed}: the front door alone is closed");
+    }
 }

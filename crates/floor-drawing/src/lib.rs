@@ -26,6 +26,7 @@ mod dxf;
 mod error;
 mod flatten;
 mod geojson;
+mod lines;
 mod model;
 mod overlay;
 mod picture;

@@ -188,14 +188,15 @@ impl Builder {
         drop_empty_layers(&mut self.layers, &mut self.strokes);
         drop_hairlines(&mut self.strokes, &self.points);
         let Self { layers, strokes, points, .. } = self;
-        Ok(super::trace::without_page(Drawing {
+        let drawing = super::trace::without_page(Drawing {
             name: stem(base_name(file)),
             metre,
             layers,
             strokes,
             points,
             left_out,
-        }))
+        });
+        Ok(super::lines::without_lines(drawing))
     }
 }
 

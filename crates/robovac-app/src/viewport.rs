@@ -18,10 +18,6 @@ const LEAST_WITH_SCALE: [f64; 2] = [240.0, 160.0];
 const LONGEST_SCALE: f64 = 130.0;
 /// Width and height of the lower right corner with a scale bar above the zoom, CSS pixels.
 const SCALE_CORNER: [f64; 2] = [120.0, 98.0];
-/// The same with the zoom buttons.
-const ZOOM_CORNER: [f64; 2] = [204.0, 98.0];
-/// Share of the canvas' height that a foot can take at most.
-const MOST_FOOT: f64 = 0.2;
 /// Pixels of the room that stay in view when panning.
 const KEPT: f64 = 60.0;
 
@@ -94,10 +90,6 @@ impl Viewport {
         if has_scale {
             corner = corner.sup(&Vector::from(SCALE_CORNER));
         }
-        let is_low = self.is_low();
-        if is_low {
-            corner = Vector::from(ZOOM_CORNER);
-        }
         let end = view.to_screen(Point::new(self.room.x, 0.0));
         if end.x > size.x - corner.x && end.y > size.y - corner.y {
             // Left of the corner or above it, whichever shows the room larger, but two fifths of the canvas are left to the room.
@@ -106,11 +98,7 @@ impl Viewport {
             let above = self.between([left, top, right, bottom.max(corner.y.min(most.y))]);
             let (fits_beside, fits_above) = (corner.x <= most.x, corner.y <= most.y);
             let is_above = if fits_beside == fits_above { above.scale > beside.scale } else { fits_above };
-            let clear = if is_above { above } else { beside };
-            // Where there is hardly any room, the floor matters more than what lies on its corner.
-            if !is_low || clear.scale > 0.8 * view.scale {
-                view = clear;
-            }
+            view = if is_above { above } else { beside };
         }
         *self = view;
         self.fitted = true;
@@ -180,7 +168,6 @@ impl Viewport {
         }
         let place = match self.size.x {
             _ if self.is_bare => [10.0, 10.0],
-            _ if self.is_low() => [20.0, 72.0],
             // Left of what lies in the corner, or of the whole room on a low screen.
             x if x < BESIDE_ZOOM && self.corner.x > 0.0 => {
                 let start = self.to_screen(Point::origin()).x;
@@ -225,11 +212,6 @@ impl Viewport {
         Self { scale, origin, ..self }
     }
 
-    /// Whether it is too low for a room above its foot, and no joystick takes the corner.
-    fn is_low(&self) -> bool {
-        self.corner.x <= 0.0 && self.cleared.is_some_and(|foot| foot >= MOST_FOOT * self.size.y)
-    }
-
     /// The margins, reduced where the canvas is small.
     fn margins(&self) -> [f64; 4] {
         if self.is_bare {
@@ -241,7 +223,7 @@ impl Viewport {
         let scaled = [left * sideways, top * down, right * sideways, bottom * down];
         let [left, top, right, bottom] = self.cleared.map_or(scaled, |foot| {
             // What is too low for a room and its foot shows the room.
-            let foot = if foot < MOST_FOOT * self.size.y { foot } else { 0.0 };
+            let foot = if foot < 0.2 * self.size.y { foot } else { 0.0 };
             [BARE_MARGIN, BARE_MARGIN, BARE_MARGIN, foot.max(BARE_MARGIN)]
         });
         // At least a third of the canvas is left to the room.
@@ -412,10 +394,5 @@ mod tests {
         view.resize(900.0, 700.0, 1.0);
         view.keep_clear(0.0, Some(44.0), Vector::zeros());
         assert!(view.to_screen(Point::new(0.0, 0.0)).y <= 656.1);
-        // In a low frame the room lies beside the zoom buttons and the scale bar above them, as large as before.
-        let mut frame = Viewport::new(5.0, 4.0, 640.0, 300.0, 1.0);
-        frame.keep_clear(54.0, Some(69.0), Vector::zeros());
-        assert!(frame.to_screen(Point::new(5.0, 0.0)).x <= 640.0 - ZOOM_CORNER[0] + 1e-9, "{frame:?}");
-        assert_eq!((frame.scale, frame.scale_bar()), (60.0, Some([20.0, 72.0])));
     }
 }

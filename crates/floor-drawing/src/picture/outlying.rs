@@ -5,9 +5,10 @@ use super::{
     thickness::{ReducedPicture, erase_reduced, opened},
 };
 use robovac_core::{
-    geometry::{Point, contains, nearest_on_segment},
+    geometry::{Point, contains, convex_hull, nearest_on_segment},
     grid::{Cell, Grid},
 };
+use std::collections::BTreeMap;
 
 /// Least thickness of a wall, as a share of the usual one, and in pixels (ours): lines are drawn with a thin pen.
 const THICK: (f64, f64) = (0.6, 3.0);
@@ -31,7 +32,14 @@ pub(super) fn remove(walls: &mut Grid<bool>) {
     });
     let all: usize = thick.iter().map(|mark| mark.cells.len()).sum();
     let building = thick.iter().filter(|mark| mark.cells.len() as f64 >= LARGE * all as f64);
-    let hull = hull(building.flat_map(|mark| &mark.cells));
+    // The first and the last pixel of each row are enough.
+    let mut rows: BTreeMap<i32, [i32; 2]> = BTreeMap::new();
+    for cell in building.flat_map(|mark| &mark.cells) {
+        let [first, last] = rows.entry(cell.y).or_insert([cell.x; 2]);
+        (*first, *last) = ((*first).min(cell.x), (*last).max(cell.x));
+    }
+    let ends = rows.into_iter().flat_map(|(y, ends)| ends.map(|x| Cell::new(x, y).centre(1.0)));
+    let hull = convex_hull(ends.collect());
     let (low, high) = hull.iter().fold((Point::new(f64::MAX, f64::MAX), Point::origin()), |(low, high), corner| {
         (low.inf(corner), high.sup(corner))
     });
@@ -52,36 +60,6 @@ pub(super) fn remove(walls: &mut Grid<bool>) {
         }
     }
     erase_reduced(walls, by, &outlying);
-}
-
-/// Corners of the convex hull of pixels, counter-clockwise (Andrew 1979).
-fn hull<'a>(cells: impl Iterator<Item = &'a Cell>) -> Vec<Point> {
-    // The first and the last of each row are enough.
-    let mut rows: std::collections::BTreeMap<i32, [i32; 2]> = std::collections::BTreeMap::new();
-    for cell in cells {
-        let [first, last] = rows.entry(cell.y).or_insert([cell.x; 2]);
-        (*first, *last) = ((*first).min(cell.x), (*last).max(cell.x));
-    }
-    let chain = |side: usize| {
-        let mut corners: Vec<Point> = Vec::new();
-        for (&y, ends) in &rows {
-            let at = Cell::new(ends[side], y).centre(1.0);
-            // Rows go up: the right side turns left, the left side turns right.
-            let turns_back = |corners: &[Point]| {
-                let [.., a, b] = *corners else { return false };
-                let turn = (b - a).perp(&(at - b));
-                if side == 1 { turn <= 0.0 } else { turn >= 0.0 }
-            };
-            while turns_back(&corners) {
-                corners.pop();
-            }
-            corners.push(at);
-        }
-        corners
-    };
-    let mut corners = chain(1);
-    corners.extend(chain(0).into_iter().rev());
-    corners
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::CspaceError;
 use crate::{
     floor_plan::crossing,
-    geometry::{Point, Vector, contains, convex_pieces, signed_area},
+    geometry::{Point, Vector, contains, convex_hull, convex_pieces, signed_area},
     math,
     robot::{Body, MAX_CORNERS, RobotModel},
 };
@@ -169,34 +169,12 @@ pub(super) fn bounds(points: &[Point]) -> (Point, Point) {
 }
 
 /// What a convex polygon covers while it moves straight `along` a way: the convex hull of its corners and of those moved,
-/// counter-clockwise (Andrew 1979). The polygon itself for no way.
+/// counter-clockwise. The polygon itself for no way.
 pub(super) fn drawn_out(corners: &[Point], along: Vector) -> Vec<Point> {
     if along == Vector::zeros() {
         return corners.to_vec();
     }
-    let mut points: Vec<Point> = corners.iter().flat_map(|&corner| [corner, corner + along]).collect();
-    points.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-    points.dedup();
-    if points.len() < 3 {
-        return points;
-    }
-    let mut hull: Vec<Point> = Vec::with_capacity(points.len() + 1);
-    let mut least = 1;
-    for (index, &point) in points.iter().chain(points.iter().rev().skip(1)).enumerate() {
-        if index == points.len() {
-            least = hull.len();
-        }
-        while hull.len() > least {
-            let [.., before, last] = hull[..] else { break };
-            if (last - before).perp(&(point - last)) > 0.0 {
-                break;
-            }
-            hull.pop();
-        }
-        hull.push(point);
-    }
-    hull.pop();
-    hull
+    convex_hull(corners.iter().flat_map(|&corner| [corner, corner + along]).collect())
 }
 
 /// Farthest extent of points in a direction.
