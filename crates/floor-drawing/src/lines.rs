@@ -77,12 +77,8 @@ mod tests {
 
     /// Roles of the layers of a flat with walls `wide` units thick, by name.
     fn roles(wide: f64) -> Vec<(String, Role)> {
-        let walls = "M200 200H1000V400M1000 500V800H200V200M600 200V450M600 550V800";
-        let walls: String = walls
-            .split('M')
-            .skip(1)
-            .map(|wall| format!("<path d='M{wall}' stroke='#111' stroke-width='{wide}'/>"))
-            .collect();
+        let wall = |way: &str| format!("<path d='M{way}' stroke='#111' stroke-width='{wide}'/>");
+        let walls = ["200 200H1000V400", "1000 500V800H200V200", "600 200V450", "600 550V800"].map(wall).join("\n");
         let svg = format!(
             "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1200 1000' fill='none'>{walls}\
              <path d='M1000 400H900A100 100 0 0 0 1000 500' stroke='#333'/><path d='M600 450H700A100 100 0 0 1 600 550' stroke='#333'/>\

@@ -56,7 +56,9 @@ pub(super) fn remove(walls: &mut Grid<bool>) {
     let mut outlying = cells.map(|_| false);
     for PixelMark { cells, .. } in &thin {
         if cells.iter().filter(is_at_building).count() as f64 <= AT_BUILDING * cells.len() as f64 {
-            cells.iter().for_each(|&cell| outlying[cell] = true);
+            for &cell in cells {
+                outlying[cell] = true;
+            }
         }
     }
     erase_reduced(walls, by, &outlying);
