@@ -7,7 +7,7 @@ use super::{
     moves::{Edit, FewPoints, SweptPath},
     nearby::Nearby,
     raster::SweptRaster,
-    scan::swept_share,
+    scan::FloorLines,
 };
 use rand::RngExt;
 use robovac_core::{
@@ -18,13 +18,18 @@ use robovac_core::{
 };
 use std::ops::ControlFlow;
 
-/// Temperatures at the begin and at the end, s.
-const TEMPERATURES: (f64, f64) = (2.0, 0.06);
-/// Moves for every metre that are worth another descent from the start, most descents, and the share of the search after
-/// which their number is fixed.
+/// Moves for every metre of a descent that begins at a temperature of 1 s, with the root of more, and limits of it, s: what is
+/// melted in a large room doesn't set in time.
+const HOT: (f64, f64, f64) = (8000.0, 0.5, 2.0);
+/// Temperature at the end, s.
+const COLD: f64 = 0.03;
+/// Share of the search in which all first paths are tried, for as long each, and the temperatures then, s. Before that, nothing tells
+/// which layout of lanes will be the best: their first paths differ most in how they are linked, which is mended soon.
+const TRIAL: f64 = 0.16;
+const TRIAL_TEMPERATURES: (f64, f64) = (0.4, 0.06);
+/// Moves for every metre that are worth another descent, from another first path, and most descents.
 const DESCENT: f64 = 30_000.0;
 const MOST_DESCENTS: f64 = 6.0;
-const FIXED: f64 = 0.01;
 /// Price of floor that isn't swept, s/m²: at first, and its limits.
 const PRICE: (f64, f64, f64) = (80.0, 20.0, 3000.0);
 /// Moves between two adjustments of the price, and at least between two updates of what is near what.
@@ -39,6 +44,9 @@ const MENDING: (u32, u64) = (8, 100);
 const WORTH_KEEPING: f64 = 3e-5;
 /// Largest shift, m, halved up to so many times.
 const SHIFT: (f64, usize) = (0.4, 8);
+
+/// Corners among which moves are drawn, and moves before others are: those near each other need the same memory.
+const STRETCH: (usize, u32) = (64, 256);
 
 /// What a search needs.
 pub(super) struct LaneSearch<'a> {
@@ -59,9 +67,9 @@ struct MeasuredPath {
 }
 
 impl LaneSearch<'_> {
-    fn measure(&self, points: &[Point]) -> MeasuredPath {
+    fn measure(&self, lines: &mut FloorLines, points: &[Point]) -> MeasuredPath {
         let seconds = self.times.path(points, self.heading, Some(self.space));
-        let coverage = swept_share(self.floor, points);
+        let coverage = lines.swept_share(points);
         let missing = (self.setup.coverage - coverage).max(0.0) * self.floor.area();
         MeasuredPath { points: points.to_vec(), seconds, coverage, value: seconds + PRICE.2 * missing }
     }
@@ -89,7 +97,8 @@ pub(super) fn anneal(
 ) -> Vec<Point> {
     let LaneSearch { floor, setup, .. } = *search;
     let Some(points) = starts.first() else { return Vec::new() };
-    let mut best = search.measure(points);
+    let mut lines = FloorLines::new(floor);
+    let mut best = search.measure(&mut lines, points);
     let mut tell = |done: f64, best: &MeasuredPath| {
         observer(LanesProgress { done, path: &best.points, duration_s: best.seconds, coverage: best.coverage })
     };
@@ -102,27 +111,28 @@ pub(super) fn anneal(
     if points.is_empty() || total == 0 {
         return best.points;
     }
-    let begin = |start: usize| {
-        let points = &starts[start % starts.len()];
-        let points = if let [only] = points[..] { vec![only; 2] } else { points.clone() };
-        SweptPath::new(points, raster.clone(), search.space, search.times, search.heading)
+    let mut starts: Vec<FirstPath> = starts.iter().map(|points| FirstPath::new(points)).collect();
+    let begin = |start: &FirstPath| {
+        SweptPath::new(start.points.clone(), raster.clone(), search.space, search.times, search.heading)
     };
     let mut walker = Walker {
-        path: begin(0),
+        path: begin(&starts[0]),
         nearby: Nearby::default(),
         rng: seeded(setup.seed, 0),
         radius: floor.tool_radius,
         price: PRICE.0,
+        first: 0,
+        stays: 0,
     };
     let mut seconds = walker.path.seconds();
     // The samples' floor that may stay unswept, m².
     let all = walker.path.raster.floor_area();
     let mut allowed = (1.0 - setup.coverage) * all;
     let mut candidate: Option<(f64, Vec<Point>)> = None;
-    let (mut share, mut temperature, mut next_measure) = (0.0_f64, TEMPERATURES.0, MEASURE);
+    let (mut share, mut temperature, mut next_measure) = (0.0_f64, TRIAL_TEMPERATURES.0, MEASURE);
     let mut mending: Option<(u64, u64)> = None;
     let mut rounds = 0;
-    let (mut descents, mut descent) = (None, 0.0);
+    let mut stage = Stage::Trial(0);
     let mut next_rebuild = 0;
     for step in 0.. {
         if step % ADJUST == 0 {
@@ -138,42 +148,59 @@ pub(super) fn anneal(
                 ControlFlow::Continue(spent) => share = share.max(spent).max(step as f64 / total as f64).min(1.0),
                 ControlFlow::Break(()) => return best.points,
             }
-            if descents.is_none() && share >= FIXED {
-                let moves = step as f64 / share;
-                descents = Some((moves / (DESCENT * metres)).floor().clamp(1.0, MOST_DESCENTS));
-            }
-            let at = share * descents.unwrap_or(1.0);
-            if at.floor() > descent && share < 1.0 {
-                descent = at.floor();
+            let moves = step as f64 / (share.max(1e-9) * metres.max(1.0));
+            let (next, part) = stage.at(share, starts.len(), moves);
+            if next != stage && share < 1.0 {
                 if let Some((_, points)) = candidate.take() {
-                    let found = search.measure(&points);
+                    let found = search.measure(&mut lines, &points);
                     best = if found.value < best.value { found } else { best };
                 }
-                (walker.path, walker.price) = (begin(descent as usize), PRICE.0);
+                let start = match (stage, next) {
+                    (Stage::Trial(tried), _) => {
+                        let missing = (walker.path.raster.unswept_area() - allowed).max(0.0);
+                        let value = seconds + PRICE.0 * missing;
+                        let points = std::mem::take(&mut walker.path.points);
+                        starts[tried] = FirstPath { points, price: walker.price, value };
+                        if let Stage::Trial(next) = next {
+                            next
+                        } else {
+                            starts.sort_by(|one, other| one.value.total_cmp(&other.value));
+                            0
+                        }
+                    }
+                    (_, Stage::Descent(descent, _)) => descent % starts.len(),
+                    _ => 0,
+                };
+                stage = next;
+                (walker.path, walker.price) = (begin(&starts[start]), starts[start].price);
                 (seconds, allowed) = (walker.path.seconds(), (1.0 - setup.coverage) * all);
                 next_rebuild = step;
                 walker.nearby.rebuild(&walker.path.points);
             }
-            temperature = TEMPERATURES.0 * math::exp((at - descent) * math::ln(TEMPERATURES.1 / TEMPERATURES.0));
+            let (hot, cold) = match stage {
+                Stage::Trial(_) => TRIAL_TEMPERATURES,
+                Stage::Descent(_, descents) => ((moves / descents / HOT.0).sqrt().clamp(HOT.1, HOT.2), COLD),
+            };
+            temperature = hot * math::exp(part * math::ln(cold / hot));
         }
         let ends_round = ends_round(&mut mending, share >= 1.0, step);
         if ends_round || mending.is_none() && share >= next_measure {
             next_measure = share + MEASURE;
             let found = match candidate.take() {
+                // Another path is the best anyway.
+                Some((seconds, _)) if !ends_round && seconds >= best.value => None,
                 Some((_, points)) => {
-                    let found = search.measure(&points);
+                    let found = search.measure(&mut lines, &points);
                     // The samples flatter, or are too strict.
                     let short = setup.coverage - found.coverage;
                     allowed = (allowed - 0.7 * short.max(-2e-4) * all).max(0.0);
-                    found
+                    Some(found)
                 }
                 // Perhaps no path sweeps enough.
-                None => search.measure(&walker.path.points),
+                None => Some(search.measure(&mut lines, &walker.path.points)),
             };
-            let is_enough = found.coverage >= setup.coverage;
-            if found.value < best.value {
-                best = found;
-            }
+            let is_enough = found.as_ref().is_some_and(|found| found.coverage >= setup.coverage);
+            best = found.filter(|found| found.value < best.value).unwrap_or(best);
             rounds += u32::from(ends_round);
             if ends_round && (is_enough || rounds > MENDING.0) {
                 break;
@@ -189,6 +216,49 @@ pub(super) fn anneal(
     best.points
 }
 
+/// A path to begin with.
+struct FirstPath {
+    points: Vec<Point>,
+    /// Price of floor that isn't swept, s/m².
+    price: f64,
+    /// Seconds and the price of what is missing, after its trial.
+    value: f64,
+}
+
+impl FirstPath {
+    fn new(points: &[Point]) -> Self {
+        let points = if let [only] = *points { vec![only; 2] } else { points.to_vec() };
+        Self { points, price: PRICE.0, value: f64::INFINITY }
+    }
+}
+
+/// What the search does at a time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Stage {
+    /// A short descent from a first path, by its number.
+    Trial(usize),
+    /// A descent from one that was among the best, its number, and the number of descents.
+    Descent(usize, f64),
+}
+
+impl Stage {
+    /// The stage at a share of the search, with so many first paths and moves for every metre in all, and the part of it that
+    /// is done.
+    fn at(self, share: f64, starts: usize, moves: f64) -> (Self, f64) {
+        if share < TRIAL {
+            let place = share / TRIAL * starts as f64;
+            return (Self::Trial(place as usize), place.fract());
+        }
+        let descents = match self {
+            Self::Trial(_) => (moves / DESCENT).floor().clamp(1.0, MOST_DESCENTS),
+            Self::Descent(_, descents) => descents,
+        };
+        let place = (share - TRIAL) / (1.0 - TRIAL) * descents;
+        let number = place.floor().min(descents - 1.0);
+        (Self::Descent(number as usize, descents), place - number)
+    }
+}
+
 /// The path at the present temperature.
 struct Walker<'a> {
     path: SweptPath<'a>,
@@ -197,6 +267,9 @@ struct Walker<'a> {
     radius: f64,
     /// s/m².
     price: f64,
+    /// Corners are drawn from a stretch of the path that begins at this one, so many times more before the next stretch.
+    first: usize,
+    stays: u32,
 }
 
 impl Walker<'_> {
@@ -226,10 +299,11 @@ impl Walker<'_> {
             seconds = self.path.seconds_by(&edit, &exchange, Some(self.path.space));
             may_miss = (limit - seconds) / self.price;
         }
-        if self.path.missed_by(&exchange, most) > may_miss {
+        let missed = self.path.missed_by(&exchange, most);
+        if missed > may_miss {
             return 0.0;
         }
-        self.path.apply(&edit, &exchange);
+        self.path.apply(&edit);
         seconds
     }
 
@@ -252,14 +326,14 @@ impl Walker<'_> {
 
     fn propose(&mut self) -> Option<Edit> {
         match self.below(100) {
-            0..22 => self.shift_corner(),
-            22..30 => self.slide_corner(),
-            30..46 => self.shift_piece(),
-            46..58 => self.leave_out(),
-            58..63 => self.join_corners(),
-            63..68 => self.insert(),
-            68..80 => self.reach_for_floor(),
-            80..88 => self.reverse(),
+            0..16 => self.shift_corner(),
+            16..20 => self.slide_corner(),
+            20..30 => self.shift_piece(),
+            30..46 => self.leave_out(),
+            46..52 => self.join_corners(),
+            52..55 => self.insert(),
+            55..71 => self.reach_for_floor(),
+            71..83 => self.reverse(),
             _ => self.carry(),
         }
     }
@@ -272,7 +346,14 @@ impl Walker<'_> {
     /// Any corner but the start.
     fn corner(&mut self) -> Option<usize> {
         let n = self.path.points.len();
-        (n > 1).then(|| 1 + self.below(n - 1))
+        if n < 2 {
+            return None;
+        }
+        if self.stays == 0 {
+            (self.first, self.stays) = (self.below(n - 1), STRETCH.1);
+        }
+        self.stays -= 1;
+        Some(1 + (self.first + self.below(STRETCH.0.min(n - 1))) % (n - 1))
     }
 
     fn shift_corner(&mut self) -> Option<Edit> {
@@ -354,20 +435,23 @@ impl Walker<'_> {
             self.path.raster.unswept_at(word, sample)
         })?;
         let choice = self.below(3);
-        let mut near: Option<(f64, usize, Point)> = None;
+        // Where the robot is when its tool is at the goal; then the piece, and the nearest point on it.
+        let mut near: Option<(f64, Point, usize, Point)> = None;
         for &piece in self.nearby.around(goal) {
             let i = piece as usize;
             if i == 0 || i >= self.path.points.len() {
                 continue;
             }
-            let at = nearest_on_segment(self.path.points[i - 1], self.path.points[i], goal);
+            let (a, b) = (self.path.points[i - 1], self.path.points[i]);
+            let goal = goal - self.path.raster.tool.along(b - a);
+            let at = nearest_on_segment(a, b, goal);
             // Not always the nearest piece.
             let distance = (at - goal).norm() * (1.0 + if choice == 0 { 0.0 } else { self.rng.random::<f64>() });
             if near.is_none_or(|(least, ..)| distance < least) {
-                near = Some((distance, i, at));
+                near = Some((distance, goal, i, at));
             }
         }
-        let (_, i, at) = near?;
+        let (_, goal, i, at) = near?;
         let way = goal - at;
         let distance = way.norm();
         if distance < 1e-6 {

@@ -20,6 +20,8 @@ const WORTH: f64 = 0.5;
 const BLUR: f64 = 0.6;
 /// Difference of chords beyond which a direction isn't the better for it, m.
 const CLEARLY: f64 = 2.0;
+/// Chords shorter than this count as so long, m: they are lost either way.
+const LEAST_CHORD: f64 = 0.4;
 /// Directions tried, between 0 and a right angle.
 const DIRECTIONS: u32 = 18;
 /// How often the step between directions is halved around the best.
@@ -38,6 +40,8 @@ pub(super) enum Directions {
     Second,
     /// Each part along its longer chords.
     Both,
+    /// Each part in the direction in which fewer lanes end: narrow parts get their way.
+    Fewest,
 }
 
 /// A straight pass, m.
@@ -139,8 +143,8 @@ impl LaneLayout {
         match directions {
             Directions::First => self.view(false).lay(&mut left, |_| true, &mut lanes),
             Directions::Second => self.view(true).lay(&mut left, |_| true, &mut lanes),
-            Directions::Both => {
-                let across = self.across();
+            Directions::Both | Directions::Fewest => {
+                let across = self.across(directions);
                 self.view(false).lay(&mut left, |i| !across[i], &mut lanes);
                 self.view(true).lay(&mut left, |i| across[i], &mut lanes);
                 self.view(false).lay(&mut left, |_| true, &mut lanes);
@@ -150,13 +154,18 @@ impl LaneLayout {
     }
 
     /// Where chords in the second direction are longer, averaged over about a metre.
-    fn across(&self) -> Vec<bool> {
+    fn across(&self, directions: Directions) -> Vec<bool> {
         let (rows, columns) = (self.view(false).chord_lengths(), self.view(true).chord_lengths());
         let score = |i: usize| {
             let difference = (f64::from(columns[i]) - f64::from(rows[i])) * self.spacing;
             if self.is_floor[i] { difference.clamp(-CLEARLY, CLEARLY) as f32 } else { 0.0 }
         };
-        let mut scores: Vec<f32> = (0..self.is_floor.len()).map(score).collect();
+        // Lanes end once in a chord's length.
+        let ends = |chord: u32| 1.0 / (f64::from(chord) * self.spacing).max(LEAST_CHORD);
+        let fewer = |i: usize| if self.is_floor[i] { (ends(rows[i]) - ends(columns[i])) as f32 } else { 0.0 };
+        let all = 0..self.is_floor.len();
+        let mut scores: Vec<f32> =
+            if directions == Directions::Fewest { all.map(fewer).collect() } else { all.map(score).collect() };
         let half = (BLUR / self.spacing) as usize;
         for _ in 0..2 {
             blur(&mut scores, self.width, half);

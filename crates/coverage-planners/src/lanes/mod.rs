@@ -135,7 +135,7 @@ pub fn plan_lanes(
     let mut lattice = Lattice::new(floor, &space);
     let mut raster = SweptRaster::new(floor, layout.along());
     let mut starts: Vec<(f64, Vec<Point>)> = Vec::new();
-    for directions in [Directions::Both, Directions::First, Directions::Second] {
+    for directions in [Directions::Both, Directions::First, Directions::Second, Directions::Fewest] {
         cancelled(report(0.0))?;
         let path = order::in_order(&space, &mut lattice, start, &layout.lanes(&space, directions));
         // Lanes at full speed sweep so much; what is missed takes three times as long.
@@ -191,10 +191,11 @@ impl LanesSetup {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::metrics::DriveMetrics;
     use robovac_core::{
         floor_plan::{FloorPlan, Object, generate::random_flat},
         geometry::{Pose, nearest_on_segment},
-        robot::model,
+        robot::{Tool, model},
     };
 
     const EFFORT: f64 = 60.0;
@@ -271,6 +272,21 @@ mod tests {
                 assert_eq!(plan(&floor, &setup), found, "same seed, same path");
                 assert_ne!(plan(&floor, &LanesSetup { seed: 9, ..setup }).path, found.path);
             }
+        }
+    }
+
+    #[test]
+    fn a_tool_beside_the_middle_sweeps_what_is_required() {
+        let room = random_flat(1, 1, 4);
+        for at in [[0.08, 0.0], [-0.03, 0.05]] {
+            let robot = RobotModel { tool: Tool::Disc(at), ..model("roomba600").unwrap().clone() };
+            let floor = ReachableFloor::new(&room, &robot, None).unwrap();
+            let setup = LanesSetup { coverage: 0.95, effort: 4.0 * EFFORT, ..LanesSetup::default() };
+            let found = plan_lanes(&floor, &robot, &setup, &mut |_| ControlFlow::Continue(0.0)).unwrap();
+            let driven = DriveMetrics::of(&floor, &robot, &found.path);
+            assert!(found.coverage >= 0.95, "{at:?}: {}", found.coverage);
+            assert!((driven.coverage - found.coverage).abs() < 0.02, "{at:?}: {} {}", driven.coverage, found.coverage);
+            assert_eq!((found.bound.length_m, found.excess), (0.0, [0.0; 2]), "no bound is known");
         }
     }
 

@@ -4,7 +4,7 @@ use super::{cost::MotionTimes, free_space::FreeSpace, raster::SweptRaster};
 use robovac_core::geometry::{Point, Vector};
 
 /// Most new points of a splice.
-pub(super) const MOST_NEW: usize = 8;
+pub(super) const MOST_NEW: usize = 5;
 
 /// A few points.
 #[derive(Debug, Clone, Copy)]
@@ -258,9 +258,9 @@ impl<'a> SweptPath<'a> {
         self.raster.missed_by(exchange.removed(), exchange.added(), most)
     }
 
-    /// Makes a valid edit, and counts what it exchanges.
-    pub fn apply(&mut self, edit: &Edit, exchange: &Exchange) {
-        self.raster.exchange(exchange.removed(), exchange.added());
+    /// Makes a valid edit, the last one for which [`Self::missed_by`] was asked.
+    pub fn apply(&mut self, edit: &Edit) {
+        self.raster.make_exchange();
         match *edit {
             Edit::Splice { from, to, ref new } => {
                 self.points.splice(from + 1..to, new.slice().iter().copied());
@@ -350,7 +350,7 @@ mod tests {
                     "{edit:?}: fewer curves fit than if all did"
                 );
                 let left = path.raster.unswept_area() + path.missed_by(&exchange, 1e9);
-                path.apply(edit, &exchange);
+                path.apply(edit);
                 assert!((path.raster.unswept_area() - left).abs() < 1e-9, "{edit:?}");
                 let after = path.seconds();
                 assert!((after - before - by).abs() < 1e-9, "{edit:?}: {by} s, not {}", after - before);

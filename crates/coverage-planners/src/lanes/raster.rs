@@ -1,6 +1,6 @@
 //! How often each sample of the floor is swept, counted up and down while a path changes.
 
-use super::scan::rotation;
+use super::{moves::MOST_NEW, scan::rotation, tool::ToolPlace};
 use robovac_core::{
     coverage::ReachableFloor,
     geometry::{Point, Vector},
@@ -11,7 +11,7 @@ use robovac_core::{
 /// can't hide between two rows of samples. A small one: lanes in one of two directions meet few rows.
 const ANGLE: f64 = 0.19;
 /// Samples across the tool.
-const ACROSS: f64 = 10.0;
+const ACROSS: f64 = 7.0;
 /// Samples along a side of a block, as a power of two.
 const BLOCK: i32 = 4;
 /// Most samples.
@@ -28,11 +28,12 @@ struct Word {
     /// The bits of the counts, lowest first.
     counts: [u64; BITS],
     floor: u64,
-    /// On the floor, with count 0.
+    /// On the floor, with count 0 and with count 1.
     unswept: u64,
+    once: u64,
 }
 
-/// Samples of the floor at a spacing of about a tenth of the tool's width, and how often each is swept.
+/// Samples of the floor at a spacing of about a seventh of the tool's width, and how often each is swept.
 #[derive(Debug, Clone)]
 pub(super) struct SweptRaster {
     /// Metres between samples.
@@ -44,7 +45,8 @@ pub(super) struct SweptRaster {
     /// In samples.
     width: i32,
     height: i32,
-    /// Radius of the tool, in samples.
+    /// The tool, and its radius, in samples.
+    pub tool: ToolPlace,
     radius: f64,
     words: Vec<Word>,
     words_across: i32,
@@ -55,11 +57,11 @@ pub(super) struct SweptRaster {
     blocks_across: i32,
     /// The words with floor.
     floor: Vec<u32>,
-    /// Strokes of an exchange with +1 if new and -1 if old, where they begin and end in a row, and what they sweep of it; kept for
-    /// their memory.
-    strokes: Vec<(SweptDisc, i32)>,
-    ends: Vec<(i32, i32)>,
-    runs: Vec<(SampleRun, i32)>,
+    /// Strokes of an exchange with +1 if new and -1 if old, and where they begin and end in a row; kept for their memory.
+    strokes: Vec<StrokeRuns>,
+    runs: Vec<SampleRun>,
+    /// Rows and runs in which the last exchange changes counts, and by how much.
+    changes: Vec<(i32, SampleRun, i32)>,
 }
 
 /// Parts of a column in which the sides of strokes are computed.
@@ -88,17 +90,22 @@ impl Word {
         }
     }
 
-    /// Sets which samples have count 0.
+    /// Sets which samples have count 0 and 1.
     #[inline]
     fn update(&mut self) {
         let more = self.counts[1..].iter().fold(0, |more, bits| more | bits);
         self.unswept = self.floor & !(more | self.counts[0]);
+        self.once = self.floor & self.counts[0] & !more;
     }
 
-    /// The samples on the floor with these counts.
+    /// The samples on the floor with a count of at least 1.
     #[inline]
-    fn counted(&self, counts: &[u64; BITS]) -> u64 {
-        self.counts.iter().zip(counts).fold(self.floor, |equal, (these, those)| equal & !(these ^ those))
+    fn counted(&self, count: u32) -> u64 {
+        if count == 1 {
+            return self.once;
+        }
+        let equal = |equal, (bit, bits): (usize, &u64)| equal & if count >> bit & 1 == 1 { *bits } else { !bits };
+        self.counts.iter().enumerate().fold(self.floor, equal)
     }
 }
 
@@ -136,6 +143,7 @@ impl SweptRaster {
             origin: low,
             width,
             height,
+            tool: ToolPlace::of(floor),
             radius: floor.tool_radius / spacing,
             words: vec![Word::default(); (words_across * height) as usize],
             words_across,
@@ -145,8 +153,8 @@ impl SweptRaster {
             blocks_across,
             floor: Vec::new(),
             strokes: Vec::new(),
-            ends: Vec::new(),
             runs: Vec::new(),
+            changes: Vec::new(),
         };
         for row in 0..height {
             for word in 0..words_across {
@@ -220,47 +228,37 @@ impl SweptRaster {
         let area = self.spacing * self.spacing;
         let (mut won, mut lost, most) = (0_u32, 0_u32, (most / area).min(1e9) as u32);
         let rows = self.begin_exchange(old, new);
-        let mut runs = std::mem::take(&mut self.runs);
+        let mut changes = std::mem::take(&mut self.changes);
+        changes.clear();
+        let mut ends = RowEnds { keys: [NONE; MOST_ENDS], count: 0 };
         for row in rows.0..rows.1 {
-            let (mut first, mut last) = (i32::MAX, 0);
-            runs.clear();
-            for (stroke, by) in &self.strokes {
-                if row >= stroke.rows.0 && row < stroke.rows.1 {
-                    let run = stroke.run(row, self.width);
-                    if run.0 < run.1 {
-                        (first, last) = (first.min(run.0), last.max(run.1));
-                        runs.push((run, *by));
-                    }
-                }
-            }
-            if last == 0 {
-                continue;
-            }
+            self.ends_in_row(row, &mut ends);
             let line = &self.words[(row * self.words_across) as usize..][..self.words_across as usize];
-            for word in first >> 6..=(last - 1) >> 6 {
-                let (mut added, mut removed) = (0_u64, [0_u64; BITS]);
-                for &(run, by) in &runs {
-                    let mask = mask(word, run);
+            ends.each_run(|run, by| {
+                changes.push((row, run, by));
+                for word in run.0 >> 6..=(run.1 - 1) >> 6 {
+                    let (mask, word) = (mask(word, run), &line[word as usize]);
                     if by > 0 {
-                        added |= mask;
+                        won += (word.unswept & mask).count_ones();
                     } else {
-                        let mut carry = mask;
-                        for bits in &mut removed {
-                            (*bits, carry) = (*bits ^ carry, *bits & carry);
-                        }
+                        // Nobody but the old strokes sweeps what is counted as often as it's taken.
+                        lost += (word.counted(by.unsigned_abs()) & mask).count_ones();
                     }
                 }
-                let word = &line[word as usize];
-                won += (word.unswept & added).count_ones();
-                // Nobody but the old strokes sweeps what they count alone.
-                lost += (word.counted(&removed) & !word.unswept & !added).count_ones();
-            }
+            });
             if lost > most {
                 break;
             }
         }
-        self.runs = runs;
+        self.changes = changes;
         if lost > most { f64::INFINITY } else { (f64::from(lost) - f64::from(won)) * area }
+    }
+
+    /// Makes the exchange that [`Self::missed_by`] has looked at last, and not broken off.
+    pub fn make_exchange(&mut self) {
+        let changes = std::mem::take(&mut self.changes);
+        changes.iter().for_each(|&(row, run, by)| self.change(row, run, by));
+        self.changes = changes;
     }
 
     /// No more floor than this, m², could the strokes `new` sweep anew, other than those that are among `old`.
@@ -295,48 +293,41 @@ impl SweptRaster {
 
     /// Counts the strokes `new` instead of `old`; only where they differ are samples visited.
     pub fn exchange(&mut self, old: &[(Point, Point)], new: &[(Point, Point)]) {
-        let mut ends = std::mem::take(&mut self.ends);
-        let rows = self.begin_exchange(old, new);
-        for row in rows.0..rows.1 {
-            self.ends_in_row(row, &mut ends);
-            each_run(&ends, |run, by| self.change(row, run, by));
-        }
-        self.ends = ends;
+        let _ = self.missed_by(old, new, f64::MAX);
+        self.make_exchange();
     }
 
     /// Takes the strokes in which `old` and `new` differ; returns the rows that they meet.
     fn begin_exchange(&mut self, old: &[(Point, Point)], new: &[(Point, Point)]) -> (i32, i32) {
-        let mut strokes = std::mem::take(&mut self.strokes);
+        let (mut strokes, mut runs) = (std::mem::take(&mut self.strokes), std::mem::take(&mut self.runs));
         strokes.clear();
-        for (these, others, by) in [(old, new, -1), (new, old, 1)] {
-            let different = these.iter().filter(|piece| !others.contains(piece));
-            strokes.extend(different.map(|&(a, b)| (self.stroke(a, b), by)));
+        runs.clear();
+        let mut all = (i32::MAX, i32::MIN);
+        for (these, others, is_new) in [(old, new, 0), (new, old, 1)] {
+            for &(a, b) in these.iter().filter(|piece| !others.contains(piece)) {
+                let stroke = self.stroke(a, b);
+                let rows = stroke.rows;
+                strokes.push(StrokeRuns { rows, first: runs.len(), is_new });
+                stroke.push_runs(self.width, &mut runs);
+                all = (all.0.min(rows.0), all.1.max(rows.1));
+            }
         }
-        let rows = strokes
-            .iter()
-            .fold((i32::MAX, i32::MIN), |rows, (stroke, _)| (rows.0.min(stroke.rows.0), rows.1.max(stroke.rows.1)));
-        self.strokes = strokes;
-        rows
+        (self.strokes, self.runs) = (strokes, runs);
+        all
     }
 
-    /// Where the strokes of the exchange begin and end in a row, sorted, with the change of the count there.
+    /// Where the strokes of the exchange begin and end in a row.
     #[inline]
-    fn ends_in_row(&self, row: i32, ends: &mut Vec<(i32, i32)>) {
-        ends.clear();
-        for (stroke, by) in &self.strokes {
-            if row < stroke.rows.0 || row >= stroke.rows.1 {
-                continue;
-            }
-            let (from, to) = stroke.run(row, self.width);
-            if from < to {
-                for end in [(from, *by), (to, -by)] {
-                    ends.push(end);
-                    let mut i = ends.len() - 1;
-                    while i > 0 && ends[i - 1].0 > end.0 {
-                        ends[i] = ends[i - 1];
-                        i -= 1;
-                    }
-                    ends[i] = end;
+    fn ends_in_row(&self, row: i32, ends: &mut RowEnds) {
+        ends.keys[..8].fill(NONE);
+        ends.count = 0;
+        for stroke in &self.strokes {
+            if row >= stroke.rows.0 && row < stroke.rows.1 {
+                let (from, to) = self.runs[stroke.first + (row - stroke.rows.0) as usize];
+                if from < to {
+                    ends.keys[ends.count] = from << 1 | stroke.is_new;
+                    ends.keys[ends.count + 1] = to << 1 | (1 - stroke.is_new);
+                    ends.count += 2;
                 }
             }
         }
@@ -371,6 +362,7 @@ impl SweptRaster {
     }
 
     fn stroke(&self, a: Point, b: Point) -> SweptDisc {
+        let (a, b) = self.tool.stroke(a, b);
         let local = |p: Point| (into_frame(self.turn, p) - self.origin) / self.spacing;
         SweptDisc::new(local(a), local(b), self.radius, self.height)
     }
@@ -380,16 +372,66 @@ fn into_frame(turn: Vector, p: Point) -> Vector {
     Vector::new(turn.x * p.x + turn.y * p.y, turn.x * p.y - turn.y * p.x)
 }
 
-/// Calls `each` with every run between two ends in which the count changes, and by how much.
+/// Where a stroke's runs are, one for each of its rows.
+#[derive(Debug, Clone)]
+struct StrokeRuns {
+    rows: (i32, i32),
+    first: usize,
+    /// 1 or 0.
+    is_new: i32,
+}
+
+/// Ends of all strokes of an exchange in a row, at most.
+const MOST_ENDS: usize = 4 * (MOST_NEW + 1);
+/// No end: behind all others.
+const NONE: i32 = i32::MAX;
+/// Columns where strokes begin and end in a row, times two, and one more where the count rises.
+struct RowEnds {
+    keys: [i32; MOST_ENDS],
+    count: usize,
+}
+
+/// Two sorted pairs in order.
 #[inline]
-fn each_run(ends: &[(i32, i32)], mut each: impl FnMut(SampleRun, i32)) {
-    let mut by = 0;
-    for pair in ends.windows(2) {
-        by += pair[0].1;
-        if by != 0 && pair[0].0 < pair[1].0 {
-            each((pair[0].0, pair[1].0), by);
+fn merged((a, b): (i32, i32), (c, d): (i32, i32)) -> (i32, i32, i32, i32) {
+    let (low, high) = (a.max(c), b.min(d));
+    (a.min(c), low.min(high), low.max(high), b.max(d))
+}
+
+impl RowEnds {
+    /// Calls `each` with every run between two ends in which the count changes, and by how much.
+    #[inline]
+    fn each_run(&mut self, mut each: impl FnMut(SampleRun, i32)) {
+        if self.count <= 8 {
+            let [a, b, c, d, e, f, g, h] = *self.keys.first_chunk().expect("room for eight");
+            let (a, b, c, d) = merged((a, b), (c, d));
+            (self.keys[0], self.keys[1], self.keys[2], self.keys[3]) = (a, b, c, d);
+            if self.count > 4 {
+                let (e, f, g, h) = merged((e, f), (g, h));
+                // Odd-even merge sort (Batcher 1968).
+                let (a, c, e, g) = merged((a, c), (e, g));
+                let (b, d, f, h) = merged((b, d), (f, h));
+                let sorted = [a, b.min(c), b.max(c), d.min(e), d.max(e), f.min(g), f.max(g), h];
+                self.keys[..8].copy_from_slice(&sorted);
+            }
+        } else {
+            self.keys[..self.count].sort_unstable();
+        }
+        let mut by = 0;
+        for pair in self.keys[..self.count].windows(2) {
+            by += ((pair[0] & 1) << 1) - 1;
+            let run = (pair[0] >> 1, pair[1] >> 1);
+            if by != 0 && run.0 < run.1 {
+                each(run, by);
+            }
         }
     }
+}
+
+/// The nearest whole number, of a small number; faster than a cast, which takes care of large ones.
+#[inline]
+fn nearest(x: f64) -> i32 {
+    (x + 1.5 * (1_u64 << 52) as f64).to_bits() as i32
 }
 
 /// A disc moved along a segment, in samples.
@@ -436,17 +478,20 @@ impl SweptDisc {
         stroke
     }
 
-    /// The samples of a row.
+    /// Appends the samples of every row.
     #[inline]
-    fn run(&self, row: i32, width: i32) -> SampleRun {
-        if row >= self.middle.0 && row < self.middle.1 {
+    fn push_runs(&self, width: i32, runs: &mut Vec<SampleRun>) {
+        let middle = (self.middle.0.clamp(self.rows.0, self.rows.1), self.middle.1.clamp(self.rows.0, self.rows.1));
+        let middle = if middle.0 < middle.1 { middle } else { (self.rows.1, self.rows.1) };
+        runs.extend((self.rows.0..middle.0).map(|row| self.run_at_end(row, width)));
+        runs.extend((middle.0..middle.1).map(|row| {
             let by = self.step * i64::from(row - self.middle.0);
             let (left, right) = (self.sides.0 + by, self.sides.1 + by);
             let from = (left + PARTS as i64 - 1) >> PART_BITS;
             let to = (right >> PART_BITS) + 1;
-            return (from.max(0) as i32, to.clamp(0, i64::from(width)) as i32);
-        }
-        self.run_at_end(row, width)
+            (from.max(0) as i32, to.clamp(0, i64::from(width)) as i32)
+        }));
+        runs.extend((middle.1..self.rows.1).map(|row| self.run_at_end(row, width)));
     }
 
     /// Where a disc bounds the row, or one of the long sides.
@@ -471,7 +516,7 @@ impl SweptDisc {
         } else {
             self.high.x + half(high)
         };
-        (math::ceil(left).max(0), (math::floor(right) + 1).min(width))
+        (nearest(left + 0.5).max(0), nearest(right + 0.5).min(width))
     }
 }
 

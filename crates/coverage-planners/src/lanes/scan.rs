@@ -23,42 +23,90 @@ const LARGE: f64 = 400.0;
 /// their ratio is accurate to about 0.01 % in rooms of 10 m² and more. (An axis-parallel raster of 1.25 cm flatters
 /// paths fitted to it by up to 0.7 %.)
 pub fn swept_share(floor: &ReachableFloor, path: &[Point]) -> f64 {
-    let turn = rotation(ANGLE);
-    let spacing = SPACING * (floor.area() / LARGE).max(1.0).sqrt();
-    let into = |p: Point| Vector::new(turn.x * p.x + turn.y * p.y, turn.x * p.y - turn.y * p.x);
-    let size = Vector::new(floor.floor.width() as f64, floor.floor.height() as f64) * floor.resolution;
-    let corners = [[0.0, 0.0], [size.x, 0.0], [0.0, size.y], [size.x, size.y]].map(|[x, y]| into(Point::new(x, y)));
-    let low = corners.iter().fold(f64::MAX, |low, c| low.min(c.y));
-    let high = corners.iter().fold(f64::MIN, |high, c| high.max(c.y));
-    let lines = ((high - low) / spacing) as usize + 1;
-    let mut runs: Vec<Vec<(f64, f64)>> = vec![Vec::new(); lines];
-    for (a, b) in ToolPlace::of(floor).strokes(path, floor.start.direction()) {
-        let (a, b) = (into(a), into(b));
-        let (bottom, top) = (a.y.min(b.y) - floor.tool_radius, a.y.max(b.y) + floor.tool_radius);
-        let first = math::ceil((bottom - low) / spacing - 0.5).max(0) as usize;
-        let last = math::floor((top - low) / spacing - 0.5).min(lines as i32 - 1);
-        for (line, runs) in runs.iter_mut().enumerate().take((last + 1).max(0) as usize).skip(first) {
-            let y = low + (line as f64 + 0.5) * spacing;
-            runs.extend(across(a, b, floor.tool_radius, y));
+    FloorLines::new(floor).swept_share(path)
+}
+
+/// Lines over a floor, along which paths are measured.
+pub(super) struct FloorLines {
+    turn: Vector,
+    spacing: f64,
+    /// Height of the floor's lower edge in the turned frame, m.
+    low: f64,
+    tool: ToolPlace,
+    tool_radius: f64,
+    /// Direction in which the robot looks at its start.
+    heading: Vector,
+    /// Stretches of floor along each line, and their length in all, m.
+    floor: Vec<Vec<(f64, f64)>>,
+    length: f64,
+    /// What a path sweeps of each line; kept for its memory.
+    runs: Vec<Vec<(f64, f64)>>,
+}
+
+impl FloorLines {
+    pub fn new(floor: &ReachableFloor) -> Self {
+        let turn = rotation(ANGLE);
+        let spacing = SPACING * (floor.area() / LARGE).max(1.0).sqrt();
+        let size = Vector::new(floor.floor.width() as f64, floor.floor.height() as f64) * floor.resolution;
+        let corners = [[0.0, 0.0], [size.x, 0.0], [0.0, size.y], [size.x, size.y]];
+        let corners = corners.map(|[x, y]| into(turn, Point::new(x, y)));
+        let low = corners.iter().fold(f64::MAX, |low, c| low.min(c.y));
+        let high = corners.iter().fold(f64::MIN, |high, c| high.max(c.y));
+        let count = ((high - low) / spacing) as usize + 1;
+        let stretches = |line: usize| {
+            let mut stretches = Vec::new();
+            floor_along(floor, turn, low + (line as f64 + 0.5) * spacing, |from, to| stretches.push((from, to)));
+            stretches
+        };
+        let lines: Vec<Vec<(f64, f64)>> = (0..count).map(stretches).collect();
+        let length = lines.iter().flatten().map(|(from, to)| to - from).sum();
+        Self {
+            turn,
+            spacing,
+            low,
+            tool: ToolPlace::of(floor),
+            tool_radius: floor.tool_radius,
+            heading: floor.start.direction(),
+            floor: lines,
+            length,
+            runs: vec![Vec::new(); count],
         }
     }
-    let (mut all, mut swept) = (0.0, 0.0);
-    for (line, runs) in runs.iter_mut().enumerate() {
-        runs.sort_by(|one, other| one.0.total_cmp(&other.0));
-        join(runs);
-        let y = low + (line as f64 + 0.5) * spacing;
-        let mut next = 0;
-        floor_along(floor, turn, y, |from, to| {
-            all += to - from;
-            while next < runs.len() && runs[next].1 <= from {
-                next += 1;
+
+    /// The share of the floor that a path sweeps, 0 to 1.
+    pub fn swept_share(&mut self, path: &[Point]) -> f64 {
+        self.runs.iter_mut().for_each(Vec::clear);
+        for (a, b) in self.tool.strokes(path, self.heading) {
+            let (a, b) = (into(self.turn, a), into(self.turn, b));
+            let (bottom, top) = (a.y.min(b.y) - self.tool_radius, a.y.max(b.y) + self.tool_radius);
+            let first = math::ceil((bottom - self.low) / self.spacing - 0.5).max(0) as usize;
+            let last = math::floor((top - self.low) / self.spacing - 0.5).min(self.runs.len() as i32 - 1);
+            for (line, runs) in self.runs.iter_mut().enumerate().take((last + 1).max(0) as usize).skip(first) {
+                let y = self.low + (line as f64 + 0.5) * self.spacing;
+                runs.extend(across(a, b, self.tool_radius, y));
             }
-            for run in runs[next..].iter().take_while(|run| run.0 < to) {
-                swept += run.1.min(to) - run.0.max(from);
+        }
+        let mut swept = 0.0;
+        for (floor, runs) in self.floor.iter().zip(&mut self.runs) {
+            runs.sort_unstable_by(|one, other| one.0.total_cmp(&other.0));
+            join(runs);
+            let mut next = 0;
+            for &(from, to) in floor {
+                while next < runs.len() && runs[next].1 <= from {
+                    next += 1;
+                }
+                for run in runs[next..].iter().take_while(|run| run.0 < to) {
+                    swept += run.1.min(to) - run.0.max(from);
+                }
             }
-        });
+        }
+        if self.length > 0.0 { swept / self.length } else { 1.0 }
     }
-    if all > 0.0 { swept / all } else { 1.0 }
+}
+
+/// A point in the frame whose first axis is `turn`.
+fn into(turn: Vector, p: Point) -> Vector {
+    Vector::new(turn.x * p.x + turn.y * p.y, turn.x * p.y - turn.y * p.x)
 }
 
 /// Cosine and sine of an angle.
@@ -82,6 +130,7 @@ fn join(runs: &mut Vec<(f64, f64)>) {
 }
 
 /// Where a horizontal line at `y` is within `radius` of the segment from `a` to `b`.
+#[inline]
 pub(crate) fn across(a: Vector, b: Vector, radius: f64, y: f64) -> Option<(f64, f64)> {
     let (mut left, mut right) = (f64::MAX, f64::MIN);
     let mut take = |from: f64, to: f64| {
