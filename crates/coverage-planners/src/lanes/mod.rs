@@ -10,7 +10,8 @@
 //! 3. *Search*: simulated annealing (Kirkpatrick et al. 1983) of the finished line. Moves shift, delete and insert corners, shift
 //!    lanes, reach for floor that isn't swept, reverse parts of the path (2-opt, Croes 1958) and carry parts elsewhere (Or-opt,
 //!    Or 1976). The objective is the time that the robot takes, with stops and turns, plus a price for floor that isn't swept; the
-//!    price is adjusted until the required share is met. Small rooms leave time for several descents, from other first paths.
+//!    price is adjusted until the required share is met. It begins with a short descent from the first path of each of several
+//!    layouts, and goes on from the best. Small rooms leave time for several such descents.
 //!
 //! The search counts what is swept on samples; what is reported is measured independently by [`swept_share`].
 
@@ -27,8 +28,10 @@ mod nearby;
 mod order;
 mod planner;
 mod raster;
+mod row_ends;
 mod scan;
-mod tool;
+mod stroke;
+mod walker;
 
 pub use bound::MetricBound;
 pub use error::LanesError;

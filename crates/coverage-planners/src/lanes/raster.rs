@@ -1,6 +1,10 @@
 //! How often each sample of the floor is swept, counted up and down while a path changes.
 
-use super::{moves::MOST_NEW, scan::rotation, tool::ToolPlace};
+use super::{
+    row_ends::RowEnds,
+    scan::rotation,
+    stroke::{SampleRun, SweptDisc},
+};
 use robovac_core::{
     coverage::ReachableFloor,
     geometry::{Point, Vector},
@@ -63,13 +67,6 @@ pub(super) struct SweptRaster {
     /// Rows and runs in which the last exchange changes counts, and by how much.
     changes: Vec<(i32, SampleRun, i32)>,
 }
-
-/// Parts of a column in which the sides of strokes are computed.
-const PART_BITS: u32 = 24;
-const PARTS: f64 = (1 << PART_BITS) as f64;
-
-/// The range of samples of a row that a stroke sweeps.
-type SampleRun = (i32, i32);
 
 impl Word {
     /// Counts one stroke more for the samples of `mask`.
@@ -230,7 +227,7 @@ impl SweptRaster {
         let rows = self.begin_exchange(old, new);
         let mut changes = std::mem::take(&mut self.changes);
         changes.clear();
-        let mut ends = RowEnds { keys: [NONE; MOST_ENDS], count: 0 };
+        let mut ends = RowEnds::new();
         for row in rows.0..rows.1 {
             self.ends_in_row(row, &mut ends);
             let line = &self.words[(row * self.words_across) as usize..][..self.words_across as usize];
@@ -303,7 +300,7 @@ impl SweptRaster {
         strokes.clear();
         runs.clear();
         let mut all = (i32::MAX, i32::MIN);
-        for (these, others, is_new) in [(old, new, 0), (new, old, 1)] {
+        for (these, others, is_new) in [(old, new, false), (new, old, true)] {
             for &(a, b) in these.iter().filter(|piece| !others.contains(piece)) {
                 let stroke = self.stroke(a, b);
                 let rows = stroke.rows;
@@ -319,16 +316,10 @@ impl SweptRaster {
     /// Where the strokes of the exchange begin and end in a row.
     #[inline]
     fn ends_in_row(&self, row: i32, ends: &mut RowEnds) {
-        ends.keys[..8].fill(NONE);
-        ends.count = 0;
+        ends.clear();
         for stroke in &self.strokes {
             if row >= stroke.rows.0 && row < stroke.rows.1 {
-                let (from, to) = self.runs[stroke.first + (row - stroke.rows.0) as usize];
-                if from < to {
-                    ends.keys[ends.count] = from << 1 | stroke.is_new;
-                    ends.keys[ends.count + 1] = to << 1 | (1 - stroke.is_new);
-                    ends.count += 2;
-                }
+                ends.push(self.runs[stroke.first + (row - stroke.rows.0) as usize], stroke.is_new);
             }
         }
     }
@@ -377,147 +368,7 @@ fn into_frame(turn: Vector, p: Point) -> Vector {
 struct StrokeRuns {
     rows: (i32, i32),
     first: usize,
-    /// 1 or 0.
-    is_new: i32,
-}
-
-/// Ends of all strokes of an exchange in a row, at most.
-const MOST_ENDS: usize = 4 * (MOST_NEW + 1);
-/// No end: behind all others.
-const NONE: i32 = i32::MAX;
-/// Columns where strokes begin and end in a row, times two, and one more where the count rises.
-struct RowEnds {
-    keys: [i32; MOST_ENDS],
-    count: usize,
-}
-
-/// Two sorted pairs in order.
-#[inline]
-fn merged((a, b): (i32, i32), (c, d): (i32, i32)) -> (i32, i32, i32, i32) {
-    let (low, high) = (a.max(c), b.min(d));
-    (a.min(c), low.min(high), low.max(high), b.max(d))
-}
-
-impl RowEnds {
-    /// Calls `each` with every run between two ends in which the count changes, and by how much.
-    #[inline]
-    fn each_run(&mut self, mut each: impl FnMut(SampleRun, i32)) {
-        if self.count <= 8 {
-            let [a, b, c, d, e, f, g, h] = *self.keys.first_chunk().expect("room for eight");
-            let (a, b, c, d) = merged((a, b), (c, d));
-            (self.keys[0], self.keys[1], self.keys[2], self.keys[3]) = (a, b, c, d);
-            if self.count > 4 {
-                let (e, f, g, h) = merged((e, f), (g, h));
-                // Odd-even merge sort (Batcher 1968).
-                let (a, c, e, g) = merged((a, c), (e, g));
-                let (b, d, f, h) = merged((b, d), (f, h));
-                let sorted = [a, b.min(c), b.max(c), d.min(e), d.max(e), f.min(g), f.max(g), h];
-                self.keys[..8].copy_from_slice(&sorted);
-            }
-        } else {
-            self.keys[..self.count].sort_unstable();
-        }
-        let mut by = 0;
-        for pair in self.keys[..self.count].windows(2) {
-            by += ((pair[0] & 1) << 1) - 1;
-            let run = (pair[0] >> 1, pair[1] >> 1);
-            if by != 0 && run.0 < run.1 {
-                each(run, by);
-            }
-        }
-    }
-}
-
-/// The nearest whole number, of a small number; faster than a cast, which takes care of large ones.
-#[inline]
-fn nearest(x: f64) -> i32 {
-    (x + 1.5 * (1_u64 << 52) as f64).to_bits() as i32
-}
-
-/// A disc moved along a segment, in samples.
-#[derive(Debug, Clone)]
-struct SweptDisc {
-    /// The lower and the upper end.
-    low: Vector,
-    high: Vector,
-    radius: f64,
-    /// First row, and the one after the last.
-    rows: (i32, i32),
-    /// Height over an end at which the left side touches its disc.
-    tilt: f64,
-    /// Columns from the middle to a side, not finite for one row.
-    half: f64,
-    /// From the first of these rows to before the second, a row meets neither disc, only the two long sides.
-    middle: (i32, i32),
-    /// There: left and right side at the first of the rows, and columns from one row to the next, in parts of a column.
-    sides: (i64, i64),
-    step: i64,
-    /// Columns from one row to the next, not finite for one row.
-    slope: f64,
-}
-
-impl SweptDisc {
-    #[inline]
-    fn new(a: Vector, b: Vector, radius: f64, height: i32) -> Self {
-        let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
-        let rows = (math::ceil(low.y - radius).max(0), (math::floor(high.y + radius) + 1).min(height));
-        let length = (high - low).norm();
-        let along = if length > 1e-9 { (high - low) / length } else { Vector::zeros() };
-        let slope = along.x / along.y;
-        let half = radius / along.y;
-        let tilt = radius * along.x;
-        let mut stroke = Self { low, high, radius, rows, tilt, half, middle: (0, 0), sides: (0, 0), step: 0, slope };
-        let middle = (math::floor(low.y + radius) + 1, math::ceil(high.y - radius));
-        if middle.0 < middle.1 {
-            let at = low.x + slope * (f64::from(middle.0) - low.y);
-            let parts = |columns: f64| (columns * PARTS) as i64;
-            stroke.middle = middle;
-            stroke.sides = (parts(at - half), parts(at + half));
-            stroke.step = parts(slope);
-        }
-        stroke
-    }
-
-    /// Appends the samples of every row.
-    #[inline]
-    fn push_runs(&self, width: i32, runs: &mut Vec<SampleRun>) {
-        let middle = (self.middle.0.clamp(self.rows.0, self.rows.1), self.middle.1.clamp(self.rows.0, self.rows.1));
-        let middle = if middle.0 < middle.1 { middle } else { (self.rows.1, self.rows.1) };
-        runs.extend((self.rows.0..middle.0).map(|row| self.run_at_end(row, width)));
-        runs.extend((middle.0..middle.1).map(|row| {
-            let by = self.step * i64::from(row - self.middle.0);
-            let (left, right) = (self.sides.0 + by, self.sides.1 + by);
-            let from = (left + PARTS as i64 - 1) >> PART_BITS;
-            let to = (right >> PART_BITS) + 1;
-            (from.max(0) as i32, to.clamp(0, i64::from(width)) as i32)
-        }));
-        runs.extend((middle.1..self.rows.1).map(|row| self.run_at_end(row, width)));
-    }
-
-    /// Where a disc bounds the row, or one of the long sides.
-    #[inline]
-    fn run_at_end(&self, row: i32, width: i32) -> SampleRun {
-        let y = f64::from(row);
-        let (low, high) = (y - self.low.y, y - self.high.y);
-        let half = |dy: f64| (self.radius * self.radius - dy * dy).max(0.0).sqrt();
-        let middle = || self.low.x + self.slope * low;
-        // The sides end where they touch the discs.
-        let left = if low <= self.tilt {
-            self.low.x - half(low)
-        } else if high < self.tilt {
-            middle() - self.half
-        } else {
-            self.high.x - half(high)
-        };
-        let right = if low <= -self.tilt {
-            self.low.x + half(low)
-        } else if high < -self.tilt {
-            middle() + self.half
-        } else {
-            self.high.x + half(high)
-        };
-        (nearest(left + 0.5).max(0), nearest(right + 0.5).min(width))
-    }
+    is_new: bool,
 }
 
 #[cfg(test)]
