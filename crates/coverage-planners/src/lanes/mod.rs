@@ -31,6 +31,7 @@ mod raster;
 mod row_ends;
 mod scan;
 mod stroke;
+mod tool;
 mod walker;
 
 pub use bound::MetricBound;
@@ -284,10 +285,10 @@ mod tests {
         for at in [[0.08, 0.0], [-0.03, 0.05]] {
             let robot = RobotModel { tool: Tool::Disc(at), ..model("roomba600").unwrap().clone() };
             let floor = ReachableFloor::new(&room, &robot, None).unwrap();
-            let setup = LanesSetup { coverage: 0.95, effort: 4.0 * EFFORT, ..LanesSetup::default() };
+            let setup = LanesSetup { coverage: 0.9, effort: 4.0 * EFFORT, ..LanesSetup::default() };
             let found = plan_lanes(&floor, &robot, &setup, &mut |_| ControlFlow::Continue(0.0)).unwrap();
             let driven = DriveMetrics::of(&floor, &robot, &found.path);
-            assert!(found.coverage >= 0.95, "{at:?}: {}", found.coverage);
+            assert!(found.coverage >= 0.9, "{at:?}: {}", found.coverage);
             assert!((driven.coverage - found.coverage).abs() < 0.02, "{at:?}: {} {}", driven.coverage, found.coverage);
             assert_eq!((found.bound.length_m, found.excess), (0.0, [0.0; 2]), "no bound is known");
         }

@@ -4,6 +4,7 @@ use super::{
     row_ends::RowEnds,
     scan::rotation,
     stroke::{SampleRun, SweptDisc},
+    tool::ToolPlace,
 };
 use robovac_core::{
     coverage::ReachableFloor,

@@ -201,20 +201,23 @@ impl Walker<'_> {
             self.path.raster.unswept_at(word, sample)
         })?;
         let choice = self.below(3);
-        let mut near: Option<(f64, usize, Point)> = None;
+        // Where the robot is when its tool is at the goal; then the piece, and the nearest point on it.
+        let mut near: Option<(f64, Point, usize, Point)> = None;
         for &piece in self.nearby.around(goal) {
             let i = piece as usize;
             if i == 0 || i >= self.path.points.len() {
                 continue;
             }
-            let at = nearest_on_segment(self.path.points[i - 1], self.path.points[i], goal);
+            let (a, b) = (self.path.points[i - 1], self.path.points[i]);
+            let goal = goal - self.path.raster.tool.along(b - a);
+            let at = nearest_on_segment(a, b, goal);
             // Not always the nearest piece.
             let distance = (at - goal).norm() * (1.0 + if choice == 0 { 0.0 } else { self.rng.random::<f64>() });
             if near.is_none_or(|(least, ..)| distance < least) {
-                near = Some((distance, i, at));
+                near = Some((distance, goal, i, at));
             }
         }
-        let (_, i, at) = near?;
+        let (_, goal, i, at) = near?;
         let way = goal - at;
         let distance = way.norm();
         if distance < 1e-6 {
