@@ -58,6 +58,12 @@ struct MeasuredPath {
     value: f64,
 }
 
+impl MeasuredPath {
+    fn or_better(self, other: Self) -> Self {
+        if other.value < self.value { other } else { self }
+    }
+}
+
 impl LaneSearch<'_> {
     fn measure(&self, lines: &mut FloorLines, points: &[Point]) -> MeasuredPath {
         let seconds = self.times.path(points, self.heading, Some(self.space));
@@ -97,8 +103,7 @@ pub(super) fn anneal(
     if tell(0.0, &best).is_break() {
         return best.points;
     }
-    let width = 2.0 * floor.tool_radius;
-    let metres = setup.coverage * floor.area() / width;
+    let metres = setup.coverage * floor.area() / (2.0 * floor.tool_radius);
     let total = (setup.effort * metres.max(1.0)) as u64;
     if points.is_empty() || total == 0 {
         return best.points;
@@ -136,8 +141,7 @@ pub(super) fn anneal(
             let (next, part) = stage.at(share, starts.len(), moves);
             if next != stage && share < 1.0 {
                 if let Some((_, points)) = candidate.take() {
-                    let found = search.measure(&mut lines, &points);
-                    best = if found.value < best.value { found } else { best };
+                    best = best.or_better(search.measure(&mut lines, &points));
                 }
                 let start = match (stage, next) {
                     (Stage::Trial(tried), _) => {
@@ -161,11 +165,7 @@ pub(super) fn anneal(
                 next_rebuild = step;
                 walker.nearby.rebuild(&walker.path.points);
             }
-            let (hot, cold) = match stage {
-                Stage::Trial(_) => TRIAL_TEMPERATURES,
-                Stage::Descent(_, descents) => ((moves / descents / HOT.0).sqrt().clamp(HOT.1, HOT.2), COLD),
-            };
-            temperature = hot * math::exp(part * math::ln(cold / hot));
+            temperature = stage.temperature(part, moves);
         }
         let ends_round = ends_round(&mut mending, share >= 1.0, step);
         if ends_round || mending.is_none() && share >= next_measure {
@@ -240,5 +240,14 @@ impl Stage {
         let place = (share - TRIAL) / (1.0 - TRIAL) * descents;
         let number = place.floor().min(descents - 1.0);
         (Self::Descent(number as usize, descents), place - number)
+    }
+
+    /// The temperature when a part of the stage is done, s, with so many moves for every metre in all.
+    fn temperature(self, part: f64, moves: f64) -> f64 {
+        let (hot, cold) = match self {
+            Self::Trial(_) => TRIAL_TEMPERATURES,
+            Self::Descent(_, descents) => ((moves / descents / HOT.0).sqrt().clamp(HOT.1, HOT.2), COLD),
+        };
+        hot * math::exp(part * math::ln(cold / hot))
     }
 }

@@ -255,7 +255,9 @@ impl SweptRaster {
     /// Makes the exchange that [`Self::missed_by`] has looked at last, and not broken off.
     pub fn make_exchange(&mut self) {
         let changes = std::mem::take(&mut self.changes);
-        changes.iter().for_each(|&(row, run, by)| self.change(row, run, by));
+        for &(row, run, by) in &changes {
+            self.change(row, run, by);
+        }
         self.changes = changes;
     }
 
