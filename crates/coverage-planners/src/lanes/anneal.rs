@@ -37,6 +37,8 @@ const REPORT: u64 = 4096;
 const MEASURE: f64 = 0.02;
 /// Most rounds of mending at the end, for a path that sweeps less than the samples say, and the part of the moves for each.
 const MENDING: (u32, u64) = (8, 100);
+/// A path that sweeps too little must be better by this share of its time, too.
+const SHORT: f64 = 0.02;
 /// Improvements that are worth a copy of the path, as a share of its time.
 const WORTH_KEEPING: f64 = 3e-5;
 
@@ -69,7 +71,8 @@ impl LaneSearch<'_> {
         let seconds = self.times.path(points, self.heading, Some(self.space));
         let coverage = lines.swept_share(points);
         let missing = (self.setup.coverage - coverage).max(0.0) * self.floor.area();
-        MeasuredPath { points: points.to_vec(), seconds, coverage, value: seconds + PRICE.2 * missing }
+        let excess = if missing > 0.0 { 1.0 + SHORT } else { 1.0 };
+        MeasuredPath { points: points.to_vec(), seconds, coverage, value: seconds * excess + PRICE.2 * missing }
     }
 }
 

@@ -15,8 +15,8 @@ use robovac_core::{
 /// Angle of the raster to the lanes, rad: neither walls nor lanes are parallel to it, so that what is missed between two lanes
 /// can't hide between two rows of samples. A small one: lanes in one of two directions meet few rows.
 const ANGLE: f64 = 0.19;
-/// Samples across the tool.
-const ACROSS: f64 = 7.0;
+/// Samples across the tool: in rooms below so many m², where each counts for more, and in larger ones.
+const ACROSS: (f64, f64, f64) = (30.0, 10.0, 7.0);
 /// Samples along a side of a block, as a power of two.
 const BLOCK: i32 = 4;
 /// Most samples.
@@ -38,7 +38,7 @@ struct Word {
     once: u64,
 }
 
-/// Samples of the floor at a spacing of about a seventh of the tool's width, and how often each is swept.
+/// Samples of the floor at a spacing of a tenth or a seventh of the tool's width, and how often each is swept.
 #[derive(Debug, Clone)]
 pub(super) struct SweptRaster {
     /// Metres between samples.
@@ -130,7 +130,8 @@ impl SweptRaster {
         let high = corners.iter().fold(corners[0], |high, c| high.sup(c));
         let extent = high - low;
         let least = (extent.x * extent.y / MOST_SAMPLES).sqrt();
-        let spacing = (2.0 * floor.tool_radius / ACROSS).max(least);
+        let across = if floor.area() < ACROSS.0 { ACROSS.1 } else { ACROSS.2 };
+        let spacing = (2.0 * floor.tool_radius / across).max(least);
         let count = |metres: f64| (metres / spacing) as i32 + 1;
         let (width, height) = (count(extent.x), count(extent.y));
         let words_across = (width + 63) >> 6;
