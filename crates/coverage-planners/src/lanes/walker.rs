@@ -91,6 +91,20 @@ impl Walker<'_> {
     }
 
     fn propose(&mut self) -> Option<Edit> {
+        // Where corners are rounded, more of them are worth it: they are shifted oftener, and left out less.
+        if self.path.times.has_curves() {
+            return match self.below(100) {
+                0..22 => self.shift_corner(),
+                22..30 => self.slide_corner(),
+                30..46 => self.shift_piece(),
+                46..58 => self.leave_out(),
+                58..63 => self.join_corners(),
+                63..68 => self.insert(),
+                68..80 => self.reach_for_floor(),
+                80..88 => self.reverse(),
+                _ => self.carry(),
+            };
+        }
         match self.below(100) {
             0..16 => self.shift_corner(),
             16..20 => self.slide_corner(),
