@@ -124,7 +124,7 @@ pub(super) fn anneal(
     let (mut share, mut temperature, mut next_measure) = (0.0_f64, TRIAL_TEMPERATURES.0, MEASURE);
     let mut mending: Option<(u64, u64)> = None;
     let mut rounds = 0;
-    let mut stage = Stage::Trial(0);
+    let mut stage = SearchStage::Trial(0);
     let mut next_rebuild = 0;
     for step in 0.. {
         if step % ADJUST == 0 {
@@ -147,19 +147,19 @@ pub(super) fn anneal(
                     best = best.or_better(search.measure(&mut lines, &points));
                 }
                 let start = match (stage, next) {
-                    (Stage::Trial(tried), _) => {
+                    (SearchStage::Trial(tried), _) => {
                         let missing = (walker.path.raster.unswept_area() - allowed).max(0.0);
                         let value = seconds + PRICE.0 * missing;
                         let points = std::mem::take(&mut walker.path.points);
                         starts[tried] = FirstPath { points, price: walker.price, value };
-                        if let Stage::Trial(next) = next {
+                        if let SearchStage::Trial(next) = next {
                             next
                         } else {
                             starts.sort_by(|one, other| one.value.total_cmp(&other.value));
                             0
                         }
                     }
-                    (_, Stage::Descent(descent, _)) => descent % starts.len(),
+                    (_, SearchStage::Descent(descent, _)) => descent % starts.len(),
                     _ => 0,
                 };
                 stage = next;
@@ -221,14 +221,14 @@ impl FirstPath {
 
 /// What the search does at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Stage {
+enum SearchStage {
     /// A short descent from a first path, by its number.
     Trial(usize),
     /// A descent from one that was among the best, its number, and the number of descents.
     Descent(usize, f64),
 }
 
-impl Stage {
+impl SearchStage {
     /// The stage at a share of the search, with so many first paths and moves for every metre in all, and the part of it that
     /// is done.
     fn at(self, share: f64, starts: usize, moves: f64) -> (Self, f64) {
