@@ -93,7 +93,7 @@ fn rounded_corners_touch_nothing_and_keep_the_floor_swept() {
 }
 
 /// Lanes for a robot that rounds corners beat lanes for one that stops there and whose corners are rounded afterwards.
-// slow: four searches
+// slow: four searches, as long as the page takes
 #[test]
 fn lanes_that_expect_curves_are_faster_and_sweep_what_was_asked() {
     let planner = find("lanes").unwrap();
@@ -102,7 +102,7 @@ fn lanes_that_expect_curves_are_faster_and_sweep_what_was_asked() {
         let [afterwards, expected] = [false, true].map(|is_rounded| {
             let params = Params::checked(
                 planner.params,
-                [("coverage", ParamValue::Number(97.0)), ("effort", ParamValue::Number(0.4))],
+                [("coverage", ParamValue::Number(97.0)), ("effort", ParamValue::Number(1.0))],
             )
             .unwrap();
             let job = room.job.clone().rounded(is_rounded);
