@@ -154,9 +154,9 @@ pub fn plan_lanes(
         let path = order::in_order(&space, &mut lattice, start, &layout.lanes(&space, directions));
         // Lanes at full speed sweep so much; what is missed takes three times as long.
         let price = 3.0 / (robot.tool_width * robot.cruise_speed);
-        let cost = times.path(&path, heading, Some(&space)) + price * raster.left_by(&path);
+        let duration_s = times.path(&path, heading, Some(&space));
+        let cost = duration_s + price * raster.left_by(&path);
         if starts.is_empty() {
-            let duration_s = times.path(&path, heading, Some(&space));
             first = ShownPath { path: path.clone(), duration_s, coverage: swept_share(floor, &path) };
         }
         starts.push((cost, path));
