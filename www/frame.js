@@ -87,7 +87,7 @@ function startPrint(app, root) {
   });
   const redraw = (/** @type {boolean} */ isDark) =>
     app.act((p) => {
-      p.set_dark(isDark);
+      app.setDark(isDark);
       p.frame(performance.now());
     });
 }

@@ -40,6 +40,7 @@ import { compile, missing } from "./wasm.js";
  * @property {string} lesson What leads to the open lesson; empty for none.
  * @property {boolean} isUnrun Whether the program's text was changed since it was last run.
  * @property {() => Promise<string>} share What the tab adds to a link that is to be passed on.
+ * @property {(isDark: boolean) => void} setDark
  * @property {(key: string) => boolean} tabKey A single key in another tab; says whether it was used.
  */
 
@@ -113,6 +114,10 @@ async function start() {
     followed: "",
     link: () => [playground.link(), tabs.shown ? tabs.shown.link() : app.extra, app.lesson && `lesson=${encodeURIComponent(app.lesson)}`].filter(Boolean).join("&"),
     share: async () => (await tabs.shown?.share?.()) ?? "",
+    setDark: (isDark) => {
+      playground.set_dark(isDark);
+      tabs.setDark(isDark);
+    },
     tabKey: (key) => tabs.shown?.key(key) ?? false,
   };
   const planning = startPlanning(playground, guard);
@@ -124,12 +129,7 @@ async function start() {
       .then(({ enterLearn }) => enterLearn(app, lesson))
       .catch((error) => complain(`Learn could not be loaded (${textOf(error)}). Check the connection, then try again.`));
   byId("learn-open").addEventListener("click", () => void learn());
-  startTheme((dark) =>
-    guard(() => {
-      playground.set_dark(dark);
-      tabs.setDark(dark);
-    }),
-  );
+  startTheme((dark) => guard(() => app.setDark(dark)));
   const links = await startLinks(app, tabs, (lesson) => void learn(lesson));
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
     playground.pause();

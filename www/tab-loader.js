@@ -75,5 +75,7 @@ export class TabLoader {
   setDark(dark) {
     this.#isDark = dark;
     for (const tab of Object.values(this.#loaded)) tab.setDark(dark);
+    // On paper there is no next frame.
+    this.shown?.frame(performance.now());
   }
 }

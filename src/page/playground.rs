@@ -217,10 +217,11 @@ impl Playground {
         self.viewport.resize(width, height, ratio);
     }
 
-    /// Keeps the uppermost `height` CSS pixels of the canvas free of the room, for a message, and its lower right corner of `right` x
-    /// `low`. If no tools float over it, `foot` is the height of what does at its bottom.
-    pub fn keep_clear(&mut self, height: f64, foot: Option<f64>, right: f64, low: f64) {
-        self.viewport.keep_clear(height, foot, Vector::new(right, low));
+    /// Keeps the uppermost `height` CSS pixels of the canvas free of the room, for a message, its lower right corner of `right` x
+    /// `low`, and its lower left one of `left` x `deep`, for the legend. If no tools float over it, `foot` is the height of what does
+    /// at its bottom.
+    pub fn keep_clear(&mut self, height: f64, foot: Option<f64>, right: f64, low: f64, left: f64, deep: f64) {
+        self.viewport.keep_clear(height, foot, Vector::new(right, low), Vector::new(left, deep));
     }
 
     /// Dark or light colours.

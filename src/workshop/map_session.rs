@@ -262,7 +262,7 @@ impl MapSession {
 
     /// Keeps the uppermost `told` CSS pixels free while all of the room is shown.
     pub fn keep_clear(&mut self, told: f64) {
-        self.viewport.keep_clear(told, None, Vector::zeros());
+        self.viewport.keep_clear(told, None, Vector::zeros(), Vector::zeros());
     }
 
     /// Shows all of the room.

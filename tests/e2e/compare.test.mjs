@@ -453,6 +453,19 @@ test("numbers on paper have every column, say where they are from, and have noth
   assert.match(shown, /https?:\/\/\S+tab=compare/);
   await page.evaluate(() => document.getElementById("view-race")?.click());
   await app.poll(() => page.locator("#compare-place").innerText(), (text) => /The race after \d+:\d\d\.$/.test(text));
+  // A dark page prints light floors, drawn before there is another frame.
+  await page.emulateMedia({ media: null, colorScheme: "dark" });
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  const brightness = (event) =>
+    page.evaluate((type) => {
+      if (type) dispatchEvent(new Event(type));
+      const canvas = document.querySelector("#lanes canvas");
+      const copy = new OffscreenCanvas(1, 1).getContext("2d");
+      copy.drawImage(canvas, 0, 0, 1, 1);
+      return copy.getImageData(0, 0, 1, 1).data[0];
+    }, event);
+  await app.poll(() => brightness(), (dark) => dark < 110);
+  assert.ok((await brightness("beforeprint")) > 130);
 });
 
 test("a room of one's own is compared in", async (t) => {

@@ -269,7 +269,7 @@ test("frontiers and the way to one are in the legend while they are drawn, and i
   const [frontier, way] = [page.locator(".map-legend .on-frontiers"), page.locator(".map-legend .on-route")];
   assert.ok(await frontier.isHidden() && await way.isHidden());
   await page.locator("#map-play").click();
-  await app.poll(() => page.locator("#panel-map").getAttribute("data-goals"), (goals) => goals === "frontiers route");
+  await app.poll(() => page.locator("#panel-map").getAttribute("data-drawn"), (goals) => goals === "frontiers route");
   await page.locator("#map-play").click();
   assert.ok(await frontier.isVisible() && await way.isVisible());
   await app.poll(() => page.locator("#map-floor").getAttribute("aria-label"), (words) => /driving to its goal; (one frontier is|\d+ frontiers are) left\./.test(words));
@@ -425,6 +425,7 @@ test("kidnapped while it cleans, it relocalises on its map and continues", async
   await phase("playing", "paused");
   if ((await page.locator("#panel-map").getAttribute("data-phase")) === "paused") await page.locator("#map-play").click();
   await app.poll(() => page.locator("#map-activity").textContent(), (text) => /relocalising/i.test(text));
+  await page.locator(".on-particles").waitFor();
   assert.ok(await page.locator("#map-sure").isVisible());
   const badges = await page.locator(".map-states p:visible").allInnerTexts();
   assert.ok(badges.filter((text) => /^relocalising/i.test(text)).length < 2, badges.join(", "));

@@ -49,6 +49,19 @@ test("runs are made when one asks, and chart, table and files tell the same of t
   assert.equal(await page.locator("#runs-plot .curve").count(), 2);
   assert.equal(await page.locator("#runs-plot .band").count(), 2);
 
+  // Best first, worst first, as before; the link knows it.
+  const coverages = async () => (await table(page)).map(({ cells }) => Number(cells[4]));
+  const [least, most] = (await coverages()).sort((a, b) => a - b);
+  const head = page.locator("#runs-table th", { hasText: "Coverage" });
+  for (const [order, sort] of [[[most, least], "descending"], [[least, most], "ascending"]]) {
+    await head.getByRole("button").press("Enter");
+    assert.deepEqual(await coverages(), order);
+    assert.equal(await head.getAttribute("aria-sort"), sort);
+  }
+  await app.linked("sort", (sort) => sort === "coverage-");
+  await head.getByRole("button").press("Enter");
+  assert.equal(await head.getAttribute("aria-sort"), "none");
+
   const json = JSON.parse((await saved(page, "json")).toString());
   const csv = (await saved(page, "csv")).toString().trimEnd().split("\n");
   assert.equal(csv.length, 7);

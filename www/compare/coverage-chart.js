@@ -98,3 +98,9 @@ function lineOf({ title, colour, shape, low, median, high }, sample) {
   const range = make("small", {}, `${percent(low[sample] ?? 0, 0)}–${percent(high[sample] ?? 0, 0)}`);
   return make("span", {}, mark, make("span", { className: "who" }, title), make("span", { className: "value" }, `${percent(median[sample] ?? 0)} %`), range);
 }
+
+/** The three curves that a module gives as one. @param {Float64Array} flat */
+export function bandsOf(flat) {
+  const third = flat.length / 3;
+  return { low: flat.subarray(0, third), median: flat.subarray(third, 2 * third), high: flat.subarray(2 * third) };
+}

@@ -1,13 +1,13 @@
 // @ts-check
 // Many runs (Monte Carlo): the entrants and the number of runs, the workers, and the results.
 import { MonteCarlo } from "../../workshop.js";
-import { startChart } from "./coverage-chart.js";
+import { bandsOf, startChart } from "./coverage-chart.js";
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { entrantItem, showChoice, showTitle, swatch } from "./entrants.js";
 import { count } from "../format.js";
 import { Pool } from "./pool.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
-import { showTable } from "./runs-table.js";
+import { startTable } from "./runs-table.js";
 
 /**
  * @typedef {import("../types").ManyRunsView} View
@@ -42,6 +42,7 @@ export function startRuns(app, module, guard, mirror) {
   const offer = study.offer();
   const pool = new Pool(module, runsOf(study, () => app.playground.program()), guard);
   const chart = startChart(byId("runs-plot"));
+  const table = startTable(byId("runs-table"));
   const act = (/** @type {(study: MonteCarlo) => void} */ what) => app.act(() => what(study));
   /** @type {View} */
   let view = study.view();
@@ -99,7 +100,8 @@ export function startRuns(app, module, guard, mirror) {
     setText(byId("runs-title"), place ? titleOf(place, view, rows) : "");
     setText(byId("runs-note"), `Lines and large numbers are medians; bands and small numbers span the 10 % to 90 % quantiles.${view.minutes > 60 ? " When its battery is low, a robot goes to its dock or stops; from then on its curve is level." : ""}`);
     chart.show(known.map((row) => ({ ...row, ...bandsOf(study.curve(row.index)) })), view.minutes);
-    showTable(byId("runs-table"), rows, view.minutes, (which) => chart.stress(which === undefined ? undefined : known.findIndex((row) => row === rows[which])));
+    const stress = (/** @type {number | undefined} */ which) => chart.stress(which === undefined ? undefined : known.findIndex((row) => row === rows[which]));
+    table.show(rows, view.minutes, stress);
   };
 
   return {
@@ -112,8 +114,11 @@ export function startRuns(app, module, guard, mirror) {
       updateProgress(view, began);
       if (isDue(() => changed(byId("runs-view"), "version", view.version), !view.running)) results();
     },
-    restore: (/** @type {string} */ link) => study.restore(link),
-    link: () => study.link(),
+    restore(/** @type {string} */ link) {
+      study.restore(link);
+      table.restore(new URLSearchParams(link));
+    },
+    link: () => study.link() + table.link(),
     exported: { name: "runs", csv: () => study.csv(), json: () => study.json(), charts: byId("runs-view") },
   };
 }
@@ -131,12 +136,6 @@ const runsOf = (study, program) => ({
   },
   failed: (id, message) => study.batch_failed(id, message),
 });
-
-/** @param {Float64Array} flat */
-export function bandsOf(flat) {
-  const third = flat.length / 3;
-  return { low: flat.subarray(0, third), median: flat.subarray(third, 2 * third), high: flat.subarray(2 * third) };
-}
 
 /** @param {import("../types").ManyRunsPlace} place @param {View} view @param {{ explores: boolean }[]} rows */
 function titleOf({ room, robot, slip, noise, quantised, start_charge_percent: charge }, { minutes }, rows) {

@@ -5,6 +5,7 @@ import { button, byId, changed, fill, make, select, setText } from "../dom.js";
 import { swatch } from "./entrants.js";
 import { clock, count, metres, percent, shown, unitOf } from "../format.js";
 import { cueScroll } from "./scroll-cue.js";
+import { fromLink, inLink, keepingFocus, pressed, sorted, sortHead } from "./sorting.js";
 
 /**
  * @typedef {import("../types").TableView} Table
@@ -15,7 +16,7 @@ import { cueScroll } from "./scroll-cue.js";
 /** Table 2 of Emu & Obaida 2020: their three algorithms in a room with as many cells as theirs. */
 const TABLE_2 = { place: "room=thesis226&robot=cell&cell=0.2&seed=1", plans: "vs=spiral,snake,genetic&rooms=this&seeds=1" };
 
-/** What rows are sorted by, and whether upside down. @typedef {{ metric: string, down: boolean } | undefined} Order */
+/** @typedef {import("./sorting.js").Order} Order */
 
 /** @param {import("./tab.js").Comparing} it */
 export function startNumbers(it) {
@@ -37,20 +38,18 @@ export function startNumbers(it) {
 
   /** @param {string} metric */
   const sortBy = (metric) => {
-    order = order?.metric === metric ? (order.down ? undefined : { metric, down: true }) : { metric, down: false };
+    order = pressed(order, metric);
     show();
   };
 
   const show = () => {
     if (!table) return;
     const { metrics, rows } = table;
-    const focused = document.activeElement?.closest("#compared [data-key]")?.getAttribute("data-key");
-    head.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...metrics.map((metric, column) => heading(metric, column, rows, order, sortBy))));
-    body.replaceChildren(...sorted(rows, metrics, order).map((row) => line(it, row, metrics, rows, select("table-room").value === "all" ? it.view.rooms.length : 1)));
+    keepingFocus(byId("compared"), () => {
+      head.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...metrics.map((metric, column) => heading(metric, column, rows, order, sortBy))));
+      body.replaceChildren(...inOrder(rows, metrics, order).map((row) => line(it, row, metrics, rows, select("table-room").value === "all" ? it.view.rooms.length : 1)));
+    });
     drawCharts(byId("charts"), table, it.view.entrants, it.about);
-    // The keyboard focus stays where it was.
-    const same = focused && byId("compared").querySelector(`[data-key="${focused}"]`);
-    if (same instanceof HTMLElement) same.focus({ preventScroll: true });
   };
 
   /** @param {import("../types").ComparisonView} view */
@@ -74,12 +73,11 @@ export function startNumbers(it) {
     /** What the view adds to a link. */
     link() {
       const menu = select("table-room");
-      return `${order ? `&sort=${order.metric}${order.down ? "-" : ""}` : ""}${menu.selectedIndex > 0 ? `&of=${menu.value}` : ""}`;
+      return `${inLink(order)}${menu.selectedIndex > 0 ? `&of=${menu.value}` : ""}`;
     },
     /** @param {URLSearchParams} pairs */
     restore(pairs) {
-      const [, metric, down] = /^(\w+)(-?)$/.exec(pairs.get("sort") ?? "") ?? [];
-      order = metric ? { metric, down: down === "-" } : undefined;
+      order = fromLink(pairs);
       wanted = pairs.get("of") ?? "";
       show();
     },
@@ -110,19 +108,16 @@ function heading(metric, column, rows, order, sortBy) {
   const cell = make("th", { scope: "col", "data-tip": `${metric.definition} ${metric.better === "lower" ? "Lower" : "Higher"} is better.` });
   const most = Math.max(...rows.map(({ values }) => values[column]?.max ?? 0));
   const unit = metric.unit ? make("span", { className: "unit" }, unitOf(metric, most)) : "";
-  cell.append(make("button", { type: "button", className: "term", "data-key": metric.id, onclick: () => sortBy(metric.id) }, metric.label), unit);
-  cell.setAttribute("aria-sort", order?.metric !== metric.id ? "none" : order.down === (metric.better === "lower") ? "descending" : "ascending");
+  cell.append(unit);
+  sortHead(cell, metric.label, metric.id, metric.better, order, sortBy);
   return cell;
 }
 
 /** Best first, or last. @param {Row[]} rows @param {Metric[]} metrics @param {Order} order */
-function sorted(rows, metrics, order) {
-  const column = metrics.findIndex(({ id }) => id === order?.metric);
-  if (!order || column < 0) return rows;
-  const { down } = order;
-  const sign = (metrics[column]?.better === "lower") === down ? -1 : 1;
-  const value = (/** @type {Row} */ row) => row.values[column]?.median ?? sign * Infinity;
-  return [...rows].sort((a, b) => sign * (value(a) - value(b)));
+function inOrder(rows, metrics, order) {
+  const column = metrics.findIndex(({ id }) => id === order?.key);
+  const metric = metrics[column];
+  return order && metric ? sorted(rows, order, metric.better, ({ values }) => values[column]?.median) : rows;
 }
 
 /** @param {import("./tab.js").Comparing} it @param {Row} row @param {Metric[]} metrics @param {Row[]} rows @param {number} rooms */

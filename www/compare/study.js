@@ -2,12 +2,11 @@
 // The results of a study (docs/studies.md): a Parquet file, read here, as table and chart. Loaded with the first such file.
 import { parquetMetadata, parquetReadObjects } from "../../hyparquet.js";
 import { MonteCarlo, bands_of_runs, summary_of_runs } from "../../workshop.js";
-import { startChart } from "./coverage-chart.js";
+import { bandsOf, startChart } from "./coverage-chart.js";
 import { byId, fill, select, setHidden, setText } from "../dom.js";
 import { swatch } from "./entrants.js";
 import { count } from "../format.js";
-import { bandsOf } from "./montecarlo.js";
-import { showTable } from "./runs-table.js";
+import { startTable } from "./runs-table.js";
 
 /**
  * @typedef {object} Row A run, with what is taken of its columns.
@@ -32,6 +31,8 @@ const [ALL, FLATS] = ["all rooms", "all flats"];
 let opened;
 /** @type {ReturnType<typeof startChart> | undefined} */
 let chart;
+/** @type {ReturnType<typeof startTable> | undefined} */
+let table;
 /** What the table shows, for the files. @type {Record<string, unknown>[]} */
 let told = [];
 
@@ -45,6 +46,7 @@ export async function openStudy(file) {
     setHidden(menu.closest("label") ?? menu, values.length < 2);
   }
   chart ??= startChart(byId("study-plot"));
+  table ??= startTable(byId("study-table"));
   setHidden(byId("view-study"), false);
 }
 
@@ -141,6 +143,6 @@ export function show() {
   setText(byId("study-note"), `${count(chosen.length)} of ${count(rows.length)} runs${failures ? `, ${count(failures)} of them without results` : ""}. Lines and large numbers are medians; bands and small numbers span the 10 % to 90 % quantiles.`);
   setHidden(byId("study-chart"), curves.length === 0);
   chart?.show(curves, minutes);
-  showTable(byId("study-table"), lines, minutes, (which) => chart?.stress(which === undefined ? undefined : curves.findIndex(({ key }) => key === lines[which]?.key)));
+  table?.show(lines, minutes, (which) => chart?.stress(which === undefined ? undefined : curves.findIndex(({ key }) => key === lines[which]?.key)));
   told = lines.map(({ key, summary }) => ({ algorithm: key, rooms: room, robot, conditions, runs: summary?.runs ?? 0, coverage: summary?.coverage.median ?? null, low: summary?.coverage.low ?? null, high: summary?.coverage.high ?? null }));
 }

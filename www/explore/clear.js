@@ -29,14 +29,21 @@ export function startClear(app) {
   };
   const above = (/** @type {Element} */ node) => (node.checkVisibility() ? stage.getBoundingClientRect().bottom - node.getBoundingClientRect().top + GAP : 0);
 
-  /** Width and height of the lower right corner that the joystick takes. @returns {[number, number]} */
+  /** Width and height of the lower right corner that the joystick takes, or in a small frame the zoom. @returns {[number, number]} */
   const corner = () => {
-    const [manual, pad] = [byId("manual"), byId("pad")];
-    if (!manual.checkVisibility()) return [0, 0];
-    const { right, bottom } = stage.getBoundingClientRect();
+    const [manual, pad, zoom, { right, bottom }] = [byId("manual"), byId("pad"), byId("zoom-in"), stage.getBoundingClientRect()];
+    if (!manual.checkVisibility()) return isSmallFrame() ? [right - zoom.getBoundingClientRect().left + GAP, above(zoom)] : [0, 0];
     // On a phone they are beside it.
     const notes = isNarrow.matches ? 0.2 : byId("manual-note").checkVisibility() ? 2 : 1;
     return [right - manual.getBoundingClientRect().left + GAP, bottom - pad.getBoundingClientRect().top + notes * NOTE];
+  };
+
+  const isSmallFrame = () => [byId("legend"), byId("tools")].every((node) => !node.checkVisibility());
+
+  /** Width and height of the lower left corner that the legend takes. @returns {[number, number]} */
+  const legendCorner = () => {
+    const legend = byId("legend");
+    return legend.checkVisibility() ? [legend.getBoundingClientRect().right - stage.getBoundingClientRect().left + GAP, above(legend)] : [0, 0];
   };
 
   return ({ search: { film, text } }) => {
@@ -48,8 +55,9 @@ export function startClear(app) {
     if (!isPressed) palette = isNarrow.matches || (bars === 0 && stage.dataset.tool === "view") ? bars : Math.max(palette, bars);
     const next = Math.max(told, palette, below("#message"), carried, below("#ending"), below("#game"), below(".over-floor"), below(".embed .to-page"), below("#tools", 2));
     // In a frame, on the full screen, beside a lesson on a phone.
-    const foot = stage.checkVisibility() && !byId("tools").checkVisibility() ? Math.max(above(byId("legend")), above(byId("zoom-in"))) : undefined;
-    const [right, low] = corner();
-    if (changed(stage, "clear", `${next} ${foot} ${right} ${low}`)) app.playground.keep_clear(next, foot, right, low);
+    const isBare = stage.checkVisibility() && !byId("tools").checkVisibility();
+    const foot = isBare ? (isSmallFrame() ? 0 : Math.max(above(byId("legend")), above(byId("zoom-in")))) : undefined;
+    const [[right, low], [left, deep]] = [corner(), legendCorner()];
+    if (changed(stage, "clear", [next, foot, right, low, left, deep].join())) app.playground.keep_clear(next, foot, right, low, left, deep);
   };
 }

@@ -57,9 +57,10 @@ function showCut(view) {
   const cut = view?.doors || (view?.asks && view.notice) ? 0 : (view?.room?.cut_off_m2 ?? 0);
   setHidden(byId("floor-plan-cut"), !cut);
   if (!view?.room || !cut) return;
-  const { floor_m2: all, reachable_m2: reached } = view.room;
-  const rest = reached === null ? 0 : all - reached - cut;
-  const besides = rest < 0.1 ? "" : ` Another ${metres(rest)} m² are corners and edges that its brush doesn't reach.`;
+  // Of areas as they are shown, so that the sum is right.
+  const [all, reached, rounded] = [view.room.floor_m2, view.room.reachable_m2 ?? view.room.floor_m2, cut].map((area) => +area.toFixed(1));
+  const rest = all - reached - rounded;
+  const besides = rest < 0.05 ? "" : ` Another ${metres(rest)} m² are corners and edges that its brush doesn't reach.`;
   const start = cut > all / 2 ? "If it starts in the wrong part, move the start in Explore. " : "";
   const mend = view.kind === "drawing" ? "make its layer Ignored" : view.kind === "image" ? "read the walls in another way" : "widen the way";
   setText(byId("floor-plan-cut-text"), `A robot as wide as a Roomba can't get to ${metres(cut)} m² of this floor.${besides} ${start}If furniture stands there, all is well. Otherwise a line, an arc of a door or a narrow door is in its way: ${mend}, or use this room and rub the way free with Erase.`);

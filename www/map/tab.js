@@ -140,7 +140,9 @@ function show(view) {
   setAttribute(root, "data-phase", view.phase);
   setAttribute(root, "data-cleaning", String(view.is_cleaning));
   const goals = view.layers.includes("goals") ? [view.frontiers > 0 && "frontiers", view.has_route && "route"] : [];
-  setAttribute(root, "data-goals", goals.filter(Boolean).join(" "));
+  // A lost robot has many possible poses.
+  const particles = (view.layers.includes("particles") || view.is_sure === false) && "particles";
+  setAttribute(root, "data-drawn", [...goals, particles].filter(Boolean).join(" "));
   setHidden(byId("map-hint"), view.phase !== "ready");
   setHidden(byId("map-return"), view.returned === null);
   if (view.returned !== null) {

@@ -30,12 +30,13 @@ pub struct Mark {
 impl Mark {
     /// The mark of an algorithm of the registries, by its position there. Programs of users come after them.
     pub fn of(algorithm: Algorithm) -> Self {
-        let (shapes, position, count) = match algorithm {
+        // The first behaviour, a random walk, races against the first planner: their colours differ.
+        let (shapes, first, position, count) = match algorithm {
             Algorithm::Planner(info) => {
-                (PLANNER_SHAPES, PLANNERS.iter().position(|other| other.id == info.id), PLANNERS.len())
+                (PLANNER_SHAPES, 0, PLANNERS.iter().position(|other| other.id == info.id), PLANNERS.len())
             }
             Algorithm::Behaviour(info) => {
-                (BEHAVIOUR_SHAPES, BEHAVIOURS.iter().position(|other| other.id == info.id), BEHAVIOURS.len())
+                (BEHAVIOUR_SHAPES, 1, BEHAVIOURS.iter().position(|other| other.id == info.id), BEHAVIOURS.len())
             }
         };
         let number = position.unwrap_or(count);
@@ -44,7 +45,7 @@ impl Mark {
             None => (&CLEAR[..], number),
             Some(number) => (&ALIKE[..], number),
         };
-        Self { colour: colours[number % colours.len()], shape: shapes[number / colours.len()] }
+        Self { colour: colours[(first + number) % colours.len()], shape: shapes[number / colours.len()] }
     }
 
     /// That of a copy: none of those `taken`, as long as there is another; in the same colour, if one is left.
@@ -112,6 +113,12 @@ mod tests {
                 assert!(least > 0.12, "{one:?} and {other:?} look alike: {least}");
             }
         }
+    }
+
+    #[test]
+    fn random_walk_against_lanes_was_a_race_of_two_blues() {
+        let [lanes, walk] = [Algorithm::Planner(PLANNERS[0]), Algorithm::Behaviour(BEHAVIOURS[0])].map(Mark::of);
+        assert_ne!(lanes.colour, walk.colour);
     }
 
     #[test]

@@ -44,6 +44,8 @@ pub struct Viewport {
     told: f64,
     /// Width and height of its lower right corner that must not hide the room either, CSS pixels.
     corner: Vector,
+    /// The same of its lower left corner, where the legend is.
+    legend: Vector,
 }
 
 impl Viewport {
@@ -69,6 +71,7 @@ impl Viewport {
             cleared: None,
             told: 0.0,
             corner: Vector::zeros(),
+            legend: Vector::zeros(),
         };
         view.fit();
         view
@@ -81,12 +84,18 @@ impl Viewport {
 
     /// Shows all of the room again.
     pub fn fit(&mut self) {
-        let [left, top, right, bottom] = self.margins();
+        let [left, top, right, mut bottom] = self.margins();
         let mut view = self.between([left, top, right, bottom]);
-        let (size, mut corner) = (self.size, self.corner);
-        let has_scale = !self.is_bare && self.cleared.is_none() && self.scale_bar().is_some() && size.x < BESIDE_ZOOM;
+        let (size, mut corner, is_framed) = (self.size, self.corner, self.is_framed());
+        let start = view.to_screen(Point::origin());
+        if start.x < self.legend.x && start.y > size.y - self.legend.y {
+            bottom = bottom.max(self.legend.y.min(0.67 * size.y - top));
+            view = self.between([left, top, right, bottom]);
+        }
+        let is_above_zoom = is_framed || (self.cleared.is_none() && size.x < BESIDE_ZOOM);
+        let has_scale = !self.is_bare && is_above_zoom && self.scale_bar().is_some();
         // Below the room that lies beside the corner is the scale bar.
-        let below = if has_scale && corner.x > 0.0 { bottom.max(SCALE_CORNER[1]) } else { bottom };
+        let below = if has_scale && corner.x > 0.0 && !is_framed { bottom.max(SCALE_CORNER[1]) } else { bottom };
         if has_scale {
             corner = corner.sup(&Vector::from(SCALE_CORNER));
         }
@@ -104,14 +113,15 @@ impl Viewport {
         self.fitted = true;
     }
 
-    /// Keeps the uppermost `told` CSS pixels free when the whole room is shown, and the lower right `corner`. While the tools that
-    /// float over it are hidden, it is `cleared` but for so many at the bottom.
-    pub fn keep_clear(&mut self, told: f64, cleared: Option<f64>, corner: Vector) {
-        let is_same = (told - self.told).abs() < 0.5 && (corner - self.corner).amax() < 0.5;
+    /// Keeps the uppermost `told` CSS pixels free when the whole room is shown, the lower right `corner`, and the lower left one
+    /// with the `legend`. While the tools that float over it are hidden, it is `cleared` but for so many at the bottom.
+    pub fn keep_clear(&mut self, told: f64, cleared: Option<f64>, corner: Vector, legend: Vector) {
+        let is_near = |a: Vector, b: Vector| (a - b).amax() < 0.5;
+        let is_same = (told - self.told).abs() < 0.5 && is_near(corner, self.corner) && is_near(legend, self.legend);
         if is_same && cleared == self.cleared {
             return;
         }
-        (self.told, self.cleared, self.corner) = (told, cleared, corner);
+        (self.told, self.cleared, self.corner, self.legend) = (told, cleared, corner, legend);
         if self.fitted {
             self.fit();
         }
@@ -169,17 +179,22 @@ impl Viewport {
         let place = match self.size.x {
             _ if self.is_bare => [10.0, 10.0],
             // Left of what lies in the corner, or of the whole room on a low screen.
-            x if x < BESIDE_ZOOM && self.corner.x > 0.0 => {
+            x if x < BESIDE_ZOOM && self.corner.x > 0.0 && !self.is_framed() => {
                 let start = self.to_screen(Point::origin()).x;
                 let lies_on_room = end.x > x - self.corner.x - LONGEST_SCALE && end.y > self.size.y - SCALE_CORNER[1];
                 let to_right =
                     if self.fitted && lies_on_room && start > LONGEST_SCALE { x - start + 10.0 } else { self.corner.x };
                 [to_right, 72.0]
             }
-            x if x < BESIDE_ZOOM => [20.0, 72.0],
+            x if x < BESIDE_ZOOM || self.is_framed() => [20.0, 72.0],
             _ => [204.0, 24.0],
         };
         (self.size.x >= width && self.size.y >= height).then_some(place)
+    }
+
+    /// Whether only the zoom floats over it, in a small frame: the scale bar shares its corner.
+    fn is_framed(&self) -> bool {
+        self.cleared.is_some() && self.corner.x > 0.0
     }
 
     /// Screen position of a point of the world, CSS pixels from the upper left.
@@ -268,20 +283,20 @@ mod tests {
     fn what_is_told_hides_nothing_of_a_room_that_is_shown_whole() {
         let mut view = view();
         let before = view;
-        view.keep_clear(130.0, None, Vector::zeros());
+        view.keep_clear(130.0, None, Vector::zeros(), Vector::zeros());
         assert!(view.to_screen(Point::new(0.0, 6.0)).y >= 130.0 - 1e-9);
-        view.keep_clear(0.0, None, Vector::zeros());
+        view.keep_clear(0.0, None, Vector::zeros(), Vector::zeros());
         assert_eq!(view.scale, before.scale);
         // The tallest card on a phone leaves the room a third of the canvas.
         let mut phone = Viewport::new(10.6, 8.4, 390.0, 458.0, 1.0);
-        phone.keep_clear(239.7, None, Vector::zeros());
+        phone.keep_clear(239.7, None, Vector::zeros(), Vector::zeros());
         assert!(phone.to_screen(Point::new(0.0, 8.4)).y >= 239.7 - 1e-9 && phone.scale > 10.0);
         // Never more than two thirds of it, and not when zoomed in.
-        view.keep_clear(5000.0, None, Vector::zeros());
+        view.keep_clear(5000.0, None, Vector::zeros(), Vector::zeros());
         assert!(view.scale > 0.0 && view.to_screen(Point::new(0.0, 6.0)).y < 420.0);
         view.zoom_at(300.0, 200.0, 2.0);
         let zoomed = view;
-        view.keep_clear(100.0, None, Vector::zeros());
+        view.keep_clear(100.0, None, Vector::zeros(), Vector::zeros());
         assert_eq!((view.scale, view.origin), (zoomed.scale, zoomed.origin));
     }
 
@@ -291,21 +306,47 @@ mod tests {
             let mut view = Viewport::new(8.0, 6.0, width, height, 1.0);
             let before = view;
             let corner = Vector::from(corner);
-            view.keep_clear(0.0, None, corner);
+            view.keep_clear(0.0, None, corner, Vector::zeros());
             let end = view.to_screen(Point::new(8.0, 0.0));
             assert!(end.x <= width - corner.x + 1e-9 || end.y <= height - corner.y + 1e-9, "{end}");
             assert!(view.to_screen(Point::origin()).x >= 19.0 && view.scale > 0.5 * before.scale);
-            view.keep_clear(0.0, None, Vector::zeros());
+            view.keep_clear(0.0, None, Vector::zeros(), Vector::zeros());
             assert_eq!(view, before);
         }
         // A narrow room in a large window stays where it is.
         let mut view = Viewport::new(4.0, 8.0, 900.0, 700.0, 1.0);
         let before = view.origin;
-        view.keep_clear(0.0, None, Vector::new(220.0, 300.0));
+        view.keep_clear(0.0, None, Vector::new(220.0, 300.0), Vector::zeros());
         assert_eq!(view.origin, before);
         // Never all of it.
-        view.keep_clear(0.0, None, Vector::new(5000.0, 5000.0));
+        view.keep_clear(0.0, None, Vector::new(5000.0, 5000.0), Vector::zeros());
         assert!(view.scale > 0.0 && view.to_screen(Point::new(6.0, 0.0)).x > 0.0);
+    }
+
+    #[test]
+    fn on_a_phone_the_legend_lay_on_the_corner_of_a_room_below_the_card_of_the_end() {
+        let mut view = Viewport::new(5.2, 4.2, 390.0, 458.0, 1.0);
+        let legend = Vector::new(196.0, 98.0);
+        let before = view;
+        view.keep_clear(0.0, None, Vector::zeros(), legend);
+        assert_eq!((view.scale, view.origin), (before.scale, before.origin), "it has room enough");
+        view.keep_clear(206.0, None, Vector::zeros(), legend);
+        let [start, end] = [0.0, 4.2].map(|y| view.to_screen(Point::new(0.0, y)).y);
+        assert!(start <= 458.0 - 98.0 + 1e-9 && end >= 206.0 - 1e-9, "{start} {end}");
+    }
+
+    #[test]
+    fn in_a_frame_the_zoom_lay_on_the_corner_of_the_room() {
+        for (width, height) in [(640.0, 314.0), (560.0, 330.0), (420.0, 520.0)] {
+            let mut view = Viewport::new(5.2, 4.2, width, height, 1.0);
+            let zoom = Vector::new(206.0, 72.0);
+            view.keep_clear(52.0, Some(0.0), zoom, Vector::zeros());
+            let end = view.to_screen(Point::new(5.2, 0.0));
+            let [to_right, to_bottom] = view.scale_bar().unwrap();
+            let corner = zoom.sup(&Vector::new(to_right + 130.0, to_bottom));
+            assert!(end.x <= width - corner.x || end.y <= height - zoom.y + 1e-9, "{width}: {end}");
+            assert!(view.scale * 4.2 > 0.5 * height, "{width}: {}", view.scale);
+        }
     }
 
     #[test]
@@ -316,13 +357,13 @@ mod tests {
         assert_eq!(view.scale_bar(), Some([20.0, 72.0]));
         // Beside a joystick it has its place, too.
         let mut driven = Viewport::new(10.0, 8.0, 390.0, 458.0, 1.0);
-        driven.keep_clear(0.0, None, Vector::new(162.0, 166.0));
+        driven.keep_clear(0.0, None, Vector::new(162.0, 166.0), Vector::zeros());
         let end = driven.to_screen(Point::new(10.0, 0.0));
         assert!(driven.scale_bar() == Some([162.0, 72.0]) && end.y <= 458.0 - 166.0 + 1e-9, "{end}");
         assert!(10.0 * driven.scale > 270.0, "above the joystick the floor is larger than beside it");
         // On a phone's side the room is beside the joystick, and the bar on its other side.
         let mut low = Viewport::new(10.0, 8.0, 540.0, 340.0, 1.0);
-        low.keep_clear(175.0, None, Vector::new(162.0, 166.0));
+        low.keep_clear(175.0, None, Vector::new(162.0, 166.0), Vector::zeros());
         let [to_right, to_bottom] = low.scale_bar().unwrap();
         let start = low.to_screen(Point::origin());
         assert!(start.y > 340.0 - to_bottom && 540.0 - to_right < start.x - 5.0, "{start} {to_right}");
@@ -386,13 +427,13 @@ mod tests {
         view.resize(390.0, 190.0, 1.0);
         view.fit();
         let before = view.scale;
-        view.keep_clear(0.0, Some(0.0), Vector::zeros());
+        view.keep_clear(0.0, Some(0.0), Vector::zeros(), Vector::zeros());
         assert!(view.scale > 1.4 * before && view.scale * 6.0 <= 190.0, "{before} {}", view.scale);
-        view.keep_clear(40.0, Some(0.0), Vector::zeros());
+        view.keep_clear(40.0, Some(0.0), Vector::zeros(), Vector::zeros());
         assert!(view.scale * 6.0 <= 150.0, "{}", view.scale);
         // The legend hid the lowest lane on the full screen.
         view.resize(900.0, 700.0, 1.0);
-        view.keep_clear(0.0, Some(44.0), Vector::zeros());
+        view.keep_clear(0.0, Some(44.0), Vector::zeros(), Vector::zeros());
         assert!(view.to_screen(Point::new(0.0, 0.0)).y <= 656.1);
     }
 }
