@@ -69,6 +69,9 @@ test("you drive against an algorithm for the same time, and challenge others by 
   await other.locator("#game").getByText("You are challenged").waitFor();
   assert.match(await other.locator("#game").innerText(), new RegExp(`more than the ${yours} % of whoever sent this`));
   assert.equal((await theirApp.link()).room, "empty");
+  await theirApp.linked("versus", (value) => value === `boustrophedon,5,${yours}`);
+  await other.reload();
+  await other.locator("#game").getByText("You are challenged").waitFor();
   // Another room is the end of it.
   await other.locator("#game").getByRole("button", { name: "Start" }).click();
   await other.locator("#game-title", { hasText: /^Your turn$/ }).waitFor();

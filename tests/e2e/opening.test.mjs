@@ -82,7 +82,7 @@ test("has a title, and a text for those who can't see the floor", async (t) => {
   const { page, app } = await openApp(t);
   assert.equal(await page.title(), "Robovac Playground");
   const label = () => page.locator("#floor").getAttribute("aria-label");
-  assert.match(await label(), /^Floor plan of .+ m by .+: the robot is cleaning, \d+ % of the reachable floor is clean/);
+  assert.match(await label(), /^Floor plan of .+ m by .+: the robot is cleaning, \d+\.\d % of the reachable floor is clean/);
   await app.choose("room", "thesis8");
   await page.waitForFunction(() => /Thesis preset/.test(document.getElementById("floor").getAttribute("aria-label")));
 });

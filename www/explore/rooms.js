@@ -61,7 +61,7 @@ async function build(app) {
   /** @param {import("./own-rooms.js").OwnRoom} room */
   const item = ({ id, name }) => {
     const isHere = currentId(app) === id;
-    const open = make("button", { type: "button", className: "quiet own-name", onclick: () => done(openRoom(app, id, true)) }, name);
+    const open = make("button", { type: "button", className: "quiet own-name", title: name, onclick: () => done(openRoom(app, id, true)) }, name);
     if (isHere) open.setAttribute("aria-current", "true");
     const rename = () => {
       const box = make("input", { type: "text", value: name, maxLength: 60, "aria-label": `New name of ${name}` });
@@ -97,8 +97,10 @@ async function build(app) {
         put({ id, name }, scenario);
         undo.hidden = true;
         show();
+        items.querySelector("button")?.focus();
       };
       show();
+      undo.focus();
     };
     const button = (/** @type {string} */ label, /** @type {() => void} */ what) =>
       make("button", { type: "button", className: "quiet", "aria-label": `${label} ${name}`, onclick: what }, label);
@@ -109,6 +111,8 @@ async function build(app) {
     undo.hidden = true;
     show();
     dialog.showModal();
+    // On a phone the keyboard would cover the list.
+    if (matchMedia("(hover: hover)").matches) name.select();
   };
 }
 

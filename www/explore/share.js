@@ -36,7 +36,7 @@ export async function copyLink(app) {
   }
   // The drawing's files may be large, and aren't for everybody.
   const hasDrawing = currentTab() === "floor-plan" && document.getElementById("floor-plan-settings")?.hidden === false;
-  toast(hasDrawing ? `${done}, without the drawing: press Use this room, then copy again` : done);
+  if (hasDrawing) toast(`${done}, without the drawing: press Use this room, then copy again`);
   // Without them the link is copied all the same.
-  await import("../send.js").then(({ showWays }) => showWays(app, link, done)).catch(console.warn);
+  await import("../send.js").then(({ showWays }) => showWays(app, link, done)).catch(() => toast(done));
 }

@@ -26,8 +26,8 @@ export function startVersus(app, card) {
   let terms = { rival: rivals[0]?.id ?? "", seconds: USUAL, beat: null };
   /** @type {"terms" | "rival" | "you" | "over"} */
   let phase = "terms";
-  /** Whether a challenge waits for Start. */
-  let isOffered = false;
+  /** Whether a challenge waits for Start, and whether a link brought the game: a reload brings it again. */
+  let [isOffered, isChallenge] = [false, false];
   /** Time and coverage of the rival's run, one behind the other. @type {Float64Array} */
   let curve = new Float64Array();
   /** What must not change meanwhile. */
@@ -45,6 +45,7 @@ export function startVersus(app, card) {
 
   function offer() {
     phase = "terms";
+    isChallenge = false;
     terms = { ...terms, rival: rivals.some(({ id }) => id === app.view.algorithm) ? app.view.algorithm : terms.rival, beat: null };
     const rival = make("select", { id: "versus-rival" });
     fill(rival, rivals.map(({ id, title }) => [id, title]));
@@ -143,7 +144,7 @@ export function startVersus(app, card) {
       const limit = Math.min(3600, Math.max(5, Number(seconds) || USUAL));
       const share = beat === "" || !(Number(beat) >= 0 && Number(beat) <= 100) ? null : Number(beat) / 100;
       terms = { rival, seconds: limit, beat: share };
-      isOffered = true;
+      isOffered = isChallenge = true;
       card.show(
         "You are challenged",
         make("p", {}, `Sweep more of this room in ${clock(limit)} minutes than ${titleOf(rival)}${share === null ? "" : `, and more than the ${percent(share)} % of whoever sent this`}.`),
@@ -179,8 +180,9 @@ export function startVersus(app, card) {
     },
     end() {
       phase = "terms";
+      isChallenge = false;
       if (pace !== undefined) app.act(atUsualPace);
     },
-    link: () => (phase === "terms" || phase === "rival" ? "" : [terms.rival, terms.seconds, ...(phase === "over" && counts ? [percent(score)] : terms.beat === null ? [] : [percent(terms.beat)])].join(",")),
+    link: () => (!isChallenge && (phase === "terms" || phase === "rival") ? "" : [terms.rival, terms.seconds, ...(phase === "over" && counts ? [percent(score)] : terms.beat === null ? [] : [percent(terms.beat)])].join(",")),
   };
 }

@@ -69,6 +69,14 @@ fn planned_robot_that_is_carried_off_is_told_to_go_on_blindly() {
     session.run_ahead(1.0);
     let lines = diary(session.recording().unwrap().run(), true);
     assert!(lines.iter().any(|line| line.text.contains("put down, follows its plan as before")), "{lines:?}");
+    // Unless it has sensed that it was lifted, and knows a dock.
+    session.lift();
+    session.run_ahead(1.0);
+    session.put_down(there);
+    assert!(session.view().message.contains("It searches for its dock"), "{}", session.view().message);
+    session.run_ahead(1.0);
+    let last = diary(session.recording().unwrap().run(), true).remove(0);
+    assert!(last.text.contains("searching for the dock") && !last.text.contains("follows its plan"), "{last:?}");
     // Before that it was not.
     session.seek(10.0);
     assert_eq!(session.view().message, "");

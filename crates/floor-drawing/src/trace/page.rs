@@ -109,7 +109,9 @@ fn found(drawing: &Drawing) -> Option<(Vec<usize>, Vec<usize>)> {
         title = rest.iter().copied().filter(|&index| is_in(&boxes[index])).collect();
     }
     let house: Vec<usize> = rest.into_iter().filter(|index| !title.contains(index)).collect();
-    (floor_share(drawing, &house, &all, longer)? >= BUILDING).then_some((frame, title))
+    // Walls that are called so are a building, however wide its doors.
+    let is_named = house.iter().any(|&index| says_wall(&drawing.layers[drawing.strokes[index].layer as usize].name));
+    (is_named || floor_share(drawing, &house, &all, longer)? >= BUILDING).then_some((frame, title))
 }
 
 fn area(b: &BoundingBox) -> f64 {
@@ -200,6 +202,18 @@ mod tests {
         let found = layers(&[("0", 5.0, 5.0, 292.0, 205.0), ("0", 200.0, 5.0, 292.0, 30.0), flat[0], flat[1]]);
         let names: Vec<(&str, usize)> = found.iter().map(|layer| (layer.name.as_str(), layer.strokes)).collect();
         assert_eq!(names, [("0", 2), ("page frame", 1), ("title block", 1)]);
+    }
+
+    #[test]
+    fn a_frame_was_a_wall_if_the_door_of_the_house_stood_wide_open() {
+        let frame = ("0", 5.0, 5.0, 292.0, 205.0);
+        // Three sides, each as thick as a line.
+        let open = |layer| {
+            [(layer, 40.0, 165.0, 220.0, 166.0), (layer, 40.0, 25.0, 41.0, 165.0), (layer, 219.0, 25.0, 220.0, 165.0)]
+        };
+        let found = |layer| layers(&[[frame].as_slice(), &open(layer)].concat());
+        assert_eq!(walls(&found("Waende")), 3);
+        assert_eq!(walls(&found("0")), 4, "who knows what they are");
     }
 
     #[test]

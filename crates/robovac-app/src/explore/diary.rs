@@ -20,7 +20,8 @@ pub struct DiaryEntry {
 pub fn diary(run: &Run, follows_plan: bool) -> Vec<DiaryEntry> {
     let mut lines = tell(run.events());
     let put_down = What::PutDown.to_string();
-    for line in lines.iter_mut().filter(|_| follows_plan) {
+    // One that goes to its dock first says so.
+    for line in lines.iter_mut().filter(|line| follows_plan && !line.text.contains("dock")) {
         line.text = line.text.replace(&put_down, &format!("{put_down}, follows its plan as before"));
     }
     lines

@@ -377,6 +377,7 @@ fn description(view: &DrawingView) -> String {
     }
     match (&view.size, &view.room) {
         (None, _) => say("unit not chosen yet".to_owned()),
+        (Some(size), None) if view.fault.is_empty() => say(format!("{size} overall; no room yet")),
         (Some(size), None) => say(format!("{size} overall; no room could be traced: {}", view.fault)),
         (Some(size), Some(room)) if view.assumes_size => say(format!(
             "{size} overall, and the floor {}, if the assumed scale is right",

@@ -36,6 +36,7 @@ pub use follow_smoothly::FollowSmoothly;
 pub use follower::Follower;
 pub use info::{BehaviourClaims, BehaviourInfo, Setup};
 pub use intent::Intent;
+pub use parts::LIFTED;
 pub(crate) use parts::safe_speed;
 pub use recharge::Recharge;
 pub use timing::Timing;

@@ -9,7 +9,7 @@
 
 use super::{
     Controller, FollowPath, Follower, Setup, dock,
-    parts::{GO_HOME, LEAVE_HOME},
+    parts::{GO_HOME, LEAVE_HOME, LIFTED},
 };
 use crate::docking::{berth, could_touch};
 use robovac_core::{
@@ -206,7 +206,7 @@ impl Controller for Recharge {
             RechargeState::Dock(dock) => dock.activity(),
             RechargeState::Charge(_) => "charging",
             RechargeState::Return(_) => "driving back to its path",
-            RechargeState::Lifted => "lifted, waiting to be put down",
+            RechargeState::Lifted => LIFTED,
         }
     }
 

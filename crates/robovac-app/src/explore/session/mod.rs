@@ -23,7 +23,7 @@ use robovac_core::{
 };
 use robovac_sim::{
     Input, Run, RunRecording, STEP_S,
-    controller::{self, Behaviours, Joystick},
+    controller::{self, Behaviours, Joystick, LIFTED},
     experiment::{
         Settings, SettingsError,
         planning::{PlanRequest, Planned, RoomSetup},
@@ -33,6 +33,9 @@ use std::sync::Arc;
 
 /// Message for a robot that was put down elsewhere and can't sense that.
 const CARRIED: &str = "The robot follows its plan by odometry and can't detect that it was kidnapped.";
+/// The same for one that senses that it was lifted.
+const LOST: &str = "The robot senses that it was lifted, but not where it is. It searches for its dock, whose place it knows, and then \
+    continues its plan.";
 /// Least distance from its estimated position at which a robot is put down for that message, m.
 const CARRIED_M: f64 = 0.1;
 
@@ -290,7 +293,7 @@ impl Session {
 
     /// Seeks another time within the time simulated so far, s.
     pub fn seek(&mut self, time_s: f64) {
-        self.message.take_if(|message| message.text == CARRIED);
+        self.message.take_if(|message| message.text == CARRIED || message.text == LOST);
         if let Some(recording) = &mut self.recording {
             recording.seek(time_s);
             // A key frame's state, such as the start, is there at once; the rest follows with the frames.
@@ -317,11 +320,13 @@ impl Session {
         if !self.is_lifted() {
             return;
         }
-        let estimate = self.recording.as_ref().and_then(|recording| recording.run().estimate());
+        let run = self.recording.as_ref().map(RunRecording::run);
+        let searches = run.is_some_and(|run| run.activity() == LIFTED);
+        let estimate = run.and_then(Run::estimate);
         let is_elsewhere = estimate.is_some_and(|at| (at.position() - pose.position()).norm() > CARRIED_M);
         self.input(Input::PutDown(rounded(pose)));
         if is_elsewhere && self.settings.algorithm.planner().is_some() {
-            self.say("notice", CARRIED.into());
+            self.say("notice", if searches { LOST } else { CARRIED }.into());
         }
     }
 

@@ -14,7 +14,6 @@ use coverage_planners::{
 };
 use robovac_core::{
     floor_plan::generate::FlatId,
-    math::floor,
     robot::{CustomRobot, OwnRobot},
     trajectory::DriveLimits,
 };
@@ -208,10 +207,10 @@ impl Session {
         let objects = in_words(&self.plan().objects);
         let objects = if objects.is_empty() { objects } else { format!(" Objects: {objects}.") };
         format!(
-            "Floor plan of {room}.{objects} {}: {doing}, {} % of the reachable floor is clean after {:.0} min.{search}",
+            "Floor plan of {room}.{objects} {}: {doing}, {:.1} % of the reachable floor is clean after {:.0} min.{search}",
             self.settings.algorithm.title(),
-            // Never 100 unless it is all, as in the numbers.
-            floor(100.0 * view.coverage + 1e-6),
+            // Rounded down, as in the numbers: never 100 unless it is all.
+            (1000.0 * view.coverage + 1e-6).floor() / 10.0,
             view.time_s / 60.0
         )
     }

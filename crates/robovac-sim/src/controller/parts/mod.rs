@@ -16,6 +16,9 @@ mod trail;
 mod travel;
 mod voids;
 
+/// What a robot does that senses that it's lifted.
+pub const LIFTED: &str = "lifted, waiting to be put down";
+
 pub(super) use attempt_budget::{AttemptBudget, THERE};
 pub(super) use barred::Barred;
 pub(super) use beacon::Beacon;

@@ -1,6 +1,6 @@
 //! A behaviour as a controller: common reflexes around its own rules.
 
-use super::{home::Home, obstruction::Obstruction, pilot::Pilot};
+use super::{LIFTED, home::Home, obstruction::Obstruction, pilot::Pilot};
 use crate::{
     controller::{Controller, Intent, Joystick, Setup, interlock::Blocked},
     mapping::Mapper,
@@ -127,7 +127,7 @@ impl Controller for Reactive {
 
     fn activity(&self) -> &'static str {
         if self.is_lifted {
-            return "lifted, waiting to be put down";
+            return LIFTED;
         }
         let home = self.home.as_ref().and_then(Home::activity);
         match (home, self.pilot.activity()) {
