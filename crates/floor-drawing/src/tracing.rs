@@ -80,6 +80,8 @@ pub struct OutsideLeak {
     pub floor_m2: f64,
     /// Whether the floor is indoors once openings up to this width are closed.
     pub closes: bool,
+    /// Whether it leads to what may be a garden within its wall, which is floor, too, as long as the opening isn't closed.
+    pub to_garden: bool,
 }
 
 impl Traced {

@@ -1,10 +1,14 @@
 //! Finds the opening by which the outside reaches floor that walls enclose otherwise.
 
-use super::{EnclosedFloor, OUTER_DOOR, OutsideLeak, RoomTracer, openings};
+use super::{
+    EnclosedFloor, OUTER_DOOR, OutsideLeak, RoomTracer,
+    behind::{OpenRoom, open_rooms},
+    openings,
+};
 use crate::{DrawingFlaw, Tracing};
 use robovac_core::{
     geometry::Point,
-    grid::{Cell, Grid},
+    grid::Cell,
     math::{ceil, floor},
 };
 
@@ -15,9 +19,6 @@ const LEAKS: [f64; 4] = [1.4, 2.0, 4.0, 8.0];
 const WIDEST: f64 = 0.5;
 /// Least floor behind a leak, as a share of the floor that is enclosed without it.
 const LEAKED: f64 = 0.1;
-/// How many times wider than its opening the floor behind it is at least, along the opening (ours): a court or a porch is
-/// as wide as its opening.
-const WIDER: f64 = 1.2;
 /// Share of that floor that has to be indoors for the leak to be closed: cells beside walls can differ.
 const MOST_OF_IT: f64 = 0.9;
 /// Steps per metre of widths that are told.
@@ -77,7 +78,7 @@ impl RoomTracer<'_> {
             let nearest = lines.into_iter().min_by(|a, b| (a.0 - at).norm().total_cmp(&(b.0 - at).norm()));
             Ok(Some(nearest.unwrap_or((at, width))))
         };
-        let told = |at: Point, width: f64, closes: bool| OutsideLeak { at, width, floor_m2, closes };
+        let told = |at: Point, width: f64, closes: bool| OutsideLeak { at, width, floor_m2, closes, to_garden: false };
         let Some((at, width)) = closing(step(1.2 * width + self.how.resolution))? else {
             return Ok(told(at, metres(step(width)), false));
         };
@@ -93,6 +94,21 @@ impl RoomTracer<'_> {
 }
 
 impl EnclosedFloor {
+    /// The widest opening of a building that may stand in a garden: as long as it isn't closed, the garden is floor, too.
+    pub(super) fn garden_leak(&self, resolution: f64) -> Option<OutsideLeak> {
+        let building = self.in_doubt.as_ref()?;
+        let widest = |room: &OpenRoom| room.widest().map_or(0.0, |(_, width)| width);
+        let room = building.behind.iter().max_by(|a, b| widest(a).total_cmp(&widest(b)))?;
+        let ([a, b], width) = room.widest()?;
+        Some(OutsideLeak {
+            at: self.frame.point(Point::from(0.5 * (a.coords + b.coords))),
+            width: f64::from(ceil((width + 1.0) * resolution * STEPS - 1e-6)) / STEPS,
+            floor_m2: room.cells.len() as f64 * resolution * resolution,
+            closes: true,
+            to_garden: true,
+        })
+    }
+
     /// Whether a point of the drawing is on this floor.
     fn has(&self, point: Point) -> bool {
         let at = self.frame.cells(point);
@@ -116,57 +132,15 @@ impl EnclosedFloor {
             let cell = rest.cell(index);
             rest[cell] &= before.is_none_or(|before| !before.has(self.frame.point(cell.centre(1.0))));
         }
-        let lines = openings::openings(&self.walls, &self.inside);
-        let mut found: Option<(Vec<Cell>, [Point; 2])> = None;
-        let mut pieces = rest.map(|_| 0_u32);
-        for index in 0..rest.len() {
-            let piece = taken(&mut rest, index);
-            for &cell in &piece {
-                pieces[cell] = index as u32 + 1;
-            }
-            if piece.len() <= found.as_ref().map_or(0, |(cells, _)| cells.len()) {
-                continue;
-            }
-            let is_its =
-                |[a, _]: &&[Point; 2]| pieces.get(Cell::new(floor(a.x), floor(a.y))) == Some(&(index as u32 + 1));
-            let length = |[a, b]: &[Point; 2]| (b - a).norm();
-            let Some(&widest) = lines.iter().filter(is_its).max_by(|a, b| length(a).total_cmp(&length(b))) else {
-                continue;
-            };
-            let width = length(&widest) + 1.0;
-            let along = (widest[1] - widest[0]).try_normalize(0.0).unwrap_or_default();
-            let places = piece.iter().map(|cell| cell.centre(1.0).coords.dot(&along));
-            let (low, high) = places.fold((f64::MAX, f64::MIN), |(low, high), at| (low.min(at), high.max(at)));
-            if high - low + 1.0 >= WIDER * width && piece.len() as f64 >= width * width {
-                found = Some((piece, widest));
-            }
-        }
-        let (piece, [a, b]) = found?;
+        let rooms = open_rooms(&self.walls, &self.inside, rest);
+        // The first of those that are as large.
+        let room = rooms.into_iter().rev().max_by_key(|room| room.cells.len())?;
+        let ([a, b], width) = room.widest()?;
         Some(OpenedFloor {
-            places: piece.iter().map(|cell| self.frame.point(cell.centre(1.0))).collect(),
-            floor_m2: piece.len() as f64 * resolution * resolution,
+            places: room.cells.iter().map(|cell| self.frame.point(cell.centre(1.0))).collect(),
+            floor_m2: room.cells.len() as f64 * resolution * resolution,
             at: self.frame.point(Point::from(0.5 * (a.coords + b.coords))),
-            width: ((b - a).norm() + 1.0) * resolution,
+            width: width * resolution,
         })
     }
-}
-
-/// Takes the connected cells around one out of `rest`.
-fn taken(rest: &mut Grid<bool>, index: usize) -> Vec<Cell> {
-    let start = rest.cell(index);
-    let (mut piece, mut next) = (Vec::new(), 0);
-    if rest[start] {
-        rest[start] = false;
-        piece.push(start);
-    }
-    while let Some(&cell) = piece.get(next) {
-        next += 1;
-        for beside in cell.neighbours() {
-            if rest.is_set(beside) {
-                rest[beside] = false;
-                piece.push(beside);
-            }
-        }
-    }
-    piece
 }

@@ -1,5 +1,7 @@
 //! Traces a room from a drawing.
 
+mod alone;
+mod behind;
 mod frame;
 mod gaps;
 mod leak;
@@ -17,6 +19,7 @@ use super::{
 };
 pub(crate) use page::without_page;
 
+use alone::FreeBuilding;
 use frame::{BoundingBox, RasterFrame, bounds_of};
 use raster::RasterCanvas;
 use robovac_core::{
@@ -97,6 +100,8 @@ struct EnclosedFloor {
     openings: Vec<[Point; 2]>,
     /// Cells within the outermost walls that lie round the building.
     around: usize,
+    /// A building that may stand free within it.
+    in_doubt: Option<FreeBuilding>,
 }
 
 struct RoomTracer<'a> {
@@ -172,10 +177,13 @@ impl<'a> RoomTracer<'a> {
     fn indoors(&self) -> Result<Traced, DrawingFlaw> {
         let found = self.enclosed()?;
         let area = |cells: usize| cells as f64 * self.how.resolution * self.how.resolution;
-        let leak = self.outside_leak(found.as_ref())?;
+        let leak = match self.outside_leak(found.as_ref())? {
+            None => found.as_ref().and_then(|found| found.garden_leak(self.how.resolution)),
+            leak => leak,
+        };
         let is_open = found.is_none();
         let mut traced = match found {
-            Some(EnclosedFloor { frame, inside, walls, openings, around }) => {
+            Some(EnclosedFloor { frame, inside, walls, openings, around, .. }) => {
                 let mut traced = self.cropped(&frame, inside, &walls, &openings)?;
                 traced.around_m2 = area(around);
                 traced
@@ -217,7 +225,7 @@ impl<'a> RoomTracer<'a> {
         let most = (most / self.how.resolution / self.how.resolution) as usize;
         let outside = openings::part_with(&walls, [Cell::new(0, 0)], gap, most);
         let mut openings = Vec::new();
-        let mut shut = outside.cells;
+        let mut shut = outside.cells.clone();
         for (cell, &is_wall) in shut.values_mut().iter_mut().zip(walls.values()) {
             *cell |= is_wall;
         }
@@ -227,13 +235,25 @@ impl<'a> RoomTracer<'a> {
         }
         let all = inside.count();
         let building = |door: f64| surroundings::building(&walls, &inside, door, self.how.resolution);
-        if let Some(building) = building(gap.max(door)).or_else(|| building(door).filter(|_| gap > door)) {
+        let free = alone::building(&walls, &inside, &outside.cells, [gap, door], self.how.resolution);
+        let (free, in_doubt) = match free {
+            Some(free) if !free.is_decided(gap) => (None, Some(free)),
+            free => (free, None),
+        };
+        let free = free.map(|FreeBuilding { floor, .. }| {
+            let openings = openings::openings(&walls, &floor);
+            (floor, openings)
+        });
+        let building = free.or_else(|| building(gap.max(door))).or_else(|| building(door).filter(|_| gap > door));
+        let is_in_garden = building.is_some();
+        if let Some(building) = building {
             (inside, openings) = building;
         }
         let around = all - inside.count();
         let size = (self.bounds.high - self.bounds.low) / self.side;
         let is_building = inside.count() as f64 >= INDOORS * size.x * size.y;
-        Ok(is_building.then_some(EnclosedFloor { frame, inside, walls, openings, around }))
+        let in_doubt = in_doubt.filter(|_| !is_in_garden);
+        Ok(is_building.then_some(EnclosedFloor { frame, inside, walls, openings, around, in_doubt }))
     }
 
     fn whole(&self) -> Result<Traced, DrawingFlaw> {

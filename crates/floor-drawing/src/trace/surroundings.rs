@@ -12,14 +12,14 @@ use std::{
 };
 
 /// Fewest rooms of a building, unless a thin frame is round it: a column, a kiosk or a lift stands in a hall, too.
-const ROOMS: usize = 2;
+pub(super) const ROOMS: usize = 2;
 /// Least share of the floor that is the building's (ours). The core of an office floor is less; on a sheet, within a thin
 /// or standard frame, a building can be smaller: a flat of 50 m² at 1:100 is a twelfth of an A4 sheet.
-const SHARE: f64 = 0.25;
+pub(super) const SHARE: f64 = 0.25;
 const SHARE_IN_FRAME: f64 = 0.05;
 /// Largest floor that stands at the outermost walls, as a share of the building's: a shed, a title block. Halls have
 /// their rooms there.
-const ATTACHED: f64 = 0.25;
+pub(super) const ATTACHED: f64 = 0.25;
 /// On a sheet, its share of all within the frame: the title block.
 const TITLE_BLOCK: f64 = 0.2;
 /// How much of its box a frame fills at least, and how thick its lines are at most beside those of the building.
@@ -30,7 +30,7 @@ const ANGLES: u32 = 180;
 /// Longer by shorter side of sheets (ISO 216), with margins a little more or less.
 const ASPECT: [f64; 2] = [1.36, 1.48];
 /// Walls round walls: a frame of two lines round a garden.
-const MOST_LAYERS: usize = 4;
+pub(super) const MOST_LAYERS: usize = 4;
 /// No part.
 const NONE: u16 = u16::MAX;
 
@@ -57,11 +57,11 @@ pub(super) fn building(
 
 /// A part of the floor: what is left connected if doors are closed.
 #[derive(Default)]
-struct RoomShare {
+pub(super) struct RoomShare {
     /// Cells where a square as wide as a door fits; none in what is narrower throughout.
-    seeds: Vec<Cell>,
+    pub seeds: Vec<Cell>,
     /// Cells.
-    area: usize,
+    pub area: usize,
     /// Sides of its cells at the outermost walls, and at what stands free within them.
     at_outer: usize,
     at_inner: usize,
@@ -260,7 +260,7 @@ fn outer(labels: &Grid<u16>) -> Grid<bool> {
 }
 
 /// The parts of the floor with openings up to `door` cells closed, and the part of every cell.
-fn parts(blocked: &Grid<bool>, door: f64) -> (Grid<u16>, Vec<RoomShare>) {
+pub(super) fn parts(blocked: &Grid<bool>, door: f64) -> (Grid<u16>, Vec<RoomShare>) {
     let moves = chessboard(blocked);
     let least = least_moves(door);
     let is_wide = |cell: Cell| moves.get(cell).is_some_and(|&moves| i32::from(moves) >= least);

@@ -1,0 +1,138 @@
+//! A building that stands free within the outermost walls, closed as if these weren't there: a garden can be narrower than
+//! a terrace door.
+
+use super::{
+    behind::{OpenRoom, open_rooms},
+    openings, region,
+    surroundings::{ATTACHED, MOST_LAYERS, ROOMS, SHARE, parts},
+};
+use robovac_core::grid::{Cell, Grid};
+
+/// Widths of terrace doors that are closed, m (ours): they are up to 3 m wide, and cells are added to that. The narrower ones
+/// first, so that a recess before a door is no part of the room behind it.
+const TERRACE_DOORS: [f64; 3] = [1.8, 2.5, 3.2];
+/// Least share of a building that is enclosed without them.
+const CLOSED: f64 = 0.5;
+/// Least share of the floor that may be a building's: the core of an office floor with a wide opening may be as large.
+const IN_DOUBT: f64 = 0.5 * SHARE;
+
+/// A building in its garden.
+pub(super) struct FreeBuilding {
+    pub floor: Grid<bool>,
+    /// Its rooms behind openings wider than outer doors.
+    pub behind: Vec<OpenRoom>,
+    /// Whether it may as well be the core of a hall.
+    is_in_doubt: bool,
+}
+
+impl FreeBuilding {
+    /// Whether it is no core of a hall, if openings up to `gap` cells are to be closed: all of its openings tell a building from
+    /// its garden.
+    pub fn is_decided(&self, gap: f64) -> bool {
+        !self.is_in_doubt || self.behind.iter().filter_map(OpenRoom::widest).all(|(_, width)| width <= gap)
+    }
+}
+
+/// The building that stands free within the walls round `inside`, with its openings up to `gap` cells closed, and its
+/// terrace doors, unless openings as narrow as an outer door stay open; `outside` is beyond the outermost walls.
+pub(super) fn building(
+    walls: &Grid<bool>,
+    inside: &Grid<bool>,
+    outside: &Grid<bool>,
+    [gap, door]: [f64; 2],
+    resolution: f64,
+) -> Option<FreeBuilding> {
+    let mut found: Option<FreeBuilding> = None;
+    let (mut standing, mut outside) = (walls.clone(), outside.clone());
+    for _ in 0..MOST_LAYERS {
+        let all = found.as_ref().map_or(inside, |found| &found.floor);
+        standing = free_standing(&standing, &outside);
+        let mut next = closed(&standing, [gap, door], resolution);
+        let share = next.floor.count() as f64 / all.count().max(1) as f64;
+        // What stands in a house is no other house: only the outermost one may be in doubt.
+        let least = if next.behind.is_empty() || found.is_some() { SHARE } else { IN_DOUBT };
+        next.is_in_doubt = share < SHARE || found.as_ref().is_some_and(|found| found.is_in_doubt);
+        if share < least || !has_rooms_in_a_garden(&next, all, door) {
+            break;
+        }
+        outside = beyond(&standing, &next.floor);
+        found = Some(next);
+    }
+    found
+}
+
+/// The walls without those that touch the outside, and all that is connected with these.
+fn free_standing(walls: &Grid<bool>, outside: &Grid<bool>) -> Grid<bool> {
+    let mut standing = walls.clone();
+    let mut waiting: Vec<Cell> = outside.iter().filter(|(_, is_outside)| **is_outside).map(|(cell, _)| cell).collect();
+    while let Some(cell) = waiting.pop() {
+        for beside in cell.block() {
+            if standing.is_set(beside) {
+                standing[beside] = false;
+                waiting.push(beside);
+            }
+        }
+    }
+    standing
+}
+
+/// What is neither wall nor floor.
+fn beyond(walls: &Grid<bool>, floor: &Grid<bool>) -> Grid<bool> {
+    without(&walls.map(|is_wall| !is_wall), floor)
+}
+
+/// The cells that aren't `removed`.
+fn without(cells: &Grid<bool>, removed: &Grid<bool>) -> Grid<bool> {
+    let mut rest = cells.clone();
+    for (cell, &is_removed) in rest.values_mut().iter_mut().zip(removed.values()) {
+        *cell &= !is_removed;
+    }
+    rest
+}
+
+/// Whether a building has rooms, is mostly closed, and has hardly anything but a garden round it; `all` is the floor of both.
+fn has_rooms_in_a_garden(building: &FreeBuilding, all: &Grid<bool>, door: f64) -> bool {
+    let rooms = |floor: &Grid<bool>| {
+        let (_, parts) = parts(&floor.map(|is_floor| !is_floor), door);
+        parts.into_iter().filter(|part| !part.seeds.is_empty()).map(|part| part.area)
+    };
+    let area = building.floor.count() as f64;
+    let behind: usize = building.behind.iter().map(|room| room.cells.len()).sum();
+    if rooms(&building.floor).count() < ROOMS || area - (behind as f64) < CLOSED * area {
+        return false;
+    }
+    let mut around: Vec<usize> = rooms(&without(all, &building.floor)).collect();
+    around.sort_unstable();
+    let _garden = around.pop();
+    around.iter().sum::<usize>() as f64 <= ATTACHED * area
+}
+
+/// What walls enclose with openings closed.
+fn closed(walls: &Grid<bool>, [gap, door]: [f64; 2], resolution: f64) -> FreeBuilding {
+    let with = |gap: f64| {
+        let mut shut = openings::part_with(walls, [Cell::new(0, 0)], gap, 0).cells;
+        for (cell, &is_wall) in shut.values_mut().iter_mut().zip(walls.values()) {
+            *cell |= is_wall;
+        }
+        region::enclosed(&shut, resolution)
+    };
+    let mut floor = with(door);
+    let mut behind = Vec::new();
+    let terraces = TERRACE_DOORS.map(|width| width / resolution).into_iter().chain([gap]);
+    let mut widest = door;
+    for width in terraces.filter(|_| gap >= door) {
+        if width <= widest {
+            continue;
+        }
+        widest = width;
+        let wide = with(width);
+        let rooms = open_rooms(walls, &wide, without(&wide, &floor));
+        for room in rooms.into_iter().filter(OpenRoom::is_walled) {
+            for &cell in &room.cells {
+                floor[cell] = true;
+            }
+            behind.push(room);
+        }
+    }
+    FreeBuilding { floor, behind, is_in_doubt: false }
+}
