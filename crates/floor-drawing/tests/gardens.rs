@@ -118,6 +118,26 @@ impl Garden {
         Self { walls: turn(&self.walls), floor: turn(&self.floor), door, case: self.case }
     }
 
+    /// The house alone, its doors to the outside shut.
+    fn house(&self) -> Self {
+        let (mut low, mut high) = (Cell::new(i32::MAX, i32::MAX), Cell::new(0, 0));
+        for (cell, _) in self.floor.iter().filter(|(_, is_floor)| **is_floor) {
+            (low, high) =
+                (Cell::new(low.x.min(cell.x), low.y.min(cell.y)), Cell::new(high.x.max(cell.x), high.y.max(cell.y)));
+        }
+        let thick = 4;
+        let size = [high.x - low.x + 1 + 2 * thick, high.y - low.y + 1 + 2 * thick].map(|side| side as usize);
+        let mut walls = Grid::filled(size[0], size[1], false);
+        let mut floor = walls.clone();
+        for index in 0..walls.len() {
+            let cell = walls.cell(index);
+            let from = Cell::new(cell.x + low.x - thick, cell.y + low.y - thick);
+            floor[cell] = self.floor.is_set(from);
+            walls[cell] = !floor[cell];
+        }
+        Self { walls, floor, door: Point::origin(), case: self.case.clone() }
+    }
+
     fn traced(&self, outer: f64) -> Traced {
         indoors(&self.walls, 0.0, outer)
     }
@@ -178,4 +198,63 @@ fn more_houses_are_told_from_their_gardens() {
     let told = check_gardens(8..80);
     println!("{:.0} % in doubt", 100.0 * told);
     assert!(told <= 0.1, "{told} in doubt");
+}
+
+/// A house whose doors are shut in a frame at an angle, whose corners the picture's edge cuts off: the picture, the angle that
+/// straightens it, and the pixels of floor.
+fn cut_sheet(seed: u64) -> (Grid<bool>, f64, usize) {
+    let mut rng = seeded(seed, 1);
+    let mut any = |low: f64, high: f64| rng.random_range(low..high);
+    let house = Garden::of(seed).house();
+    let [width, height] = [house.walls.width(), house.walls.height()].map(|side| side as f64);
+    let angle = any(2.0_f64, 12.0).to_radians() * if seed.is_multiple_of(2) { 1.0 } else { -1.0 };
+    let (sin, cos) = angle.sin_cos();
+    let margin = any(1.0, 4.0) / PIXEL;
+    let frame = [width, height].map(|side| 0.5 * side + margin);
+    let (cut, pen) = (any(0.0, 1.0), any(1.0, 4.0));
+    // Half of the picture: all of the frame, without a share of what is neither the house nor beyond the frame's corners.
+    let half = |axis: usize, margin: f64| {
+        let [along, across] = [frame[axis], frame[1 - axis]].map(|side| side - margin);
+        along * cos + across * sin.abs()
+    };
+    let half = [0, 1].map(|axis| {
+        let most = half(axis, 0.0) - half(axis, margin) - 8.0;
+        half(axis, 0.0) - cut * most.min(frame[1 - axis] * sin.abs())
+    });
+    let [columns, rows] = half.map(|side| (2.0 * side) as usize);
+    let mut walls = Grid::filled(columns, rows, false);
+    let mut floor = 0;
+    for index in 0..walls.len() {
+        let at = walls.cell(index).centre(1.0) - Vector::new(half[0], half[1]);
+        let (x, y) = (at.x * cos + at.y * sin, at.y * cos - at.x * sin);
+        let cell = Cell::new((x + 0.5 * width).floor() as i32, (y + 0.5 * height).floor() as i32);
+        let beyond = (x.abs() - frame[0]).max(y.abs() - frame[1]);
+        walls.values_mut()[index] = house.walls.is_set(cell) || (-pen..=0.0).contains(&beyond);
+        floor += usize::from(house.floor.is_set(cell));
+    }
+    (walls, -angle, floor)
+}
+
+fn check_sheets(seeds: impl IntoIterator<Item = u64>) {
+    for seed in seeds {
+        let (walls, straight, floor) = cut_sheet(seed);
+        for turn in [0.0, straight] {
+            let traced = indoors(&walls, turn, OUTER_DOOR);
+            let found = traced.plan.occupancy.values().iter().filter(|cell| cell.is_free()).count() as f64;
+            let share = found / floor as f64;
+            assert!((0.93..1.05).contains(&share), "seed {seed}, turned by {turn}: {share} of the floor");
+            assert_eq!(traced.leak, None, "seed {seed}, turned by {turn}");
+        }
+    }
+}
+
+#[test]
+fn the_edge_of_a_picture_opens_no_room_where_it_cuts_a_frame() {
+    check_sheets([0, 6, 26, 30]);
+}
+
+#[test]
+#[ignore = "soak: two minutes"]
+fn the_edge_of_more_pictures_opens_no_room() {
+    check_sheets(0..40);
 }

@@ -100,6 +100,16 @@ impl Picture {
         [low, high].map(|point| Point::new(whole(point.x), whole(point.y)))
     }
 
+    /// Where a place in the image lies in the turned picture.
+    pub(crate) fn place(&self, pixel: Point) -> Point {
+        turned(pixel, self.turn)
+    }
+
+    /// Where a place in the turned picture lies in the image.
+    pub(crate) fn pixel(&self, place: Point) -> Point {
+        turned(place, -self.turn)
+    }
+
     /// Whether something lies on the square with `side` at `low`; `outside` is what lies beyond the picture.
     pub(crate) fn blocks(&self, low: Point, side: f64, outside: bool) -> bool {
         // A sample a pixel, at least.

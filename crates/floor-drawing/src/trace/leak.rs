@@ -3,7 +3,7 @@
 use super::{
     EnclosedFloor, OUTER_DOOR, OutsideLeak, RoomTracer,
     behind::{OpenRoom, open_rooms},
-    openings,
+    cut_frame, openings,
 };
 use crate::{DrawingFlaw, Tracing};
 use robovac_core::{
@@ -45,6 +45,8 @@ impl RoomTracer<'_> {
         let enclosed_m2 = enclosed.map_or(0.0, |found| found.inside.count() as f64 * self.how.resolution.powi(2));
         let mut found: Option<OpenedFloor> = None;
         let mut before = 1.1;
+        let cut = self.picture.zip(enclosed).and_then(|(picture, floor)| cut_frame::without(picture, floor, self.side));
+        let picture = cut.as_ref().or(self.picture);
         for times in LEAKS.map(|times| times.min(most / closed)) {
             if times <= before {
                 continue;
@@ -52,7 +54,8 @@ impl RoomTracer<'_> {
             before = times;
             // In narrower rooms than such an opening, too. Coarser cells for wider openings take as long as the first search at most.
             let how = Tracing { resolution: times * self.how.resolution, ..self.how.clone() };
-            let coarse = RoomTracer { how: &how, side: times * self.side, bridges: self.bridges.clone(), ..*self };
+            let coarse =
+                RoomTracer { how: &how, picture, side: times * self.side, bridges: self.bridges.clone(), ..*self };
             let Some(with) = coarse.enclosed_with(times * closed, 0.0)? else { continue };
             let least = found.as_ref().map_or(LEAKED * enclosed_m2, |leak| (1.0 + LEAKED) * leak.floor_m2);
             let opened = with.opened(enclosed, how.resolution);
@@ -110,7 +113,7 @@ impl EnclosedFloor {
     }
 
     /// Whether a point of the drawing is on this floor.
-    fn has(&self, point: Point) -> bool {
+    pub(super) fn has(&self, point: Point) -> bool {
         let at = self.frame.cells(point);
         self.inside.is_set(Cell::new(floor(at.x), floor(at.y)))
     }

@@ -2,6 +2,7 @@
 
 mod alone;
 mod behind;
+mod cut_frame;
 mod frame;
 mod gaps;
 mod leak;
