@@ -332,7 +332,7 @@ impl DrawingSession {
     /// What is in doubt about the room, in words.
     fn notice(&self) -> String {
         let Some(room) = self.room() else { return String::new() };
-        if let Some(OutsideLeak { width, floor_m2, .. }) = room.leak {
+        if let Some(OutsideLeak { width, floor_m2, to_garden, .. }) = room.leak {
             if self.assumes_size() {
                 return String::new();
             }
@@ -340,8 +340,11 @@ impl DrawingSession {
                 Some(_) => "",
                 None => " Check the size; if it is right, choose Rectangle or Polygon.",
             };
-            let counts =
-                if room.is_open { "so the outside counts as floor, too" } else { "so they don't count as floor" };
+            let counts = if room.is_open || to_garden {
+                "so the outside counts as floor, too"
+            } else {
+                "so they don't count as floor"
+            };
             let floor_m2 = grouped(floor_m2.round() as usize);
             return format!(
                 "About {floor_m2} m² are open to the outside through an opening about {width:.2} m wide, where the ring \
