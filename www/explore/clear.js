@@ -29,10 +29,11 @@ export function startClear(app) {
   };
   const above = (/** @type {Element} */ node) => (node.checkVisibility() ? stage.getBoundingClientRect().bottom - node.getBoundingClientRect().top + GAP : 0);
 
-  /** Width and height of the lower right corner that the joystick takes, or in a small frame the zoom. @returns {[number, number]} */
+  /** Width and height of the lower right corner that the joystick takes, or in a small frame the zoom; beside a lesson on a
+   * phone there is the scale alone, which any width stands for. @returns {[number, number]} */
   const corner = () => {
     const [manual, pad, zoom, { right, bottom }] = [byId("manual"), byId("pad"), byId("zoom-in"), stage.getBoundingClientRect()];
-    if (!manual.checkVisibility()) return isSmallFrame() ? [right - zoom.getBoundingClientRect().left + GAP, above(zoom)] : [0, 0];
+    if (!manual.checkVisibility()) return isSmallFrame() ? [zoom.checkVisibility() ? right - zoom.getBoundingClientRect().left + GAP : GAP, above(zoom)] : [0, 0];
     // On a phone they are beside it.
     const notes = isNarrow.matches ? 0.2 : byId("manual-note").checkVisibility() ? 2 : 1;
     return [right - manual.getBoundingClientRect().left + GAP, bottom - pad.getBoundingClientRect().top + notes * NOTE];
