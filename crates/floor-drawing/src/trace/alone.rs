@@ -47,8 +47,9 @@ pub(super) fn building(
     for _ in 0..MOST_LAYERS {
         let all = found.as_ref().map_or(inside, |found| &found.floor);
         standing = free_standing(&standing, &outside);
-        let mut next = closed(&standing, [gap, door], resolution);
-        let share = next.floor.count() as f64 / all.count().max(1) as f64;
+        let all_cells = all.count().max(1) as f64;
+        let Some(mut next) = closed(&standing, [gap, door], resolution, CLOSED * IN_DOUBT * all_cells) else { break };
+        let share = next.floor.count() as f64 / all_cells;
         // What stands in a house is no other house: only the outermost one may be in doubt.
         let least = if next.behind.is_empty() || found.is_some() { SHARE } else { IN_DOUBT };
         next.is_in_doubt = share < SHARE || found.as_ref().is_some_and(|found| found.is_in_doubt);
@@ -74,6 +75,16 @@ fn free_standing(walls: &Grid<bool>, outside: &Grid<bool>) -> Grid<bool> {
         }
     }
     standing
+}
+
+/// Cells of the box around the walls: they enclose no more.
+fn box_cells(walls: &Grid<bool>) -> f64 {
+    let (mut low, mut high) = (Cell::new(i32::MAX, i32::MAX), Cell::new(0, 0));
+    for (cell, _) in walls.iter().filter(|(_, is_wall)| **is_wall) {
+        low = Cell::new(low.x.min(cell.x), low.y.min(cell.y));
+        high = Cell::new(high.x.max(cell.x), high.y.max(cell.y));
+    }
+    if low.x > high.x { 0.0 } else { f64::from(high.x - low.x + 1) * f64::from(high.y - low.y + 1) }
 }
 
 /// What is neither wall nor floor.
@@ -107,8 +118,11 @@ fn has_rooms_in_a_garden(building: &FreeBuilding, all: &Grid<bool>, door: f64) -
     around.iter().sum::<usize>() as f64 <= ATTACHED * area
 }
 
-/// What walls enclose with openings closed.
-fn closed(walls: &Grid<bool>, [gap, door]: [f64; 2], resolution: f64) -> FreeBuilding {
+/// What walls enclose with openings closed; `None` if that is less than so many cells without terrace doors.
+fn closed(walls: &Grid<bool>, [gap, door]: [f64; 2], resolution: f64, least: f64) -> Option<FreeBuilding> {
+    if box_cells(walls) < least {
+        return None;
+    }
     let with = |gap: f64| {
         let mut shut = openings::part_with(walls, [Cell::new(0, 0)], gap, 0).cells;
         for (cell, &is_wall) in shut.values_mut().iter_mut().zip(walls.values()) {
@@ -117,6 +131,9 @@ fn closed(walls: &Grid<bool>, [gap, door]: [f64; 2], resolution: f64) -> FreeBui
         region::enclosed(&shut, resolution)
     };
     let mut floor = with(door);
+    if (floor.count() as f64) < least {
+        return None;
+    }
     let mut behind = Vec::new();
     let terraces = TERRACE_DOORS.map(|width| width / resolution).into_iter().chain([gap]);
     let mut widest = door;
@@ -134,5 +151,5 @@ fn closed(walls: &Grid<bool>, [gap, door]: [f64; 2], resolution: f64) -> FreeBui
             behind.push(room);
         }
     }
-    FreeBuilding { floor, behind, is_in_doubt: false }
+    Some(FreeBuilding { floor, behind, is_in_doubt: false })
 }
