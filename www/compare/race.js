@@ -3,7 +3,7 @@
 import { byId, changed, make, setAttribute, setHidden, setText } from "../dom.js";
 import { nameOf, swatch } from "./entrants.js";
 import { clock, metres, percent } from "../format.js";
-import { sentence, textOf } from "../messages.js";
+import { sentence, textOf, toast } from "../messages.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { fitSize } from "../shared/pan-zoom.js";
 import { startRange } from "../shared/range.js";
@@ -34,6 +34,8 @@ export function startRace(it) {
   });
   const showRange = startRange("race-scrub", (seconds) => act((c) => c.seek(seconds)));
   const isDue = atMostEvery(REDRAW);
+  /** @type {RaceView["state"] | undefined} */
+  let before;
 
   /** @param {CompareView} view */
   const update = (view) => {
@@ -49,6 +51,8 @@ export function startRace(it) {
     if (pane) fitSize(pane, it.comparison);
     const can = Boolean(race);
     transport.update({ play: can, step: can, reset: can }, isRunning(), race?.speed, "Start the race");
+    if (before === "playing" && race?.state === "finished") sayWinner(it, race);
+    before = race?.state;
     if (!race) return;
     setText(byId("race-time"), clock(race.time_s));
     showRange(rangeOf(race), race.state === "seeking" ? undefined : race.time_s);
@@ -58,6 +62,12 @@ export function startRace(it) {
     if (isDue(() => changed(byId("race-curves"), "extent", extent))) drawCurves(it, race);
   };
   return { update, key: transport.key };
+}
+
+/** The end of a race. @param {Comparing} it @param {RaceView} race */
+function sayWinner({ view }, race) {
+  const first = race.lanes.find(({ place }) => place === 1);
+  if (first) toast(`The race is over. First: ${view.entrants[first.entrant]?.title}, ${percent(first.coverage)} % in ${clock(first.won_s ?? first.time_s)}`);
 }
 
 /** @param {Comparing} it */

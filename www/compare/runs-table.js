@@ -132,7 +132,7 @@ function cellsOf({ runs, time_to, coverage, distance_m, bumps, falls, dirt_left,
     return [time, make("td", {}, `${Math.min(Math.round((100 * reached) / runs), reached < runs ? 99 : 100)} %`, make("small", {}, `${reached} of ${runs}`))];
   });
   const end = spread(coverage, percent);
-  if (best && coverage.median === best.coverage) end.className = "best";
+  if (best && percent(coverage.median) === percent(best.coverage)) end.className = "best";
   const [way, hits] = [spread(distance_m, metres), spread(bumps, count)];
   const more = make("td", {}, excess ? count(100 * excess[0].median) : "–");
   if (excess) more.append(make("small", {}, `${count(100 * excess[1].median)} of time`));

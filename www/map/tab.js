@@ -82,11 +82,12 @@ export function startMap(app) {
       uses.update(view);
       picture.update(view);
       show(view);
-      if (isDue(undefined, changed(canvas, "phase", view.phase))) {
+      const isNew = changed(canvas, "phase", view.phase);
+      if (isDue(undefined, isNew)) {
         const words = session.description();
         setAttribute(canvas, "aria-label", words);
         // A live region: while it drives, not more often than someone listens.
-        if (view.phase !== "playing" || changed(canvas, "minute", Math.floor(view.time_s / 300))) setText(byId("map-said"), words);
+        if (isNew || view.phase !== "playing" || changed(canvas, "minute", Math.floor(view.time_s / 300))) setText(byId("map-said"), words);
       }
       return { message: view.complaint, message_kind: view.complaint ? "error" : "" };
     },

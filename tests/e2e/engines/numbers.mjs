@@ -1,11 +1,12 @@
 // Functions that are called in the page, to compare what comes out in different browsers.
 
-/** Waits until the run is finished; the texts of all numbers but the times that planning took. */
+/** Waits until the run is finished and its plan's bound is proven; the texts of all numbers but the times that planning took. */
 export async function shown() {
-  while (document.body.dataset.state !== "finished") await new Promise((later) => setTimeout(later, 20));
+  const texts = () => [...document.querySelectorAll("#metrics tr")].map((row) => [...row.cells].map((cell) => cell.textContent.trim()));
+  const isBound = () => texts().every(([name, plan]) => name !== "Above the minimum" || plan !== "–");
+  while (document.body.dataset.state !== "finished" || !isBound()) await new Promise((later) => setTimeout(later, 20));
   await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
-  const rows = [...document.querySelectorAll("#metrics tr")].map((row) => [...row.cells].map((cell) => cell.textContent.trim()));
-  return rows.filter(([name]) => !/^(Planned in|Kept early)$/.test(name));
+  return texts().filter(([name]) => !/^(Planned in|Kept early)$/.test(name));
 }
 
 /** Ten minutes of a behaviour with slip and noise: what the session tells of it, and a hash of its curve of coverage. */

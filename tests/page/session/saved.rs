@@ -29,6 +29,19 @@ fn link_brings_the_same_session_back() {
 }
 
 #[test]
+fn back_to_a_room_without_slip_kept_the_slip_of_the_next_one() {
+    let mut session = opened();
+    let link = session.link();
+    session.restore("room=room12ft&robot=dvr1&slip=typical&noise=typical&seed=9&show=sensors").unwrap();
+    session.restore(&link).unwrap();
+    assert_eq!(session.link(), link);
+    // A part of a link leaves the rest as it is.
+    session.restore("slip=typical").unwrap();
+    session.restore("room=bedroom").unwrap();
+    assert!(session.link().contains("slip=typical"), "{}", session.link());
+}
+
+#[test]
 fn a_link_is_known_as_the_present_session_by_what_it_would_change() {
     let mut session = opened();
     session.restore("#room=lshape&planner=snake&robot=cell&cell=0.25&seed=9&slip=typical").unwrap();

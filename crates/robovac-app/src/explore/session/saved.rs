@@ -112,7 +112,15 @@ impl Session {
         // Robot and planner bring defaults of their own, which must not override the link's other values.
         let (first, others): (Vec<_>, Vec<_>) =
             pairs(link).partition(|(key, _)| matches!(*key, "robot" | "planner" | "behaviour"));
-        for (key, value) in first.into_iter().chain(others) {
+        for (key, value) in first {
+            settings.take_link(key, value)?;
+        }
+        // Back and forward lead to how it was, and links of others to what they see.
+        let is_whole = Settings::is_whole(pairs(link));
+        if is_whole {
+            settings.reset_unlinked();
+        }
+        for (key, value) in others {
             if key == "room" {
                 room = Some(value);
             } else if key == "path" && value == KEPT_PATH {
@@ -131,7 +139,7 @@ impl Session {
         {
             settings.path = None;
         }
-        Ok(Linked { settings, room, shows_search: shows_search.unwrap_or(self.shows_search) })
+        Ok(Linked { settings, room, shows_search: shows_search.unwrap_or(!is_whole && self.shows_search) })
     }
 
     /// Settings with the start, as links have them.

@@ -72,6 +72,21 @@ impl Settings {
         pairs
     }
 
+    /// Whether pairs are all that [`Settings::to_link`] tells, and not a part of it.
+    pub fn is_whole<'a>(pairs: impl Iterator<Item = (&'a str, &'a str)>) -> bool {
+        let always = ["robot", "cell"];
+        pairs.filter(|(key, _)| always.contains(key)).count() == always.len()
+    }
+
+    /// Sets to its default what a whole link leaves out if it is the default.
+    pub fn reset_unlinked(&mut self) {
+        let default = self.defaults();
+        let Conditions { slip, noise, quantised, start_charge_percent, .. } = default.conditions;
+        self.conditions = Conditions { slip, noise, quantised, start_charge_percent, ..self.conditions };
+        (self.seed, self.odometry, self.smooth, self.shows) = (default.seed, default.odometry, false, default.shows);
+        self.speed = if self.is_manual() { MANUAL_SPEED } else { DEFAULT_SPEED };
+    }
+
     /// Reads one `key=value` pair of a link. Unknown keys are ignored, as links of other versions can have more.
     pub fn take_link(&mut self, key: &str, value: &str) -> Result<(), SettingsError> {
         let number = |kind, expected| {
