@@ -86,7 +86,7 @@ for (const isPaused of [false, true]) {
   });
 }
 
-test("a robot with a plan is carried at the pointer, and the page says that it doesn't know", async (t) => {
+test("a robot with a plan is carried at the pointer, and the page says that it searches for its dock", async (t) => {
   const { page, app, screenshot } = await openApp(t, { viewport: { width: 1440, height: 900 } });
   await app.press("Lift the robot");
   assert.equal(await page.locator("#tools [aria-pressed=true]").count(), 1, "one thing at a time is chosen");
@@ -123,14 +123,14 @@ test("a robot with a plan is carried at the pointer, and the page says that it d
   await page.mouse.up();
   await page.locator("#carry-note").waitFor({ state: "hidden" });
   await app.poll(() => error(app), (metres) => metres > 0.5);
-  await app.says(/follows its plan by odometry and can't detect that it was kidnapped/);
+  await app.says(/senses that it was lifted, but not where it is\. It searches for its dock/);
   await page.locator("#senses-fold summary").click();
-  await app.poll(() => events(page), (text) => /put down, follows its plan as before/.test(text));
+  await app.poll(() => events(page), (text) => /put down, .*dock/.test(text));
   // In another tab it would mean nothing.
   await page.locator("#tab-compare").click();
   await page.locator("#message").waitFor({ state: "hidden" });
   await page.locator("#tab-explore").click();
-  await app.says(/can't detect that it was kidnapped/);
+  await app.says(/It searches for its dock/);
 });
 
 test("before the run begins, dragging the robot moves the start", async (t) => {
