@@ -11,8 +11,6 @@ use robovac_core::grid::{Cell, Grid};
 /// Widths of terrace doors that are closed, m (ours): they are up to 3 m wide, and cells are added to that. The narrower ones
 /// first, so that a recess before a door is no part of the room behind it.
 const TERRACE_DOORS: [f64; 3] = [1.8, 2.5, 3.2];
-/// What lies between the jambs of an opening is outside, up to this thickness of the wall, m (ours).
-const REVEAL: f64 = 0.4;
 /// Least share of a building that is enclosed without them.
 const CLOSED: f64 = 0.5;
 /// Least share of the floor that may be a building's: the core of an office floor with a wide opening may be as large.
@@ -126,8 +124,7 @@ fn closed(walls: &Grid<bool>, [gap, door]: [f64; 2], resolution: f64, least: f64
         return None;
     }
     let with = |gap: f64| {
-        let most = (REVEAL / resolution * gap) as usize;
-        let mut shut = openings::part_with(walls, [Cell::new(0, 0)], gap, most).cells;
+        let mut shut = openings::part_with(walls, [Cell::new(0, 0)], gap, 0).cells;
         for (cell, &is_wall) in shut.values_mut().iter_mut().zip(walls.values()) {
             *cell |= is_wall;
         }
