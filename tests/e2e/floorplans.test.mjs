@@ -18,8 +18,8 @@ test("cleans real floor plans", { skip: names.length === 0 && "there are none on
     assert.equal(await app.message(), "", name);
     const { plan } = await app.metric("Cells visited");
     assert.equal(plan.split(" of ")[0], plan.split(" of ")[1], name);
-    const from = await app.numbers();
-    const to = await app.poll(() => app.numbers(), ({ coverage, time }) => coverage > from.coverage + 1 && time > from.time + 600);
+    // From the start of its run, which may be nearly over by now.
+    const to = await app.poll(() => app.numbers(), ({ coverage, time }) => coverage > 5 && time > 600);
     t.diagnostic(`${name}: ${plan} cells, ${to.coverage} % after ${to.time} s`);
   }
 });
