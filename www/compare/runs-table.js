@@ -27,6 +27,15 @@ const COLUMNS = /** @type {const} */ ([
   ["Dirt left", "% at the end", "Share of the dirt left at the end. Lower is better."],
 ]);
 
+/** The same with exploring behaviours, which detect walls and furniture instead of sweeping. */
+const EXPLORING = /** @type {const} */ ([
+  ["90 % found", TIME, "Time until bumper or light bumper had found 90 % of the reachable walls and furniture; for cleaning algorithms, until 90 % of the floor was swept. Lower is better."],
+  ["reached", "of runs", "Share of the runs that reached 90 % in time."],
+  ["99 % found", TIME, "Time until 99 % was found, or swept. Lower is better."],
+  ["reached", "of runs", "Share of the runs that reached 99 % in time."],
+  ["Found", "% at the end", "Share of the reachable walls and furniture found at the end; for cleaning algorithms, share of the floor swept. Higher is better."],
+]);
+
 /** What each column is sorted by: key, which values are better, value. */
 const SORTED = /** @type {[key: string, better: "lower" | "higher", value: (summary: Summary) => number | null | undefined][]} */ ([
   ["time90", "lower", ({ time_to }) => time_to[0]?.median_s],
@@ -39,15 +48,6 @@ const SORTED = /** @type {[key: string, better: "lower" | "higher", value: (summ
   ["bumps", "lower", ({ bumps }) => bumps.median],
   ["falls", "lower", ({ falls }) => falls],
   ["dirt", "lower", ({ dirt_left }) => dirt_left?.median],
-]);
-
-/** The same with exploring behaviours, which detect walls and furniture instead of sweeping. */
-const EXPLORING = /** @type {const} */ ([
-  ["90 % found", TIME, "Time until bumper or light bumper had found 90 % of the reachable walls and furniture; for cleaning algorithms, until 90 % of the floor was swept. Lower is better."],
-  ["reached", "of runs", "Share of the runs that reached 90 % in time."],
-  ["99 % found", TIME, "Time until 99 % was found, or swept. Lower is better."],
-  ["reached", "of runs", "Share of the runs that reached 99 % in time."],
-  ["Found", "% at the end", "Share of the reachable walls and furniture found at the end; for cleaning algorithms, share of the floor swept. Higher is better."],
 ]);
 
 /** @param {HTMLElement} table */

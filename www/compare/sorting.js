@@ -1,5 +1,6 @@
 // @ts-check
 // How a table is sorted: by a column, best first. A second press on its head turns that round, a third one takes it back.
+import { make } from "../dom.js";
 
 /** @typedef {{ key: string, down: boolean } | undefined} Order */
 
@@ -20,10 +21,7 @@ export function fromLink(pairs) {
 
 /** The head of a column, by which one sorts. @param {HTMLElement} cell @param {string} label @param {string} key @param {"lower" | "higher"} better @param {Order} order @param {(key: string) => void} sortBy */
 export function sortHead(cell, label, key, better, order, sortBy) {
-  const button = document.createElement("button");
-  Object.assign(button, { type: "button", className: "term", textContent: label, onclick: () => sortBy(key) });
-  button.dataset.key = key;
-  cell.prepend(button);
+  cell.prepend(make("button", { type: "button", className: "term", "data-key": key, onclick: () => sortBy(key) }, label));
   cell.setAttribute("aria-sort", order?.key !== key ? "none" : order.down === (better === "lower") ? "descending" : "ascending");
 }
 
