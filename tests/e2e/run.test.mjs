@@ -11,7 +11,7 @@ test("cleans a whole room, and time can be wound back", async (t) => {
   assert.equal((await app.metric("Coverage")).plan, "100.0 %");
   const planned = seconds((await app.metric("Time")).plan);
   assert.ok(Math.abs(end.time / planned - 1) < 0.03, `planned ${planned} s, driven ${end.time} s`);
-  assert.match(await page.locator("#floor").getAttribute("aria-label"), /the run is finished, 100 %/);
+  assert.match(await page.locator("#floor").getAttribute("aria-label"), /the run is finished, 100\.0 %/);
   assert.match(await page.locator("#narration").textContent(), /the run is finished/, "said aloud");
 
   assert.equal(await app.scrub(0.4), "paused");
