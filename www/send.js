@@ -3,6 +3,7 @@
 import { button, byId, make } from "./dom.js";
 import { complain, textOf, toast } from "./messages.js";
 import { style } from "./parts.js";
+import { isOnFloor } from "./tabs.js";
 
 /** Size of the frame in another page, px. */
 const [WIDTH, HEIGHT] = [720, 540];
@@ -48,13 +49,13 @@ async function build(app) {
   };
   const act = (/** @type {string} */ label, /** @type {() => unknown} */ what) =>
     make("button", { type: "button", onclick: () => Promise.resolve(what()).catch((error) => complain(`This could not be loaded (${textOf(error)}). Check the connection, then try again.`)) }, label);
-  const ways = [act("Picture or film…", save), act("Print…", print)];
+  const show = act("Picture or film…", save);
   const title = make("h2", { id: "ways-title", tabIndex: -1 });
   const node = make(
     "section",
     { id: "ways", className: "ways", role: "dialog", "aria-labelledby": "ways-title", hidden: true },
     title,
-    make("div", { className: "row" }, ...ways),
+    make("div", { className: "row" }, show, act("Print…", print)),
     make("h3", {}, "In your own web page"),
     snippet,
     act("Copy HTML", copy),
@@ -77,6 +78,8 @@ async function build(app) {
 
   return (/** @type {URL} */ link, /** @type {string} */ done) => {
     title.textContent = done;
+    // It is of the floor in Explore.
+    show.hidden = !isOnFloor();
     snippet.value = `<iframe src="${embedded(link).replaceAll("&", "&amp;")}" width="${WIDTH}" height="${HEIGHT}" style="border: 0" title="Robovac Playground" allow="fullscreen"></iframe>`;
     node.hidden = false;
   };

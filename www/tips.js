@@ -66,10 +66,22 @@ export function startTips(app) {
 
   // Loaded with the first input, which may have come to one already.
   show([...document.querySelectorAll(":hover")].at(-1) ?? null);
+  /** Where the pointer was last, and whether the page moved under it since: nobody asked for what came there. */
+  let [lastAt, isUnasked] = ["", false];
+  const isStill = (/** @type {PointerEvent} */ { clientX, clientY }) => lastAt === (lastAt = `${clientX} ${clientY}`);
+  document.addEventListener("pointermove", (event) => {
+    if (!isStill(event) && isUnasked && event.pointerType === "mouse") show(event.target);
+    isUnasked = false;
+  });
   document.addEventListener("pointerover", (event) => {
     if (event.pointerType !== "mouse") return;
     clearTimeout(leaving);
     if (!(event.target instanceof Node) || tip.contains(event.target)) return;
+    if (isStill(event)) {
+      isUnasked = true;
+      if (!owner?.contains(event.target)) hide();
+      return;
+    }
     // On the way to a link in the definition, there may be something else for a moment.
     const { target } = event;
     if (lesson && !(target instanceof Element && target.closest("[data-tip]"))) leaving = setTimeout(() => show(target), WAY);

@@ -1,6 +1,6 @@
 // @ts-check
 // You against the algorithm: in the same room from the same start, who sweeps more in the same time?
-import { fill, make } from "../dom.js";
+import { fill, make, select } from "../dom.js";
 import { clock, percent } from "../format.js";
 import { without } from "../settings-link.js";
 import { act, send } from "./games.js";
@@ -35,7 +35,7 @@ export function startVersus(app, card) {
   let last = 0;
   let counts = true;
   let score = 0;
-  /** The speed at which the user watches algorithms; the rival's is the fastest meanwhile. @type {number | undefined} */
+  /** The speed at which the user watches algorithms; the rival's is the fastest meanwhile, the user's own real time. @type {number | undefined} */
   let pace;
   let told = () => {};
 
@@ -87,10 +87,12 @@ export function startVersus(app, card) {
   /** The algorithm has had its time. */
   function yourTurn() {
     phase = "you";
+    // At a higher speed the time would be over before one can act.
+    select("speed").disabled = true;
     counts = true;
     last = 0;
     const worked = app.act((p) => {
-      atUsualPace(p);
+      pace ??= p.view().speed;
       // Whoever plays sees all of the room.
       p.fit();
       p.select_algorithm(person);
@@ -103,11 +105,11 @@ export function startVersus(app, card) {
     const [time, yours, theirs] = [scoreRow("time", "Time left"), scoreRow("you", "You"), scoreRow("", titleOf(terms.rival))];
     const toBeat = terms.beat === null ? undefined : scoreRow("", "To beat");
     const rows = [time, yours, theirs, ...(toBeat ? [toBeat] : [])];
-    card.show("Your turn", make("p", { className: "how" }, "Drive with the arrow keys or the joystick. The clock runs from your first move."), make("div", { className: "scores" }, ...rows.flatMap(({ nodes }) => nodes)));
+    card.show("Your turn", make("p", { className: "how" }, "Drive with the arrow keys or the joystick."), make("div", { className: "scores" }, ...rows.flatMap(({ nodes }) => nodes)));
     document.getElementById("floor")?.focus();
     told = () => {
       const left = Math.max(0, terms.seconds - app.view.time_s);
-      time.show(left / terms.seconds, clock(left));
+      time.show(left / terms.seconds, app.view.time_s === 0 ? `${clock(left)} from your first move` : clock(left));
       // The best of all fills its bar: in a large room all of them sweep but a few per cent.
       const most = Math.max(at(terms.seconds), terms.beat ?? 0, app.view.coverage, 1e-9);
       const swept = (/** @type {number} */ share) => /** @type {const} */ ([share / most, `${percent(share)} %`]);
@@ -122,7 +124,11 @@ export function startVersus(app, card) {
 
   function over() {
     phase = "over";
-    app.act((p) => p.pause());
+    select("speed").disabled = false;
+    app.act((p) => {
+      p.pause();
+      atUsualPace(p);
+    });
     score = app.view.coverage;
     const rival = at(terms.seconds);
     const verdict = Math.abs(score - rival) < 5e-4 ? "A draw." : score > rival ? "You win." : `${titleOf(terms.rival)} wins.`;
@@ -180,6 +186,7 @@ export function startVersus(app, card) {
     },
     end() {
       phase = "terms";
+      select("speed").disabled = false;
       isChallenge = false;
       if (pace !== undefined) app.act(atUsualPace);
     },

@@ -222,7 +222,9 @@ impl Session {
         match state {
             SessionState::Seeking => recording.seek_on(has_time),
             SessionState::Playing => {
-                self.pacer.frame(elapsed_s, self.settings.speed, |steps| recording.advance(steps, has_time));
+                // Whoever holds the robot isn't faster than real time: meanwhile its battery would run down.
+                let speed = if recording.run().is_lifted() { 1.0 } else { self.settings.speed };
+                self.pacer.frame(elapsed_s, speed, |steps| recording.advance(steps, has_time));
                 if recording.run().is_finished() {
                     self.playing = false;
                     // The end is shown, not the film that the drive cut short.
