@@ -10,6 +10,8 @@ test("long planning is shown and cancelled at once", async (t) => {
   await page.locator("#room").selectOption("office");
   await app.until("planning");
   await page.locator("#planning").waitFor();
+  const [progress, floor] = [await page.locator("#planning").boundingBox(), await page.locator("#stage").boundingBox()];
+  assert.ok(progress.y >= floor.y + floor.height, "beside the room, not over it");
   await page.waitForFunction(() => Number(document.getElementById("planning-bar").getAttribute("value")) > 0);
   assert.match(await app.text("#planning-percent"), /^\d+ %$/);
 

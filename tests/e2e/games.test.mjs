@@ -44,6 +44,7 @@ test("you drive against an algorithm for the same time, and challenge others by 
   await page.locator("#game-title", { hasText: /^Your turn$/ }).waitFor();
   await app.linked("behaviour", (id) => id === "manual");
   assert.equal(await app.state(), "ready");
+  assert.ok(await page.locator("#speed").isDisabled(), "a game lasts as long as it says");
   // Until somebody drives, nobody's time runs.
   await page.locator("#floor").focus();
   // Held since before the game began, a key that repeats drives, too.
@@ -72,12 +73,15 @@ test("you drive against an algorithm for the same time, and challenge others by 
   await theirApp.linked("versus", (value) => value === `boustrophedon,5,${yours}`);
   await other.reload();
   await other.locator("#game").getByText("You are challenged").waitFor();
+  const pace = await other.locator("#speed").inputValue();
   // Another room is the end of it.
   await other.locator("#game").getByRole("button", { name: "Start" }).click();
   await other.locator("#game-title", { hasText: /^Your turn$/ }).waitFor();
   await theirApp.choose("room", "lshape");
   await other.locator("#game").waitFor({ state: "hidden" });
   await theirApp.poll(() => theirApp.link(), (link) => link.versus === undefined);
+  assert.ok(await other.locator("#speed").isEnabled());
+  assert.equal(await other.locator("#speed").inputValue(), pace, "as before the game");
 });
 
 test("who draws the worst room for a planner is told how bad it is", async (t) => {

@@ -1,6 +1,6 @@
 //! What a person changes: walls, start, and where the robot is.
 
-use super::opened;
+use super::{opened, play};
 use robovac_app::explore::{Brush, Session, SessionState, diary};
 use robovac_core::geometry::{Point, Pose};
 
@@ -53,6 +53,21 @@ fn robot_that_is_picked_up_drops_its_wheels_and_goes_on_elsewhere() {
     for expected in ["lifted", "wheel drop", "put down"] {
         assert!(events.iter().any(|event| event == expected), "{expected} is missing in {events:?}");
     }
+}
+
+#[test]
+fn time_is_real_while_one_holds_the_robot() {
+    let mut session = opened();
+    session.set_speed(64.0);
+    session.lift();
+    let before = session.view().time_s;
+    play(&mut session, 2.0);
+    let passed = session.view().time_s - before;
+    assert!((passed - 2.0).abs() < 0.1, "{passed} s in two seconds");
+    let there = session.recording().unwrap().run().pose();
+    session.put_down(there);
+    play(&mut session, 1.0);
+    assert!(session.view().time_s - before > 60.0);
 }
 
 #[test]
