@@ -7,6 +7,8 @@ import { caption } from "./show.js";
 
 /** Set by the head of the page, too. */
 const ALONE = "embed";
+/** Letters of a link that is printed at most: more lines are of no use. */
+const LONGEST = 700;
 
 /** @param {import("./main.js").App} app @returns {Promise<() => void>} */
 export async function startFrame(app) {
@@ -71,7 +73,7 @@ function startPrint(app, root) {
     theme = root.dataset.theme ?? "";
     const isDark = theme === "dark" || (!theme && matchMedia("(prefers-color-scheme: dark)").matches);
     const [what] = caption(app);
-    const where = location.href.length < 300 ? location.href : `${location.origin}${location.pathname} The link to this room is too long for paper. Copy link has it.`;
+    const where = location.href.length < LONGEST ? location.href : `${location.origin}${location.pathname} The link to this room is too long for paper. Copy link has it.`;
     line.replaceChildren(make("b", {}, what ?? ""), make("br"), where);
     const compare = document.getElementById("compare-link");
     if (compare) compare.textContent = where;

@@ -436,7 +436,7 @@ test("a planner and its copy are named by the setting that differs, and heads do
 test("numbers on paper have every column, say where they are from, and have nothing to press", async (t) => {
   const { page, app, screenshot } = await openCompare(t, { room: "room=bedroom", view: "numbers", viewport: { width: 794, height: 1123 } });
   await tried(page, 4);
-  await app.poll(() => app.text("#table-note"), (text) => /needs at least .* each row's excess is above the bound for its own coverage, measured more exactly than the column\./.test(text));
+  await app.poll(() => app.text("#table-note"), (text) => /needs at least .* each row's excess is above the bound for its own coverage: of exact areas, which differ from the column by tenths of a per cent\./.test(text));
   await page.mouse.move(100, 100);
   await page.locator("#printed").waitFor({ state: "attached" });
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));

@@ -108,6 +108,19 @@ fn keys_move_turn_and_resize() {
 }
 
 #[test]
+fn a_press_on_a_leg_takes_it_and_places_no_second_table() {
+    let (mut session, mut hand) = (empty_room(), ObjectTool::new());
+    place(&mut session, &mut hand, PlaceableKind::Table, (1.0, 1.0), (2.2, 1.8));
+    let Object::Leg { at, .. } = session.plan().objects[0] else { panic!("a table has legs") };
+    assert!(!hand.take_alike(&session, Point::new(1.6, 1.4), 0.1), "between the legs there is place");
+    assert!(hand.take_alike(&session, at + Vector::new(0.03, 0.0), 0.1));
+    hand.release(&mut session);
+    assert_eq!((session.plan().objects.len(), hand.selected(&session)), (4, Some(0)));
+    hand.kind = PlaceableKind::Furniture;
+    assert!(!hand.take_alike(&session, at, 0.1), "other things may stand there");
+}
+
+#[test]
 fn handles_reshape_and_drags_move() {
     let (mut session, mut hand) = (empty_room(), ObjectTool::new());
     place(&mut session, &mut hand, PlaceableKind::Furniture, (2.0, 1.0), (3.0, 1.5));

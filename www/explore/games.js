@@ -2,6 +2,7 @@
 // Games on the floor: the card that they share, and what begins them: a link, or the list of things to try.
 import { byId, make, setHidden, setText } from "../dom.js";
 import { style } from "../parts.js";
+import { settingsOf } from "../settings-link.js";
 import { startVersus } from "./versus.js";
 import { startWorst } from "./worst.js";
 
@@ -81,11 +82,13 @@ async function start(app) {
     how();
     title.focus();
   };
-  let seen = "";
+  const asks = () => all.some(({ key }) => settingsOf(app.followed).has(key));
+  /** The link that was followed last; one that asks for no game has nothing to say of one that was chosen meanwhile. */
+  let seen = asks() ? "" : app.followed;
   /** Begins the game of the link that was followed. */
   const follow = () => {
     seen = app.followed;
-    const pairs = new URLSearchParams(seen);
+    const pairs = settingsOf(seen);
     const asked = all.find(({ key }) => pairs.has(key));
     if (asked) begin(asked, () => asked.follow(pairs.get(asked.key) ?? ""));
     else end();

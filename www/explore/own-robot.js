@@ -100,7 +100,7 @@ function build(app) {
     if (base) {
       tool.placeholder = String(+base.tool_width_m.toFixed(3));
       [ahead.placeholder, aside.placeholder] = ["0", "0"];
-      speed.placeholder = String(base.speed_m_s);
+      speed.placeholder = String(+base.speed_m_s.toFixed(3));
       turn.placeholder = String(Math.round(base.turn_deg_s));
     }
     paint();

@@ -161,11 +161,12 @@ export function keep(app, link) {
   const isNew = !id;
   if (!id) ids.set(lineage, (id = newId()));
   recall(app, lineage, isNew ? "" : id);
-  const version = playground.room_version();
-  if (stored.get(id) !== version) {
-    stored.set(id, version);
+  if (stored.get(id) !== playground.room_version()) {
     const name = list().find((room) => room.id === id)?.name ?? freeName(view.room.title, id);
-    const scenario = renamed(playground.scenario_json(), name);
+    // What is shown has the name that the list has.
+    if (name !== view.room.title) playground.rename_room(name);
+    stored.set(id, playground.room_version());
+    const scenario = playground.scenario_json();
     keepPast(id, isNew ? playground.room_began_as() : scenarioOf(id), scenario);
     put({ id, name }, scenario);
     packed.delete(id);

@@ -60,6 +60,8 @@ export async function startTry(app) {
     go.addEventListener("click", () => {
       // On a small screen the list is a sheet over the floor.
       if (sheet.classList.contains("open")) close.click();
+      // One thing at a time.
+      document.querySelector("#game:not([hidden]) header button")?.dispatchEvent(new MouseEvent("click"));
       Promise.resolve(how(app)).catch((error) => complain(`This could not be loaded (${textOf(error)}). Check the connection, then try again.`));
     });
     return make("li", { "data-tip": what }, go);

@@ -34,7 +34,7 @@ export function updateView({ view, playground }) {
   if (view.state !== "playing" || film !== null || !text || isCaptionDue()) setText(byId("search-note"), text);
   updatePlanning(view);
   updateTools(view);
-  setHidden(byId("legend-estimate"), !view.shows.estimate);
+  setHidden(byId("legend-estimate"), !view.shows.estimate && view.slip === "none");
 
   // While paused the search changes only by a step or a seek, which is announced at once.
   const decision = ["playing", "planning", "seeking"].includes(view.state) ? "" : view.search.text;
@@ -110,6 +110,6 @@ function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carr
   setText(byId("carry-note"), is_carried ? (HAS_KEYS ? "Click where to put the robot down. Arrow keys move it, Enter puts it down, Escape puts it back." : "Tap where to put the robot down, or drag it there.") : "");
   setEnabled(button("undo"), can.undo);
   setEnabled(button("redo"), can.redo);
-  const lags = state === "playing" && speed_factor > 0 && (speed === 0 || speed_factor < 0.9 * speed);
+  const lags = state === "playing" && !is_lifted && speed_factor > 0 && (speed === 0 || speed_factor < 0.9 * speed);
   setText(byId("pace"), lags ? `${pace(speed_factor)} reached` : "");
 }

@@ -8,7 +8,7 @@ import { startFloorPlan } from "./tab.js";
 /** @param {import("../main.js").App} app */
 export async function enterFloorPlan(app) {
   const compiled = compile(new URL("../../floor_plan_bg.wasm", import.meta.url));
-  const [module, fragment] = await Promise.all([compiled, text(new URL("./floor-plan.html", import.meta.url)), style(new URL("./floor-plan.css", import.meta.url).href)]);
+  const [module, fragment] = await Promise.all([compiled, text(new URL("./floor-plan.html", import.meta.url)), style(new URL("../shared/task.css", import.meta.url).href), style(new URL("./floor-plan.css", import.meta.url).href)]);
   byId("panel-floor-plan").innerHTML = fragment;
   return startFloorPlan(app, module);
 }

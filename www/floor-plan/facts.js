@@ -63,7 +63,7 @@ function showCut(view) {
   const besides = rest < 0.05 ? "" : ` Another ${metres(rest)} m² are corners and edges that its brush doesn't reach.`;
   const start = cut > all / 2 ? "If it starts in the wrong part, move the start in Explore. " : "";
   const mend = view.kind === "drawing" ? "make its layer Ignored" : view.kind === "image" ? "read the walls in another way" : "widen the way";
-  setText(byId("floor-plan-cut-text"), `A robot as wide as a Roomba can't get to ${metres(cut)} m² of this floor.${besides} ${start}If furniture stands there, all is well. Otherwise a line, an arc of a door or a narrow door is in its way: ${mend}, or use this room and rub the way free with Erase.`);
+  setText(byId("floor-plan-cut-text"), `A robot as wide as a Roomba can't get to ${metres(cut)} m² of this floor.${besides} ${start}If furniture stands there, there is nothing to do. If a line or a door blocks the way: ${mend}, or erase it in Explore.`);
 }
 
 /** What is marked in the picture. @param {FloorPlanView | undefined} view */

@@ -51,6 +51,12 @@ impl Playground {
         self.object_tool.take_any(&self.session, at, reach)
     }
 
+    /// Starts dragging an object like those that are being placed.
+    pub(super) fn takes_alike(&mut self, at: Point) -> bool {
+        let reach = GRIP_PX / self.viewport.scale;
+        self.object_tool.take_alike(&self.session, at, reach)
+    }
+
     /// Selects the object clicked on with the view tool; a robot that is held is put down there.
     pub(super) fn watch_for_click(&mut self, kind: &str, x: f64, y: f64) {
         let is_near = |(from_x, from_y): (f64, f64)| (x - from_x).abs().max((y - from_y).abs()) < CLICK_PX;

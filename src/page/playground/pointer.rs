@@ -156,6 +156,7 @@ impl Playground {
             // A click puts down a lifted robot; see `watch_for_click`.
             FloorTool::View if self.carried.is_some() && !self.is_on_robot(at) => FloorGesture::Pan { x, y },
             FloorTool::View | FloorTool::Place if self.takes_selected(at) => FloorGesture::Object,
+            FloorTool::Place if self.takes_alike(at) => FloorGesture::Object,
             FloorTool::Place => {
                 self.object_tool.begin(at);
                 FloorGesture::Object

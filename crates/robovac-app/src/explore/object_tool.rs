@@ -7,6 +7,7 @@ use robovac_core::{
     geometry::{Point, Vector},
     math,
 };
+use std::mem::discriminant;
 
 /// Step of a key press when moving an object, m, if cells aren't larger.
 const KEY_STEP: f64 = 0.05;
@@ -82,6 +83,15 @@ impl ObjectTool {
         self.select(session, Some(index));
         self.drag = Some(Drag { from: at, to: at, what: Dragged::Object(index) });
         true
+    }
+
+    /// Starts dragging an object like those that are being placed, if there is one within `reach` metres of a point: nobody
+    /// puts another one on top of it.
+    pub fn take_alike(&mut self, session: &Session, at: Point, reach: f64) -> bool {
+        let Some(new) = self.kind.drawn(session.plan(), at, at).pop() else { return false };
+        let is_alike = |object: &Object| discriminant(object) == discriminant(&new);
+        let hit = object_at(&session.plan().objects, at, reach);
+        hit.is_some_and(|index| is_alike(&session.plan().objects[index])) && self.take_any(session, at, reach)
     }
 
     /// Starts placing an object at a point.

@@ -92,8 +92,8 @@ pub enum OwnRobotFault {
     },
     /// The tool sticks out of the body.
     #[error(
-        "the tool reaches {tool:.3} m from the robot's centre, but its body only {body:.3} m; make the tool narrower, move \
-         it to the centre, or make the body larger"
+        "the tool, simulated as a disc of its width, reaches {tool:.3} m from the robot's centre, but its body only \
+         {body:.3} m; make the tool narrower, move it to the centre, or make the body larger"
     )]
     Tool {
         /// Farthest point of the tool from the origin, m.

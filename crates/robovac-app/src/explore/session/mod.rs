@@ -227,6 +227,7 @@ impl Session {
                 self.pacer.frame(elapsed_s, speed, |steps| recording.advance(steps, has_time));
                 if recording.run().is_finished() {
                     self.playing = false;
+                    self.message.take_if(|message| message.text == CARRIED || message.text == LOST);
                     // The end is shown, not the film that the drive cut short.
                     self.film.iter_mut().for_each(Showing::skip);
                 }
