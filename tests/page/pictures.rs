@@ -336,8 +336,8 @@ fn a_scale_that_is_assumed_is_asked_about_though_the_size_is_usual() {
     let view = session.view();
     let room = view.room.unwrap();
     assert_eq!(view.asks, size_in_words(room.width_m, room.height_m));
-    // Its openings, and what is too narrow, aren't told before: at this scale the front door is 1.8 m wide.
-    assert!(view.assumes_size && session.room().unwrap().leak.is_some());
+    // Its openings, and what is too narrow, aren't told before. At this scale the front door is 1.8 m wide, and closed all the same.
+    assert!(view.assumes_size && session.room().unwrap().leak.is_none());
     assert_eq!((view.notice.as_str(), view.closes, session.mark(), room.cut_off_m2), ("", None, None, 0.0));
     change(&mut session, |settings| settings.confirmed = settings.metre);
     assert!(session.view().notice.contains("open to the outside") && session.mark().is_some());

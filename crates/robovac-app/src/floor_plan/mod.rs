@@ -3,6 +3,7 @@
 //! [`DrawingSession`] holds the loaded files and their settings; [`DrawingView`] is its snapshot for the page.
 //! `web::FloorPlanSession` draws it, in a worker.
 
+mod assumed;
 mod body;
 mod coarse;
 mod colour;

@@ -348,7 +348,12 @@ impl DrawingSession {
             DrawingSource::Image { .. } => {
                 let resolution = settings.image_resolution(metre);
                 let how = Tracing { resolution, ..settings.tracing(metre) };
-                self.source.picture().map_or_else(|| Err(nothing()), |picture| trace_picture(&picture, &how))
+                let picture = self.source.picture().ok_or_else(nothing)?;
+                let traced = trace_picture(&picture, &how)?;
+                match self.assumed_outer(&traced) {
+                    Some(outer) => trace_picture(&picture, &Tracing { region: settings.part.region(outer), ..how }),
+                    None => Ok(traced),
+                }
             }
             DrawingSource::Map { plan, .. } => Ok(Traced::of_map(scaled(plan, metre), metre)),
         }
