@@ -81,7 +81,8 @@ test("you drive against an algorithm for the same time, and challenge others by 
   await other.locator("#game").waitFor({ state: "hidden" });
   await theirApp.poll(() => theirApp.link(), (link) => link.versus === undefined);
   assert.ok(await other.locator("#speed").isEnabled());
-  assert.equal(await other.locator("#speed").inputValue(), pace, "as before the game");
+  await theirApp.choose("algorithm", "spiral");
+  await theirApp.poll(() => other.locator("#speed").inputValue(), (now) => now === pace, "as before the game");
 });
 
 test("who draws the worst room for a planner is told how bad it is", async (t) => {

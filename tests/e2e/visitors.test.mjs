@@ -146,6 +146,19 @@ test("own rooms are a list: new by size, renamed, duplicated, deleted and brough
   await app.poll(() => app.room(), (name) => name === "Cellar");
   await page.locator("#rooms-open").click();
   assert.deepEqual((await page.locator("#own-rooms li").allTextContents()).map((text) => /Loft|Cellar/.exec(text)?.[0]), ["Loft", "Cellar"]);
+  await page.locator("#rooms").getByRole("button", { name: "Close" }).click();
+
+  // Two rooms made of the same one have two names, in the list and where they are shown.
+  await app.choose("room", "empty");
+  const built = await app.room();
+  for (const name of [built, `${built} 2`]) {
+    await app.choose("room", "empty");
+    await app.linked("room", (room) => room === "empty");
+    await app.tool("wall");
+    await app.drag([0.4, 0.3], [0.4, 0.6]);
+    await app.linked("kept");
+    await app.poll(() => app.room(), (shown) => shown === name);
+  }
 });
 
 test("undo in an own room to which one comes back takes its last wall away", async (t) => {

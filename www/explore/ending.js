@@ -2,6 +2,7 @@
 // The end of a run: what was reached, how good that is, and what to try next.
 import { byId, changed, make, setHidden } from "../dom.js";
 import { clock, metres, percent, shareAbove } from "../format.js";
+import { style } from "../parts.js";
 
 /**
  * @typedef {import("../main.js").App} App
@@ -13,8 +14,9 @@ const CLEAN = 0.95;
 /** Excess over the minimum from which another planner is worth a try. */
 const GOOD = 0.03;
 
-/** @param {App} app @returns {(view: View) => void} */
-export function startEnding(app) {
+/** @param {App} app @returns {Promise<(view: View) => void>} */
+export async function startEnding(app) {
+  await style(new URL("./ending.css", import.meta.url).href);
   const words = make("p", { role: "status" });
   const next = make("p", { className: "ending-next" });
   const close = make("button", { type: "button", className: "quiet square", "aria-label": "Dismiss" });

@@ -35,7 +35,7 @@ export function startVersus(app, card) {
   let last = 0;
   let counts = true;
   let score = 0;
-  /** The speed at which the user watches algorithms; the rival's is the fastest meanwhile, the user's own real time. @type {number | undefined} */
+  /** The speed at which the user watches algorithms; the rival's is the fastest meanwhile. @type {number | undefined} */
   let pace;
   let told = () => {};
 
@@ -92,7 +92,8 @@ export function startVersus(app, card) {
     counts = true;
     last = 0;
     const worked = app.act((p) => {
-      pace ??= p.view().speed;
+      // Driving by hand has its own speed, and leaves this one for others.
+      atUsualPace(p);
       // Whoever plays sees all of the room.
       p.fit();
       p.select_algorithm(person);
@@ -125,10 +126,7 @@ export function startVersus(app, card) {
   function over() {
     phase = "over";
     select("speed").disabled = false;
-    app.act((p) => {
-      p.pause();
-      atUsualPace(p);
-    });
+    app.act((p) => p.pause());
     score = app.view.coverage;
     const rival = at(terms.seconds);
     const verdict = Math.abs(score - rival) < 5e-4 ? "A draw." : score > rival ? "You win." : `${titleOf(terms.rival)} wins.`;

@@ -13,6 +13,9 @@ const STEPS: f64 = 20.0;
 /// Least share of the floor behind doors for a hint.
 const BEHIND: f64 = 0.05;
 
+/// Most widths of openings that are tried, the narrowest first: each is traced.
+const TRIED: usize = 4;
+
 /// Effect of closing doors.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
@@ -46,11 +49,19 @@ impl Doors {
         };
         let full = with(DOORS[1])?;
         let width = |&[a, b]: &[Point; 2]| (b - a).norm() + CELLS * how.resolution;
-        let widest = full.0.gaps.iter().map(width).fold(how.gap, f64::max);
-        // The smallest sufficient gap, so that wider openings stay open.
-        let least = (widest.max(DOORS[0]) * STEPS - 1e-6).ceil() / STEPS;
-        let narrow = if least < DOORS[1] { with(least).map(|closed| (least, closed)) } else { None };
-        let (gap, (closed, floor_m2)) = narrow.unwrap_or((DOORS[1], full));
+        let steps = |gap: f64| (gap.max(DOORS[0]) * STEPS - 1e-6).ceil() as u32;
+        let mut gaps: Vec<u32> = full.0.gaps.iter().map(|gap| steps(width(gap))).collect();
+        gaps.sort_unstable();
+        gaps.dedup();
+        let narrower =
+            gaps.into_iter().map(|steps| f64::from(steps) / STEPS).filter(|&gap| how.gap < gap && gap < DOORS[1]);
+        let closed = narrower.take(TRIED).filter_map(|gap| with(gap).map(|closed| (gap, closed)));
+        // The narrowest that part the room from others. Wider ones may lie beside furniture: they take less than they leave.
+        let chosen = closed.chain([(DOORS[1], full)]).reduce(|chosen, wider| {
+            let (floor, less) = (chosen.1.1, wider.1.1);
+            if less < 0.5 * floor { wider } else { chosen }
+        });
+        let (gap, (closed, floor_m2)) = chosen?;
         let is_new = |[a, b]: &&[Point; 2]| (*b - *a).norm() > how.gap;
         let count = closed.gaps.iter().filter(is_new).count().max(1);
         Some(Self { count, gap, floor_m2 })

@@ -92,7 +92,7 @@ pub enum OwnRobotFault {
     },
     /// The tool sticks out of the body.
     #[error(
-        "the tool, simulated as a disc of its width, reaches {tool:.3} m from the robot's centre, but its body only \
+        "the tool (a disc) reaches {tool:.3} m from the robot's centre, but its body only \
          {body:.3} m; make the tool narrower, move it to the centre, or make the body larger"
     )]
     Tool {
