@@ -1,5 +1,6 @@
 // @ts-check
 // The driver's connection and its line: passes bytes and time on, and stops the robot whatever goes wrong.
+import { LineRequests } from "./line-requests.js";
 import { lineTo } from "./lines.js";
 import { failure } from "./ports.js";
 import { RemoteLine } from "./remote-line.js";
@@ -17,10 +18,9 @@ export class LiveConnection {
   #mirror;
   #holder;
   #tell;
+  #requests;
   /** @type {import("./types").Transport | undefined} */
   #line;
-  /** The line is about to go on at another baud rate. */
-  #isChanging = false;
   #isBroken = false;
   #ticks = 0;
   #sleep = new SleepWatch();
@@ -36,6 +36,7 @@ export class LiveConnection {
     this.#mirror = mirror;
     this.#holder = holder;
     this.#tell = tell;
+    this.#requests = new LineRequests(connection, (error) => this.broke(error), () => this.safely(() => {}));
   }
 
   /** An error of the program ended it; nothing is sent any more. */
@@ -49,7 +50,7 @@ export class LiveConnection {
     try {
       if (this.#sleep.hasSlept()) this.#connection.leave(now(), "The computer slept, or stood still.");
       what();
-      this.#pump();
+      this.#requests.pass(this.#line);
       const readings = this.#connection.take_readings();
       if (readings.length) this.#tell({ type: "readings", readings }, [readings.buffer]);
     } catch (error) {
@@ -157,35 +158,6 @@ export class LiveConnection {
     const isSent = await lost.rescue();
     const what = isSent ? "A stop command was sent over a new connection." : "A stop command could not be sent.";
     this.#end(`The worker that holds the line stopped responding. ${what}`, isSent ? "Check that the robot has stopped, then connect again." : "Lift the robot, or press its CLEAN button.");
-  }
-
-  /** Sends what the connection has to say, at once. */
-  #pump() {
-    const [connection, line] = [this.#connection, this.#line];
-    // Unsent bytes must not be sent later: a line that returns can lead to another robot.
-    if (line?.view.state !== "open") return connection.discard();
-    while (!this.#isChanging) {
-      const wanted = connection.take_line();
-      if (!wanted) {
-        const bytes = connection.take_tx();
-        if (!bytes.length) return;
-        line.write(bytes, connection.is_acting());
-      } else if (wanted === "stop") line.stop?.();
-      else if ("brc" in wanted) line.setBrc(wanted.brc).catch((error) => this.broke(error));
-      else this.#changeBaud(wanted.baud);
-    }
-  }
-
-  /** @param {number} baud */
-  async #changeBaud(baud) {
-    this.#isChanging = true;
-    try {
-      await this.#line?.setBaud(baud);
-    } catch (error) {
-      return this.broke(error);
-    }
-    this.#isChanging = false;
-    this.safely(() => {});
   }
 
   #opened() {

@@ -11,15 +11,6 @@ import { Output } from "./output.js";
  * @typedef {Extract<ToWorker, { type: "load" }>} Order
  * @typedef {import("./drive.js").Runner} Runner
  * @typedef {import("./drive.js").Program} Program
- * @typedef {object} Kit
- * @property {typeof import("../../../programs/javascript/runtime.js").load} load
- * @property {typeof import("@lezer/javascript").parser} parser
- * @property {{ wasm: WebAssembly.Module, files: Record<string, string> } | undefined} micropython
- * @property {() => void} allowText Lets the next text be evaluated.
- * @property {WebAssembly.Memory} memory
- * @property {typeof import("../../../program.js").ProgramRunner} ProgramRunner
- * @property {import("./rooms.js").Rooms} rooms
- * @property {() => number} clock
  */
 
 /** A slice, ms; the first ones are short, so that there is something to see at once. */
@@ -47,7 +38,7 @@ export class Job {
   /** The page looks into it, at a step: nothing else is told. */
   #inspects = false;
 
-  /** @param {Kit} kit @param {Order} order @param {(message: FromWorker, transfer?: Transferable[]) => void} send @param {() => void} soon Calls `slice` soon. */
+  /** @param {import("./kit").Kit} kit @param {Order} order @param {(message: FromWorker, transfer?: Transferable[]) => void} send @param {() => void} soon Calls `slice` soon. */
   constructor(kit, order, send, soon) {
     this.#kit = kit;
     this.#order = order;
