@@ -86,10 +86,13 @@ function showDoors(view) {
   }
 }
 
+/** What a size is of. */
+const WHOLE = { drawing: "whole drawing", image: "whole picture", map: "whole map" };
+
 /** @param {FloorPlanView} view */
 function facts({ kind, size, strokes, layers, left_out, reduced_from }) {
   const what = kind === "drawing" ? `${strokes.toLocaleString("en")} ${strokes === 1 ? "stroke" : "strokes"} on ${layers.length} ${layers.length === 1 ? "layer" : "layers"}` : "";
-  return [size && `${kind === "drawing" ? "whole drawing" : "whole map"}: ${size}`, what, reduced_from && `reduced from ${reduced_from}`, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
+  return [size && `${WHOLE[kind]}: ${size}`, what, reduced_from && `reduced from ${reduced_from}`, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
 }
 
 /** @param {FloorPlanView} view */
