@@ -19,6 +19,7 @@ use robovac_core::geometry::Vector;
 use robovac_playground::wire::message;
 use robovac_playground::wire::{clock, map_file, to_js};
 use robovac_sim::experiment::Algorithm;
+use robovac_sim::mapping::close_gaps;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -216,9 +217,11 @@ impl MapSession {
 
     // ---- use of the map
 
-    /// The map as a room for `Playground.take_map`. Throws a sentence for users if there is none.
+    /// The map as a room for `Playground.take_map`: gaps between lanes are floor, as for a robot that cleans with it. Throws a sentence for users if there is none.
     pub fn room(&self) -> Result<JsValue, JsValue> {
-        map_file::import_to_js(Import { plan: self.mapped()?, choices: None })
+        let mut plan = self.mapped()?;
+        close_gaps(&mut plan.occupancy, plan.resolution);
+        map_file::import_to_js(Import { plan, choices: None })
     }
 
     /// The map as a ROS map: `{ name, bytes, kind }` of its image and its description, named `stem`.

@@ -36,6 +36,7 @@
 
 mod boundary;
 mod contact_lines;
+mod gaps;
 mod layer;
 pub mod locate;
 mod mapper;
@@ -56,6 +57,7 @@ mod seen_boundary;
 mod thesis_grid;
 mod thesis_map;
 
+pub use gaps::close_gaps;
 pub use layer::TiledLayer;
 pub use mapper::{Mapper, MapperSetup, RESOLUTION, Tracking};
 pub use marks::{CellMark, Marks};

@@ -2,14 +2,14 @@
 
 use crate::{
     controller::parts::Barred,
-    mapping::{CellMark, Mapper, Marks, OccupancyMap, TiledLayer},
+    mapping::{CellMark, Mapper, Marks, OccupancyMap, TiledLayer, close_gaps},
 };
 use coverage_planners::CoverageJob;
 use robovac_core::{
     coverage::{PlanningGrid, ReachableFloor},
     floor_plan::FloorPlan,
     geometry::{Point, Pose, Vector},
-    grid::{Cell, Direction, Grid, Occupancy, clearance, reachable},
+    grid::{Cell, Direction, Grid, Occupancy, reachable},
     math,
     robot::RobotModel,
 };
@@ -17,9 +17,6 @@ use std::collections::VecDeque;
 
 /// Margin around the known area, cells of the map.
 const MARGIN: i32 = 8;
-/// Half the width of gaps of unknown cells that count as floor, m: a robot that crosses a room in lanes would have met
-/// an obstacle there.
-const GAP: f64 = 0.125;
 /// Cells around the robot that aren't occupied are floor, m beyond its radius.
 const AROUND: f64 = 0.05;
 /// Least difference between the tool and a planning cell, m: the overlap of lanes.
@@ -235,7 +232,7 @@ fn plan(map: &OccupancyMap, look: &Look<'_>, pose: Pose, columns: i32) -> Option
             *value = Occupancy::Free;
         }
     }
-    close(&mut occupancy, (GAP / side) as f32);
+    close_gaps(&mut occupancy, side);
     for index in 0..occupancy.len() {
         let cell = occupancy.cell(index);
         if look.barred.has(outer(cell)) {
@@ -244,17 +241,4 @@ fn plan(map: &OccupancyMap, look: &Look<'_>, pose: Pose, columns: i32) -> Option
     }
     let origin = Pose::new(f64::from(low.x) * side, f64::from(low.y) * side, 0.0);
     Some((FloorPlan { occupancy, origin, ..known }, low))
-}
-
-/// Makes floor of unknown cells in gaps of known floor, up to twice `reach` cells wide (closing, as of mathematical morphology:
-/// what is farther than that from floor stays unknown, and so does what is not farther from that).
-fn close(occupancy: &mut Grid<Occupancy>, reach: f32) {
-    let floor = occupancy.map(|&what| what == Occupancy::Free);
-    let far = clearance(&floor, reach + 2.0).map(|&cells| cells > reach);
-    let kept = clearance(&far, reach + 2.0);
-    for (value, &room) in occupancy.values_mut().iter_mut().zip(kept.values()) {
-        if *value == Occupancy::Unknown && room > reach {
-            *value = Occupancy::Free;
-        }
-    }
 }
