@@ -23,7 +23,7 @@ test("an own robot is built in a form that loses nothing, and survives a reload"
   await page.locator("#own-corners").fill("0.2 -0.15; 0.2 0.15; -0.1 0.15; -0.2 0; -0.1 -0.15");
   await page.locator("#own-tool").fill("0.6");
   await page.locator("#own-use").click();
-  await page.getByText("The tool reaches 0.300 m from the robot's centre, but its body only 0.250 m").waitFor();
+  await page.getByText("The tool (a disc) reaches 0.300 m from the robot's centre, but its body only 0.250 m").waitFor();
   // The message names the field, and leaves the button in sight on a low screen.
   assert.equal(await page.getByLabel("Tool width").inputValue(), "0.6");
   await page.setViewportSize({ width: 1000, height: 640 });

@@ -95,7 +95,7 @@ fn what_no_robot_is_like_changes_nothing_and_says_why() {
     for (own, why) in [
         ("corners:-0.2_-0.1_0.2_0.1_0.2_-0.1_-0.2_0.1", "sides 1 and 3 of the outline cross"),
         ("corners:0.1_0.1_0.2_0.1_0.2_0.2", "origin (0, 0) is outside the outline"),
-        ("radius:0.2,tool:0.6", "the tool reaches 0.300 m from the robot's centre, but its body only 0.200 m"),
+        ("radius:0.2,tool:0.6", "the tool (a disc) reaches 0.300 m from the robot's centre, but its body only 0.200 m"),
         ("speed:0", "the robot's speed can't be 0 m/s; use 0.01 to 3 m/s"),
         ("nose:1", "the own robot can't be \"nose:1\""),
     ] {
