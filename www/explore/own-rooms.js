@@ -166,7 +166,7 @@ export function keep(app, link) {
     // What is shown has the name that the list has.
     if (name !== view.room.title) playground.rename_room(name);
     stored.set(id, playground.room_version());
-    const scenario = playground.scenario_json();
+    const scenario = renamed(playground.scenario_json(), name);
     keepPast(id, isNew ? playground.room_began_as() : scenarioOf(id), scenario);
     put({ id, name }, scenario);
     packed.delete(id);
