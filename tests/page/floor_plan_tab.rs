@@ -407,6 +407,23 @@ fn a_room_that_reaches_on_through_doors_says_so_and_how_to_close_them() {
 }
 
 #[test]
+fn closing_a_room_s_door_leaves_the_passages_beside_a_bed_open() {
+    // Two rooms, a door of 0.8 m, and a bed with 0.9 m on either side and more behind it.
+    let flat: [Polyline; 4] = [
+        ("WALLS", true, &[(0.0, 0.0), (9.0, 0.0), (9.0, 6.0), (0.0, 6.0)]),
+        ("WALLS", true, &[(4.0, 0.0), (4.1, 0.0), (4.1, 1.0), (4.0, 1.0)]),
+        ("WALLS", true, &[(4.0, 1.8), (4.1, 1.8), (4.1, 6.0), (4.0, 6.0)]),
+        ("WALLS", true, &[(0.9, 3.0), (3.1, 3.0), (3.1, 4.6), (0.9, 4.6)]),
+    ];
+    let mut board = open(dxf("bedroom.dxf", Some(6), &flat));
+    board.set_part(DrawingPart::Room { at: [1.0, 1.5] }).unwrap();
+    let doors = board.doors().expect("there is a door");
+    assert!((0.7..0.9).contains(&doors.gap) && (19.0..20.5).contains(&doors.floor_m2), "{doors:?}");
+    change(&mut board, |settings| settings.gap = 1.0);
+    assert!(board.floor_m2() < doors.floor_m2 - 3.0, "so wide a gap takes the passages, too: {}", board.floor_m2());
+}
+
+#[test]
 fn a_map_that_is_swept_leaves_as_a_drawing_with_its_walls() {
     let head = "#".repeat(20);
     let inside = "#..................#\n".repeat(18);
