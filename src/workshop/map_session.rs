@@ -217,7 +217,8 @@ impl MapSession {
 
     // ---- use of the map
 
-    /// The map as a room for `Playground.take_map`: gaps between lanes are floor, as for a robot that cleans with it. Throws a sentence for users if there is none.
+    /// The map as a room for `Playground.take_map`: gaps between lanes are floor, as for a robot that cleans with it. Throws a
+    /// sentence for users if there is none.
     pub fn room(&self) -> Result<JsValue, JsValue> {
         let mut plan = self.mapped()?;
         close_gaps(&mut plan.occupancy, plan.resolution);

@@ -86,7 +86,7 @@ impl ObjectTool {
     }
 
     /// Starts dragging an object like those that are being placed, if there is one within `reach` metres of a point: nobody
-    /// puts another one on top of it.
+    /// puts another one on top of it. Not carpets and stairs, as [`Self::take_any`].
     pub fn take_alike(&mut self, session: &Session, at: Point, reach: f64) -> bool {
         let Some(new) = self.kind.drawn(session.plan(), at, at).pop() else { return false };
         let is_alike = |object: &Object| discriminant(object) == discriminant(&new);
