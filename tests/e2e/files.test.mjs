@@ -41,8 +41,10 @@ test("a saved scenario brings everything back", async (t) => {
   await app.choose("robot", "roomba600");
   await app.drop(saved);
   assert.equal(await app.message(), "");
-  // The one that was drawn is kept, too.
-  await app.poll(() => app.room(), (name) => name === "L-shaped room (changed) 2");
+  // It is the room that was drawn, not one more.
+  await app.poll(() => app.room(), (name) => name === "L-shaped room (changed)");
+  await app.linked("kept");
+  assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem("own-rooms") ?? "[]").length), 1);
   assert.equal(await page.locator("#algorithm").inputValue(), "snake");
   assert.equal(await page.locator("#robot").inputValue(), "cell");
   assert.equal(await page.locator("#cell-size").inputValue(), "0.25");

@@ -11,9 +11,9 @@ import { danger, parse } from "./raw.js";
 /** Lines that are shown, and kept for the log. */
 const [SHOWN, KEPT] = [300, 20_000];
 /** @type {[kind: string, name: string][]} */
-const KINDS = [["", "Everything"], ["talk", "All but readings"], ["sent", "Commands"], ["frame", "Readings"], ["refused", "Rejected readings"], ["text", "Robot's own text"], ["bytes", "Other bytes"], ["line", "Connection"]];
+const KINDS = [["", "Everything"], ["talk", "All but readings"], ["sent", "Commands"], ["frame", "Readings"], ["refused", "Rejected readings"], ["held", "Unconfirmed readings"], ["text", "Robot's own text"], ["bytes", "Other bytes"], ["line", "Connection"]];
 /** Prefix of each kind of line, in addition to its colour. */
-const SIGNS = { sent: "→", frame: "←", refused: "✗", text: "“", bytes: "·", line: "–" };
+const SIGNS = { sent: "→", frame: "←", refused: "✗", held: "?", text: "“", bytes: "·", line: "–" };
 
 /** @param {import("./tab.js").ConnectionTab} it */
 export function startConsole(it) {

@@ -5,6 +5,7 @@ import { aboutRoom, settingsOf } from "../settings-link.js";
 import { flatOf } from "./flat.js";
 import { pack } from "./pack.js";
 import { forgetPast, keepPast, recall, settlePast } from "./room-past.js";
+import { renamed, roomIn } from "./scenario.js";
 
 /**
  * @typedef {import("../main.js").App} App
@@ -130,18 +131,10 @@ export async function addRoom(app, name, scenario) {
   return show(app, id, free, named, false);
 }
 
-/** Whether two scenarios differ by their names alone. @param {string} one @param {string} other */
-export function isRenamed(one, other) {
-  return renamed(one, "") === renamed(other, "");
-}
-
-/** @param {string} scenario @param {string} name */
-export function renamed(scenario, name) {
-  try {
-    return JSON.stringify({ ...JSON.parse(scenario), name });
-  } catch {
-    return scenario;
-  }
+/** The kept room that is the one of a scenario. @param {string} scenario */
+export function keptAs(scenario) {
+  const room = roomIn(scenario);
+  return room ? list().find(({ id }) => roomIn(scenarioOf(id)) === room) : undefined;
 }
 
 /** Keeps the shown room if it is an own one; returns the link with it. @param {App} app @param {string} link */
@@ -159,7 +152,8 @@ export function keep(app, link) {
   if (flatOf(app) && settingsOf(link).get("path") !== "kept") return aboutRoom(link, pairOf(app));
   let id = ids.get(lineage);
   const isNew = !id;
-  if (!id) ids.set(lineage, (id = newId()));
+  // A file that is opened again is the room that it was; what is drawn in a built-in room is a new one.
+  if (!id) ids.set(lineage, (id = (!playground.room_began_as() && keptAs(playground.scenario_json())?.id) || newId()));
   recall(app, lineage, isNew ? "" : id);
   if (stored.get(id) !== playground.room_version()) {
     const name = list().find((room) => room.id === id)?.name ?? freeName(view.room.title, id);

@@ -1,23 +1,11 @@
 // @ts-check
 // Links with an own room: one that is kept in this browser, or that the link carries.
 import { openFlat } from "./flat.js";
-import { OLD, addRoom, isRenamed, list, openRoom, remove, renamed, scenarioOf, show } from "./own-rooms.js";
+import { OLD, addRoom, keptAs, openRoom, remove, scenarioOf, show } from "./own-rooms.js";
 import { pack, unpack } from "./pack.js";
+import { isRenamed, renamed } from "./scenario.js";
 
 /** @typedef {import("../main.js").App} App */
-
-/** What a scenario says besides its room. */
-const CHOICES = ["name", "robot", "twin", "own_robot", "planner", "behaviour", "program", "params", "path", "cell_size", "seed", "slip", "noise", "quantised", "start_charge_percent", "odometry", "smooth"];
-
-/** What a scenario says of the room, without its name and what was chosen in it. @param {string | null} scenario */
-function roomIn(scenario) {
-  try {
-    const all = Object.entries(JSON.parse(scenario ?? "null"));
-    return JSON.stringify(all.filter(([key]) => !CHOICES.includes(key)));
-  } catch {
-    return "";
-  }
-}
 
 /** Shows the own room of a link: one that is kept here, or the one that the link carries. @param {App} app @param {string} link @returns {Promise<string>} why not, if it can't be */
 export async function openLink(app, link) {
@@ -33,8 +21,7 @@ export async function openLink(app, link) {
       // The way back leads through links from before it got its name.
       if (here && isRenamed(here, scenario)) return (await openRoom(app, id)) ? "" : unread;
       // One that was opened before is shown as this link has it.
-      const room = roomIn(scenario);
-      const same = room && list().find(({ id }) => roomIn(scenarioOf(id)) === room);
+      const same = keptAs(scenario);
       const shown = same ? show(app, same.id, same.name, renamed(scenario, same.name), false) : addRoom(app, JSON.parse(scenario).name || "Room of a link", scenario);
       return (await shown) ? "" : unread;
     } catch (error) {

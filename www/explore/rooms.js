@@ -3,7 +3,8 @@
 import { byId, make } from "../dom.js";
 import { complain } from "../messages.js";
 import { style } from "../parts.js";
-import { addRoom, currentId, freeName, list, newId, openRoom, put, remove, renamed, scenarioOf } from "./own-rooms.js";
+import { addRoom, currentId, freeName, list, newId, openRoom, put, remove, scenarioOf } from "./own-rooms.js";
+import { renamed } from "./scenario.js";
 
 /** @typedef {import("../main.js").App} App */
 

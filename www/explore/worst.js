@@ -3,8 +3,9 @@
 import { make, setText } from "../dom.js";
 import { perMilleAbove, shareAbove } from "../format.js";
 import { act, send } from "./games.js";
-import { addRoom, isRenamed } from "./own-rooms.js";
+import { addRoom } from "./own-rooms.js";
 import { emptyRoom } from "./rooms.js";
+import { isRenamed } from "./scenario.js";
 
 /** @typedef {import("../main.js").App} App */
 

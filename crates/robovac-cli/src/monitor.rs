@@ -187,6 +187,7 @@ fn told_of(line: &Traffic) -> String {
         TrafficKind::Sent => '>',
         TrafficKind::Frame | TrafficKind::Text | TrafficKind::Bytes => '<',
         TrafficKind::Refused => 'x',
+        TrafficKind::Held => '?',
         TrafficKind::Line => '!',
     };
     format!("{:7.3} {sign} {}", line.time_s, line.text)

@@ -1,7 +1,7 @@
 //! Serial traffic described in words.
 
 use super::{Traffic, TrafficKind};
-use crate::driver::Happening;
+use crate::driver::{FrameRefusal, Happening};
 use roomba_oi::{Command, CommandDecoder, Packet, ParseError, StreamFrame, Time};
 use std::fmt::Write;
 
@@ -41,6 +41,10 @@ impl Console {
             Happening::Frame(bytes) => {
                 let text = self.changes(bytes);
                 self.push(time_s, TrafficKind::Frame, bytes, text);
+            }
+            // It isn't lost yet.
+            Happening::Refused(bytes, why @ FrameRefusal::Unconfirmed) => {
+                self.push(time_s, TrafficKind::Held, bytes, why.to_string());
             }
             Happening::Refused(bytes, why) => self.push(time_s, TrafficKind::Refused, bytes, format!("refused: {why}")),
             Happening::Text(line) => self.push(time_s, TrafficKind::Text, line.as_bytes(), line.clone()),
@@ -150,4 +154,18 @@ fn described(command: Result<Command<'_>, ParseError>) -> String {
         _ => String::new(),
     };
     if data.is_empty() { name.to_string() } else { format!("{name}: {data}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_reading_that_waits_for_the_next_is_not_shown_as_rejected() {
+        let mut console = Console::default();
+        console.take(0.0, &Happening::Refused(vec![1], FrameRefusal::Unconfirmed));
+        console.take(0.1, &Happening::Refused(vec![1], FrameRefusal::Impossible));
+        let kinds: Vec<_> = console.lines().iter().map(|line| line.kind).collect();
+        assert_eq!(kinds, [TrafficKind::Held, TrafficKind::Refused]);
+    }
 }

@@ -282,6 +282,8 @@ pub enum TrafficKind {
     Frame,
     /// A frame that was refused.
     Refused,
+    /// A frame that counts only if the next one confirms it.
+    Held,
     /// Text from it.
     Text,
     /// An answer to a query, or other bytes.
