@@ -12,7 +12,7 @@ const ABOVE_NOISE: f64 = 3.0;
 /// lighter ones, where black and white change places first.
 pub(super) fn darker(shades: &Grid<u8>, contrast: f64, negate: bool) -> Grid<bool> {
     let (width, height) = (shades.width(), shades.height());
-    let half = (width.max(height) / WINDOW / 2).max(2);
+    let half = half(shades);
     let shade = |index: usize| {
         let shade = shades.values()[index];
         u32::from(if negate { u8::MAX - shade } else { shade })
@@ -45,6 +45,11 @@ pub(super) fn darker(shades: &Grid<u8>, contrast: f64, negate: bool) -> Grid<boo
         }
     }
     dark
+}
+
+/// Pixels on each side of one in its window.
+pub(super) fn half(shades: &Grid<u8>) -> usize {
+    (shades.width().max(shades.height()) / WINDOW / 2).max(2)
 }
 
 /// Standard deviation of the noise, from the median difference of neighbours: most have no edge between them.

@@ -9,6 +9,7 @@ mod marks;
 mod outlying;
 mod specks;
 mod suggest;
+mod surface;
 mod thickness;
 
 pub use suggest::suggest;
@@ -63,7 +64,13 @@ impl WallShades {
                 return shades.map(|&shade| cells[usize::from(shade)]);
             }
             ShadeMethod::Level => level::darker(shades, self.level, self.negate),
-            ShadeMethod::Local => local::darker(shades, self.contrast, self.negate),
+            ShadeMethod::Local => {
+                let mut walls = local::darker(shades, self.contrast, self.negate);
+                if !self.negate {
+                    surface::remove(&mut walls, shades);
+                }
+                walls
+            }
         };
         if self.specks > 0.0 {
             // First, while the pieces of their letters are there.
