@@ -167,6 +167,20 @@ impl Garden {
     }
 }
 
+#[test]
+fn a_tree_in_the_garden_is_no_floor() {
+    for seed in [0, 3, 5] {
+        let mut garden = Garden::of(seed);
+        let without = garden.traced(3.2);
+        // A ring in a corner of the garden, 1 m wide.
+        let [low, high] = [PAPER + 0.5, PAPER + 1.5].map(|at| (at / PIXEL).round() as i32);
+        for (x, y) in (low..high).flat_map(|y| (low..high).map(move |x| (x, y))) {
+            garden.walls[Cell::new(x, y)] |= x == low || y == low || x == high - 1 || y == high - 1;
+        }
+        assert_eq!(garden.traced(3.2).plan.occupancy, without.plan.occupancy, "{}", garden.case);
+    }
+}
+
 /// The share of gardens that are told, not decided.
 fn check_gardens(seeds: std::ops::Range<u64>) -> f64 {
     let count = (seeds.end - seeds.start) as f64;

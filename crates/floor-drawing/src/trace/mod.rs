@@ -249,6 +249,7 @@ impl<'a> RoomTracer<'a> {
         let is_in_garden = building.is_some();
         if let Some(building) = building {
             (inside, openings) = building;
+            surroundings::remove_outbuildings(&mut inside, &walls);
         }
         let around = all - inside.count();
         let size = (self.bounds.high - self.bounds.low) / self.side;

@@ -3,7 +3,7 @@
 use super::{openings, region};
 use robovac_core::{
     geometry::Point,
-    grid::{Cell, Grid, chessboard},
+    grid::{Cell, Grid, chessboard, largest_part, reachable},
     math::{ceil, cos, sin},
 };
 use std::{
@@ -134,6 +134,22 @@ fn within(
     let openings = if yard.seeds.is_empty() { openings::openings(&blocked, &left) } else { outside.openings };
     // What lies round a building without closed walls flows through it.
     (left.count() * 2 > building).then_some((left, openings))
+}
+
+/// Removes floor that no wall connects with the building, if it is little: a shed, a tree, a pond.
+pub(super) fn remove_outbuildings(floor: &mut Grid<bool>, walls: &Grid<bool>) {
+    let Some(start) = largest_part(floor) else { return };
+    let mut all = floor.clone();
+    for (cell, &is_wall) in all.values_mut().iter_mut().zip(walls.values()) {
+        *cell |= is_wall;
+    }
+    let building = reachable(&all, start);
+    let others = floor.iter().filter(|&(cell, &is_floor)| is_floor && !building[cell]).count();
+    if others as f64 <= ATTACHED * (floor.count() - others) as f64 {
+        for (cell, &is_building) in floor.values_mut().iter_mut().zip(building.values()) {
+            *cell &= is_building;
+        }
+    }
 }
 
 /// Makes a part of its own of the ring between the outermost walls and a building close to them, where it is narrower than
