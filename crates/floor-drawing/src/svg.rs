@@ -9,6 +9,7 @@ use super::{
     error::bad,
     flatten::Nurbs,
     model::{Builder, MAX_POINTS},
+    roles::is_known,
 };
 use robovac_core::{floor_plan::SourceFile, geometry::Point};
 use std::collections::BTreeMap;
@@ -191,7 +192,9 @@ impl SvgPainter {
             Some(Paint::Color(colour)) => [colour.red, colour.green, colour.blue],
             _ => true_colour(0),
         };
-        let name = names.label.clone().or_else(|| names.id.clone()).unwrap_or_else(|| {
+        // Drawing programs number paths: only ids with a word that says something are names.
+        let own = || Some(path.id()).filter(|id| is_known(id)).map(str::to_owned);
+        let name = names.label.clone().or_else(|| names.id.clone()).or_else(own).unwrap_or_else(|| {
             let [red, green, blue] = colour;
             format!("#{red:02x}{green:02x}{blue:02x}")
         });

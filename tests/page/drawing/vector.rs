@@ -50,6 +50,15 @@ fn groups_are_layers_and_transforms_and_uses_are_resolved() {
     assert_eq!(drawing.left_out, ["texts (1)"]);
 }
 
+#[test]
+fn a_path_by_itself_has_its_own_name_if_that_says_what_it_is() {
+    let rect =
+        |id: &str| format!("<rect id=\"{id}\" x=\"1\" width=\"10\" height=\"20\" fill=\"none\" stroke=\"#000\"/>");
+    let drawing = svg("viewBox=\"0 0 100 100\"", &["frame", "rect17", "sofa"].map(rect).concat()).unwrap();
+    let layers: Vec<_> = drawing.layers.iter().map(|l| (l.name.as_str(), l.role)).collect();
+    assert_eq!(layers, [("frame", Role::Ignored), ("#000000", Role::Wall), ("sofa", Role::Obstacle)]);
+}
+
 /// The widths of the strokes, rounded to a thousandth.
 fn widths(drawing: &Drawing) -> Vec<f64> {
     drawing.strokes.iter().map(|stroke| (1e3 * stroke.width).round() / 1e3).collect()
