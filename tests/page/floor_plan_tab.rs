@@ -407,6 +407,25 @@ fn a_room_that_reaches_on_through_doors_says_so_and_how_to_close_them() {
 }
 
 #[test]
+fn a_room_that_leads_outside_through_doors_says_one_thing() {
+    // Two rooms with two doors, and the front door of the other one is open.
+    let flat: [Polyline; 4] = [
+        ("WALLS", false, &[(6.8, 0.0), (0.0, 0.0), (0.0, 3.0), (8.0, 3.0), (8.0, 0.0), (7.9, 0.0)]),
+        ("WALLS", true, &[(4.0, 0.0), (4.1, 0.0), (4.1, 0.4), (4.0, 0.4)]),
+        ("WALLS", true, &[(4.0, 1.2), (4.1, 1.2), (4.1, 1.8), (4.0, 1.8)]),
+        ("WALLS", true, &[(4.0, 2.6), (4.1, 2.6), (4.1, 3.0), (4.0, 3.0)]),
+    ];
+    let mut board = open(dxf("open.dxf", Some(6), &flat));
+    board.set_part(DrawingPart::Room { at: [1.0, 1.5] }).unwrap();
+    let doors = board.doors().expect("there are doors");
+    assert!(doors.count == 2 && (10.0..12.5).contains(&doors.floor_m2), "{doors:?}");
+    assert_eq!(board.view().fault, "This room isn't closed: close its doors, or choose a rectangle.");
+    assert!(board.mark().is_none());
+    change(&mut board, |settings| settings.gap = doors.gap);
+    assert_eq!(board.view().fault, "");
+}
+
+#[test]
 fn closing_a_room_s_door_leaves_the_passages_beside_a_bed_open() {
     // Two rooms, a door of 0.8 m, and a bed with 0.9 m on either side and more behind it.
     let flat: [Polyline; 4] = [

@@ -81,7 +81,7 @@ function showDoors(view) {
   if (doors) {
     const { count, gap, floor_m2 } = doors;
     const opening = count === 1 ? "an opening" : `${count} openings`;
-    setText(byId("floor-plan-doors-text"), `${view?.room ? "This room continues" : "This floor continues outside"} through ${opening} as wide as a door. Closing ${count === 1 ? "it" : "them"} leaves ${metres(floor_m2)} m² of floor.`);
+    setText(byId("floor-plan-doors-text"), `This room continues through ${opening} as wide as a door. Closing ${count === 1 ? "it" : "them"} leaves ${metres(floor_m2)} m² of floor.`);
     setText(button("floor-plan-doors-close"), `Close gaps up to ${gap.toFixed(2)} m`);
   }
 }

@@ -320,6 +320,11 @@ impl DrawingSession {
             }),
             DrawingSource::Map { .. } => None,
         };
+        if self.room.is_none() && self.doors.is_some_and(|doors| doors.count > 1) {
+            // The ring would be at the narrowest opening on the way outside, perhaps that of another room.
+            self.mark = None;
+            "This room isn't closed: close its doors, or choose a rectangle.".clone_into(&mut self.fault);
+        }
     }
 
     fn traced(&self, metre: f64) -> Result<Traced, DrawingError> {
