@@ -104,3 +104,32 @@ impl Kidnapping<'_> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Noise, NoiseLevel, SlipLevel, controller::find};
+    use robovac_core::{floor_plan::room, robot::model};
+
+    // slow: particle filter
+    #[test]
+    fn a_robot_that_knows_its_place_by_scans_keeps_it_along_a_corridor() {
+        let (plan, info) = ((room("office").unwrap().build)(), find("wall_follow").unwrap());
+        let robot = model("roomba600_lidar").unwrap();
+        let (prepared, params) =
+            (RoomSetup::new(&plan, robot, robot.default_cell, None).unwrap(), Params::defaults(info.params));
+        let noise = Noise::all(NoiseLevel::Typical);
+        let kidnapping = Kidnapping {
+            plan: &plan,
+            prepared: &prepared,
+            robot,
+            behaviour: info,
+            params: &params,
+            conditions: Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() },
+            odometry: OdometryModel::Arc,
+            duration_s: 60.0,
+        };
+        let trial = kidnapping.run(10).unwrap();
+        assert!(trial.found_s.is_some_and(|found_s| found_s < 15.0), "{trial:?}");
+    }
+}
