@@ -172,6 +172,8 @@ async function start() {
   const keep = () => guard(() => !links.isFollowing() && keepState(app));
   setInterval(keep, 500);
   addEventListener("pagehide", keep);
+  // Back right after a tab was opened leads to the one before.
+  document.addEventListener("tab", () => setTimeout(keep));
   document.body.dataset.boot = "ready";
 }
 

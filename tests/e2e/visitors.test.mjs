@@ -230,6 +230,25 @@ test("a new flat is a number in the link, and an own room once it is changed", a
   assert.equal((await app.link()).flat, undefined);
 });
 
+test("back right after a tab was opened leads to the room that was shown", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty&speed=1" });
+  await app.choose("room", "lshape");
+  await app.linked("room", (room) => room === "lshape");
+  await page.evaluate(
+    () =>
+      new Promise((done) => {
+        const back = () => {
+          addEventListener("hashchange", done, { once: true });
+          history.back();
+        };
+        document.addEventListener("tab", () => setTimeout(back, 10), { once: true });
+        document.getElementById("tab-map")?.click();
+      }),
+  );
+  await page.locator("body[data-tab=explore]").waitFor();
+  await app.linked("room", (room) => room === "lshape");
+});
+
 test("a link copied from an own room carries it, and what is shown of it", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty&planner=near_optimal&p.effort=0&search=1&speed=4", viewport: { width: 1366, height: 768 }, permissions: ["clipboard-read", "clipboard-write"] });
   await app.settled();

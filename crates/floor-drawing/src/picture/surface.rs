@@ -66,7 +66,9 @@ fn surface(shades: &Grid<u8>) -> Option<Grid<bool>> {
     // Where the sheet is near the edge of the picture, all of the surface is dark.
     let least = AS_LIGHT * (!from.is_empty()).then(|| mean(shades, &from))?;
     from.extend(edge(&dark).filter(|&cell| dark[cell] && f64::from(shades[cell]) >= least));
-    from.iter().for_each(|&cell| surface[cell] = true);
+    for &cell in &from {
+        surface[cell] = true;
+    }
     let is_at_edge = |cell: Cell| cell.neighbours().into_iter().any(|beside| dark.get(beside).is_none());
     let mut next = 0;
     while let Some(&cell) = from.get(next) {
@@ -79,7 +81,9 @@ fn surface(shades: &Grid<u8>) -> Option<Grid<bool>> {
         }
     }
     let (reached, _) = reach(&dark, from, half + half / 2);
-    reached.into_iter().for_each(|cell| surface[cell] = true);
+    for cell in reached {
+        surface[cell] = true;
+    }
     Some(surface)
 }
 
@@ -97,7 +101,9 @@ fn is_surface(dark: &Grid<bool>, shades: &Grid<u8>, area: &[Cell], half: usize) 
 /// Dark pixels within so many moves from others through dark ones, and the light pixels beside them.
 fn reach(dark: &Grid<bool>, from: Vec<Cell>, moves: usize) -> (Vec<Cell>, Vec<Cell>) {
     let mut seen = dark.map(|_| false);
-    from.iter().for_each(|&cell| seen[cell] = true);
+    for &cell in &from {
+        seen[cell] = true;
+    }
     let mut reached: Vec<Cell> = from.iter().copied().filter(|&cell| dark[cell]).collect();
     let mut beyond = Vec::new();
     let mut front = from;
@@ -160,7 +166,7 @@ mod tests {
         let mut noise = seeded(seed, 1);
         let mut any = |low: f64, high: f64| rng.random_range(low..high);
         let (turn, ink, noisy) = (any(-0.12, 0.12), any(0.1, 0.3), any(2.0, 6.0));
-        let (dim, towards) = (any(0.2, 0.5), any(0.0, 6.28));
+        let (dim, towards) = (any(0.2, 0.5), any(-3.0, 3.0));
         let sheet = [0; 4].map(|_| any(1.0, 1.35));
         let (door, thick) = (any(-60.0, 30.0), any(5.0, 9.0));
         let mut shades = Grid::filled(SIZE[0] as usize, SIZE[1] as usize, 0);
