@@ -1575,7 +1575,7 @@ text: string,
 times: number, };
 
 /** Kinds of traffic. */
-export type TrafficKind = "sent" | "frame" | "refused" | "text" | "bytes" | "line";
+export type TrafficKind = "sent" | "frame" | "refused" | "held" | "text" | "bytes" | "line";
 
 /** Errors of an adapter. */
 export type TransportErrors = {

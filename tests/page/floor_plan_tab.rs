@@ -407,6 +407,21 @@ fn a_room_that_reaches_on_through_doors_says_so_and_how_to_close_them() {
 }
 
 #[test]
+fn a_tree_beside_the_house_is_no_room() {
+    let indoors = open(dxf("flat.dxf", Some(6), &FLAT));
+    let tree: Polyline = ("TREES", true, &[(12.0, 1.0), (13.0, 1.0), (13.0, 2.0), (12.0, 2.0)]);
+    let with_tree: Vec<Polyline> = FLAT.into_iter().chain([tree]).collect();
+    let board = open(dxf("flat.dxf", Some(6), &with_tree));
+    assert_eq!(board.floor_m2(), indoors.floor_m2());
+    // In a garden whose wall is open, it isn't all that counts either.
+    let garden: Polyline =
+        ("WALLS", false, &[(-4.0, 0.0), (-4.0, 8.0), (16.0, 8.0), (16.0, -6.0), (-4.0, -6.0), (-4.0, -2.0)]);
+    let mut board = open(dxf("garden.dxf", Some(6), &[garden, tree]));
+    board.set_part(DrawingPart::Whole).unwrap();
+    assert!(board.floor_m2() > 250.0, "{}", board.floor_m2());
+}
+
+#[test]
 fn a_room_that_leads_outside_through_doors_says_one_thing() {
     // Two rooms with two doors, and the front door of the other one is open.
     let flat: [Polyline; 4] = [

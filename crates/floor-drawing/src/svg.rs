@@ -130,7 +130,7 @@ fn check_depth<'a, 'i>(document: &'a Document<'i>) -> Result<(), Element<'a, 'i>
 struct Names {
     /// The innermost name given in Inkscape.
     label: Option<String>,
-    /// The outermost id.
+    /// The outermost id, or the outermost that says what the group is.
     id: Option<String>,
 }
 
@@ -155,6 +155,8 @@ impl SvgPainter {
                     let mut names = names.clone();
                     if !inner.id().is_empty() {
                         names.label = self.labels.get(inner.id()).cloned().or(names.label);
+                        // A group round all others may say nothing, and those within it what they are.
+                        names.id = names.id.filter(|id| is_known(id) || !is_known(inner.id()));
                         names.id = names.id.or_else(|| Some(inner.id().to_owned()));
                     }
                     self.group(inner, &names)?;

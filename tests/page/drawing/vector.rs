@@ -57,6 +57,13 @@ fn a_path_by_itself_has_its_own_name_if_that_says_what_it_is() {
     let drawing = svg("viewBox=\"0 0 100 100\"", &["frame", "rect17", "sofa"].map(rect).concat()).unwrap();
     let layers: Vec<_> = drawing.layers.iter().map(|l| (l.name.as_str(), l.role)).collect();
     assert_eq!(layers, [("frame", Role::Ignored), ("#000000", Role::Wall), ("sofa", Role::Obstacle)]);
+    // Groups within one that says nothing, and groups within one that does.
+    let group = |id: &str, body: &str| format!("<g id=\"{id}\">{body}</g>");
+    let of = |id: &str| group(id, &group("g7", LINE));
+    let body = group("plan", &[of("Walls"), of("Doors"), of("g9")].concat()) + &group("Furniture", &of("Table"));
+    let drawing = svg("viewBox=\"0 0 100 100\"", &body).unwrap();
+    let layers: Vec<_> = drawing.layers.iter().map(|l| l.name.as_str()).collect();
+    assert_eq!(layers, ["Walls", "Doors", "plan", "Furniture"]);
 }
 
 /// The widths of the strokes, rounded to a thousandth.

@@ -38,6 +38,8 @@ const OPEN_MARGIN: f64 = 1.0;
 pub const OUTER_DOOR: f64 = 1.25;
 /// Least share of the floor that walls enclose indoors: the insides of letters and furniture are no building.
 const INDOORS: f64 = 0.05;
+/// The same of a whole drawing.
+const LEAST_ROOM: f64 = 0.02;
 /// Ends of walls closer than this are joined, m (ours); allows for rounding by drawing programs.
 const TOUCHING: f64 = 1e-3;
 /// Side of the first area searched around the point that chooses a room, cells; doubled until it contains the room.
@@ -249,8 +251,8 @@ impl<'a> RoomTracer<'a> {
         let is_in_garden = building.is_some();
         if let Some(building) = building {
             (inside, openings) = building;
-            surroundings::remove_outbuildings(&mut inside, &walls);
         }
+        surroundings::remove_outbuildings(&mut inside, &walls);
         let around = all - inside.count();
         let size = (self.bounds.high - self.bounds.low) / self.side;
         let is_building = inside.count() as f64 >= INDOORS * size.x * size.y;
@@ -276,7 +278,9 @@ impl<'a> RoomTracer<'a> {
         if let Some(traced) = self.whole_with_open_doors(closed)? {
             return Ok(traced);
         }
-        if closed > 0 {
+        // A tree in a garden whose gate is open is no room.
+        let size = (self.bounds.high - self.bounds.low) / self.side;
+        if closed as f64 > LEAST_ROOM * size.x * size.y {
             return self.furnished(&frame, &inside);
         }
         let margin = ceil(OPEN_MARGIN / self.how.resolution).max(MARGIN);
