@@ -17,7 +17,7 @@ const LEAST = 4;
 /** @param {App} app @param {import("./games.js").Card} card @returns {import("./games.js").Game} */
 export function startWorst(app, card) {
   const { planners } = app.catalogue;
-  /** The worst so far, and its room. @type {{ planner: string, excess: number, scenario: string } | undefined} */
+  /** The worst so far, and its room. @type {{ whose: string, excess: number, scenario: string } | undefined} */
   let best;
   /** Whether the room is the one to draw in. */
   let isReady = true;
@@ -67,10 +67,12 @@ export function startWorst(app, card) {
       if (!isReady) return;
       // A room of the menu isn't drawn.
       if (view.kind !== "planner" || view.path_corners > 0 || view.room.id !== "") return card.close();
-      if (best && best.planner !== view.algorithm) best = undefined;
+      // What another planner, robot or grid does worse is no worse room.
+      const whose = [view.algorithm, view.robot, view.twin, view.own_robot, view.cell_size_m].join();
+      if (best && best.whose !== whose) best = undefined;
       const excess = excessOf(view);
       const isSmall = view.room.reachable_m2 < LEAST;
-      if (excess !== null && !isSmall && (!best || excess > best.excess)) best = { planner: view.algorithm, excess, scenario: app.playground.scenario_json() };
+      if (excess !== null && !isSmall && (!best || excess > best.excess)) best = { whose, excess, scenario: app.playground.scenario_json() };
       setText(/** @type {Element} */ (card.node.querySelector("h2")), `Break ${titleOf(view.algorithm)}`);
       setText(now, view.state === "planning" ? "…" : excess === null ? "–" : `${shareAbove(excess)} above`);
       setText(record, best ? `${shareAbove(best.excess)} above` : "–");
