@@ -52,8 +52,8 @@ const FIRST_LOOK: i32 = 512;
 /// exact outline; beyond the limits of a room, the cells that it covers. So are open ones that are joined end to end round
 /// no more than a piece of furniture.
 ///
-/// Of a whole drawing, floor is the area that can't be reached from outside, if walls enclose any; otherwise the
-/// bounding box. Openings between free ends of walls are closed by lines. Where a room is chosen, and where the whole
+/// Of a whole drawing, floor is the area that can't be reached from outside, if walls enclose more than a tree's inside; otherwise
+/// the bounding box. Openings between free ends of walls are closed by lines. Where a room is chosen, and where the whole
 /// gets larger by it, openings up to the same width are closed however the walls beside them are drawn: walls that are
 /// outlines have no free ends.
 ///
