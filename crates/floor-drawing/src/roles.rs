@@ -207,9 +207,9 @@ pub(super) fn says_wall(name: &str) -> bool {
     WALLS.iter().any(|word| name.contains(word))
 }
 
-/// Whether a name has a word that says what a layer has.
+/// Whether a name has a word that says what a layer has. Drawing programs call anything a path.
 pub(super) fn is_known(name: &str) -> bool {
-    guess(name) != Role::Wall || says_wall(name)
+    !name.to_uppercase().starts_with("PATH") && (guess(name) != Role::Wall || says_wall(name))
 }
 
 /// Guesses the role of a layer. Names without a known word are taken as walls: an additional obstacle is safer than a

@@ -54,7 +54,7 @@ fn groups_are_layers_and_transforms_and_uses_are_resolved() {
 fn a_path_by_itself_has_its_own_name_if_that_says_what_it_is() {
     let rect =
         |id: &str| format!("<rect id=\"{id}\" x=\"1\" width=\"10\" height=\"20\" fill=\"none\" stroke=\"#000\"/>");
-    let drawing = svg("viewBox=\"0 0 100 100\"", &["frame", "rect17", "sofa"].map(rect).concat()).unwrap();
+    let drawing = svg("viewBox=\"0 0 100 100\"", &["frame", "rect17", "path8", "sofa"].map(rect).concat()).unwrap();
     let layers: Vec<_> = drawing.layers.iter().map(|l| (l.name.as_str(), l.role)).collect();
     assert_eq!(layers, [("frame", Role::Ignored), ("#000000", Role::Wall), ("sofa", Role::Obstacle)]);
     // Groups within one that says nothing, and groups within one that does.
