@@ -47,6 +47,11 @@ async function click(app, x, y) {
   await app.frames(3);
 }
 
+/** The tool is in the hand. */
+const holds = (app, tool) => app.page.locator(`#floor-plan-stage[data-tool=${tool}]`).waitFor();
+/** The tool is laid down, which is seen together with what it did. */
+const isDone = (app) => holds(app, "view");
+
 async function sample(app) {
   await app.page.locator("#floor-plan-sample").click();
   await app.page.locator("#floor-plan-empty").waitFor({ state: "hidden" });
@@ -73,9 +78,10 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
   // A room by a click inside, where doors count as walls.
   await page.getByLabel("What DOORS is").selectOption("wall");
   await page.getByRole("button", { name: "This room", exact: true }).click();
-  await page.locator("#floor-plan-hint").waitFor();
+  await holds(app, "room");
   assert.match(await text(app, "#floor-plan-hint"), /Click into the room/);
   await click(app, 0.38, 0.3);
+  await isDone(app);
   const one = await floor(app);
   assert.ok(one > 5 && one < whole / 2, `${one} of ${whole} m²`);
   await page.getByRole("button", { name: "Whole", exact: true }).click();
@@ -124,6 +130,7 @@ test("a room that continues through doors offers to close them", async (t) => {
   assert.match(await text(app, "#floor-plan-result"), /Room 9\.0 × 6\.6 m, without walls/);
   assert.ok(await page.locator("#floor-plan-doors").isHidden(), "nobody has marked a room");
   await page.getByRole("button", { name: "This room", exact: true }).click();
+  await holds(app, "room");
   await click(app, 0.42, 0.42);
   await page.locator("#floor-plan-doors").waitFor();
   const open = await floor(app);
@@ -186,6 +193,7 @@ test("two points and their distance set the scale, by pointer and by keys alone"
   const { page, app } = await openFloorPlan(t);
   await app.bring(dxf("rooms.dxf", TWO_ROOMS));
   await page.getByRole("button", { name: "Scale by two points" }).click();
+  await holds(app, "scale");
   // The wall is as wide as the canvas but for its margins of 24 pixels.
   const canvas = await page.locator("#floor-plan-floor").boundingBox();
   const share = 24 / canvas.width;
@@ -222,29 +230,34 @@ test("rectangle and polygon cut the drawing, by pointer and by keys", async (t) 
   const canvas = await page.locator("#floor-plan-floor").boundingBox();
   const at = (x, y) => [canvas.x + x * canvas.width, canvas.y + y * canvas.height];
   await page.getByRole("button", { name: "Rectangle" }).click();
+  await holds(app, "rectangle");
   await page.mouse.move(...at(0.1, 0.2));
   await page.mouse.down();
   await page.mouse.move(...at(0.4, 0.8), { steps: 4 });
   await page.mouse.up();
+  await isDone(app);
   const part = await floor(app);
   assert.ok(part > 2 && part < 0.6 * whole, `${part} of ${whole} m²`);
 
   await page.getByRole("button", { name: "Polygon" }).click();
+  await holds(app, "polygon");
   await click(app, 0.1, 0.4);
   await click(app, 0.4, 0.4);
   await click(app, 0.4, 0.6);
   await page.keyboard.press("Enter");
+  await isDone(app);
   const triangle = await floor(app);
   assert.ok(triangle > 0.5 && triangle < part, `${triangle} m²`);
 
   // Escape takes the corner back, then lays the tool down.
   await page.getByRole("button", { name: "Polygon" }).focus();
   await page.keyboard.press("Enter");
+  await holds(app, "polygon");
   await page.keyboard.press("ArrowUp");
   await page.keyboard.press("Enter");
   await page.keyboard.press("Escape");
   await page.keyboard.press("Escape");
-  await page.locator("#floor-plan-stage[data-tool=view]").waitFor();
+  await isDone(app);
   assert.equal(await floor(app), triangle);
 });
 
@@ -254,9 +267,9 @@ test("gaps between walls are closed as far as one likes", async (t) => {
   await app.bring(dxf("open.dxf", side, { units: 6 }));
   await page.locator("#floor-plan-gap").fill("0");
   await page.getByRole("button", { name: "This room", exact: true }).click();
-  await page.locator("#floor-plan-stage[data-tool=room]").waitFor();
+  await holds(app, "room");
   await click(app, 0.5, 0.5);
-  await page.locator("#floor-plan-stage[data-tool=view]").waitFor();
+  await isDone(app);
   const leak = await text(app, "#floor-plan-result");
   assert.doesNotMatch(leak, /m² of floor/);
   assert.ok(leak.length > 20 && (await page.locator("#floor-plan-use").isDisabled()), leak);
