@@ -24,7 +24,7 @@ export const lengthOf = (end) => 1000 * (Math.min(LONGEST, end) + HOLD);
 /** @param {App} app @returns {Promise<Blob | undefined>} `undefined` if it was given up. */
 export async function film(app) {
   const floor = /** @type {HTMLCanvasElement} */ (document.getElementById("floor"));
-  const size = sizeOf(floor, WIDTH);
+  const size = sizeOf(app, floor, WIDTH);
   const { width, height } = size;
   const found = await supported(width, height);
   const { time_s: back, run_end_s: end, state } = app.view;

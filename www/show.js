@@ -8,17 +8,38 @@ import { clock, metres, percent } from "./format.js";
 /** Height of the line below the picture, as a share of its width, and limits, pixels. */
 const LINE = { share: 0.032, least: 22, most: 56 };
 
+/** Margin round the room, as a share of its larger side; least width of a picture, whose line has to be read, pixels. */
+const [MARGIN, LEAST] = [0.03, 480];
+
 /** What is shown: room, algorithm and robot, and how far the robot is. @param {App} app */
 export function caption({ view }) {
   const chosen = (/** @type {string} */ id) => select(id).selectedOptions[0]?.textContent ?? "";
   return [`${view.room.title}: ${chosen("algorithm")}, ${chosen("robot")}`, `${percent(view.coverage)} %   ${clock(view.time_s)}   ${metres(view.distance_m)} m`];
 }
 
-/** Size of a picture that is at most so wide; even, as encoders want it. @param {HTMLCanvasElement} floor @param {number} most */
-export function sizeOf(floor, most) {
-  const width = 2 * Math.floor(Math.min(floor.width, most) / 2);
+/**
+ * What of the canvas is worth a picture, in its pixels: the room with a margin, without the space that messages take; all of
+ * the canvas if the room isn't all on it.
+ * @param {App} app @param {HTMLCanvasElement} floor
+ */
+function part({ playground, view: { room } }, floor) {
+  const all = { x: 0, y: 0, width: floor.width, height: floor.height };
+  const ratio = floor.width / floor.clientWidth;
+  const [scale = 1, x = 0, y = 0] = playground.floor_to_screen().map((value) => value * ratio);
+  const [width, height] = [room.width_m * scale, room.height_m * scale];
+  const isWhole = x >= 0 && y <= floor.height && x + width <= floor.width && y - height >= 0;
+  if (!isWhole) return all;
+  // The same for every size of the room on the canvas, which changes when messages come and go.
+  const margin = MARGIN * Math.max(width, height);
+  return { x: x - margin, y: y - height - margin, width: width + 2 * margin, height: height + 2 * margin };
+}
+
+/** Size of a picture that is at most so wide; even, as encoders want it. @param {App} app @param {HTMLCanvasElement} floor @param {number} most */
+export function sizeOf(app, floor, most) {
+  const shown = part(app, floor);
+  const width = 2 * Math.floor(Math.min(Math.max(shown.width, LEAST), most) / 2);
   const line = Math.round(Math.max(LINE.least, Math.min(LINE.most, width * LINE.share)));
-  return { width, height: 2 * Math.floor((floor.height * (width / floor.width) + line) / 2), line };
+  return { width, height: 2 * Math.floor((shown.height * (width / shown.width) + line) / 2), line };
 }
 
 /**
@@ -31,7 +52,8 @@ export function drawShown(app, floor, into, { width, height, line }) {
   into.fillStyle = style.backgroundColor;
   into.fillRect(0, 0, width, height);
   into.imageSmoothingQuality = "high";
-  into.drawImage(floor, 0, 0, width, height - line);
+  const shown = part(app, floor);
+  into.drawImage(floor, shown.x, shown.y, shown.width, shown.height, 0, 0, width, height - line);
   const [what, numbers] = caption(app);
   const gap = line * 0.4;
   into.fillStyle = style.color;
@@ -48,7 +70,7 @@ export function drawShown(app, floor, into, { width, height, line }) {
 /** The floor as it is shown, as a PNG file. @param {App} app @returns {Promise<Blob>} */
 export function picture(app) {
   const floor = /** @type {HTMLCanvasElement} */ (document.getElementById("floor"));
-  const size = sizeOf(floor, 4096);
+  const size = sizeOf(app, floor, 4096);
   const canvas = new OffscreenCanvas(size.width, size.height);
   const context = canvas.getContext("2d");
   if (!context) throw new Error("this browser can't draw it");

@@ -1,6 +1,6 @@
 // @ts-check
 // Exports of comparisons: numbers as CSV and JSON, charts as SVG and PNG.
-import { byId } from "../dom.js";
+import { byId, make } from "../dom.js";
 import { download, fileName } from "../files.js";
 import { complain } from "../messages.js";
 
@@ -9,16 +9,18 @@ const STYLES = ["fill", "fill-opacity", "stroke-linejoin", "stroke-linecap", "st
 /** Pixels of a PNG for each unit of the drawing. */
 const SCALE = 2;
 const GAP = 24;
+/** Type size of the line that says where it was measured. */
+const SMALL = 12;
 
 /**
- * @typedef {{ name: string, csv: () => string, json: () => string, charts: HTMLElement }} Exported
+ * @typedef {{ name: string, csv: () => string, json: () => string, charts: HTMLElement, place?: string }} Exported `place`: where it was measured, if the charts don't say so.
  * @param {import("../main.js").App} app
  * @param {() => Exported} shown The exports of the current view.
  */
 export function startExports(app, shown) {
   /** @param {string} ending */
   const name = (ending) => `${shown().name}-${fileName(app.view.room.title)}.${ending}`;
-  const drawn = () => drawing(shown().charts);
+  const drawn = () => drawing(shown());
   /** @type {Record<string, () => void | Promise<void>>} */
   const exports = {
     csv: () => download(name("csv"), shown().csv(), "text/csv"),
@@ -33,9 +35,10 @@ export function startExports(app, shown) {
   });
 }
 
-/** All charts in one drawing, below each other. @param {HTMLElement} charts */
-function drawing(charts) {
-  let y = GAP;
+/** All charts in one drawing, below each other. @param {Exported} exported */
+function drawing({ charts, place = "" }) {
+  const heading = place ? 2 * SMALL : 0;
+  let y = GAP + heading;
   let width = 0;
   const parts = [...charts.querySelectorAll("figure")].map((figure) => {
     const svg = figure.querySelector("svg");
@@ -58,7 +61,11 @@ function drawing(charts) {
   });
   if (width === 0) throw new Error("there are no charts yet");
   const ground = getComputedStyle(charts.closest(".ground") ?? charts).backgroundColor;
-  const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${y}" viewBox="0 0 ${width} ${y}"><rect width="100%" height="100%" fill="${ground}"/>${parts.join("")}</svg>`;
+  const node = make("span", {}, place);
+  const head = place ? `<text x="${GAP}" y="${GAP + SMALL}" fill="${getComputedStyle(charts).color}" font-family="sans-serif" font-size="${SMALL}">${node.innerHTML}</text>` : "";
+  // A letter is half as wide as high, about.
+  width = Math.max(width, 0.55 * SMALL * place.length + 2 * GAP);
+  const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${y}" viewBox="0 0 ${width} ${y}"><rect width="100%" height="100%" fill="${ground}"/>${head}${parts.join("")}</svg>`;
   return { text, width, height: y };
 }
 

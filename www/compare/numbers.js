@@ -16,6 +16,9 @@ import { fromLink, inLink, keepingFocus, pressed, sorted, sortHead } from "./sor
 /** Table 2 of Emu & Obaida 2020: their three algorithms in a room with as many cells as theirs. */
 const TABLE_2 = { place: "room=thesis226&robot=cell&cell=0.2&seed=1", plans: "vs=spiral,snake,genetic&rooms=this&seeds=1" };
 
+/** Key of the column of names, by which one can sort as by a number. */
+const NAME = "name";
+
 /** @typedef {import("./sorting.js").Order} Order */
 
 /** @param {import("./tab.js").Comparing} it */
@@ -46,8 +49,8 @@ export function startNumbers(it) {
     if (!table) return;
     const { metrics, rows } = table;
     keepingFocus(byId("compared"), () => {
-      head.replaceChildren(make("tr", {}, make("th", { scope: "col" }, "Algorithm"), ...metrics.map((metric, column) => heading(metric, column, rows, order, sortBy))));
-      body.replaceChildren(...inOrder(rows, metrics, order).map((row) => line(it, row, metrics, rows, select("table-room").value === "all" ? it.view.rooms.length : 1)));
+      head.replaceChildren(make("tr", {}, nameHeading(order, sortBy), ...metrics.map((metric, column) => heading(metric, column, rows, order, sortBy))));
+      body.replaceChildren(...inOrder(rows, metrics, order, (row) => it.view.entrants[row.entrant]?.title ?? "").map((row) => line(it, row, metrics, rows, select("table-room").value === "all" ? it.view.rooms.length : 1)));
     });
     drawCharts(byId("charts"), table, it.view.entrants, it.about);
   };
@@ -114,8 +117,16 @@ function heading(metric, column, rows, order, sortBy) {
   return cell;
 }
 
-/** Best first, or last. @param {Row[]} rows @param {Metric[]} metrics @param {Order} order */
-function inOrder(rows, metrics, order) {
+/** @param {Order} order @param {(metric: string) => void} sortBy */
+function nameHeading(order, sortBy) {
+  const cell = make("th", { scope: "col" });
+  sortHead(cell, "Algorithm", NAME, "lower", order, sortBy);
+  return cell;
+}
+
+/** Best first, or last. @param {Row[]} rows @param {Metric[]} metrics @param {Order} order @param {(row: Row) => string} nameOf */
+function inOrder(rows, metrics, order, nameOf) {
+  if (order?.key === NAME) return rows.toSorted((a, b) => nameOf(a).localeCompare(nameOf(b), "en") * (order.down ? -1 : 1));
   const column = metrics.findIndex(({ id }) => id === order?.key);
   const metric = metrics[column];
   return order && metric ? sorted(rows, order, metric.better, ({ values }) => values[column]?.median) : rows;

@@ -56,7 +56,7 @@ export function startCompare(app, module, guard) {
   const race = startRace(it);
   const numbers = startNumbers(it);
   const runs = startRuns(app, module, guard, mirror);
-  const plans = { name: "comparison", csv: () => comparison.csv(), json: () => comparison.json(), charts: byId("charts") };
+  const plans = { name: "comparison", csv: () => comparison.csv(), json: () => comparison.json(), charts: byId("charts"), get place() { return byId("compare-place").textContent ?? ""; } };
   /** @type {typeof import("./study.js") | undefined} */
   let study;
   /** Shows the results of a study. @param {Iterable<File>} files */
@@ -166,7 +166,9 @@ function updatePlace({ app: { playground, catalogue, view: session }, view: { se
   const title = own || twin ? playground.robot().title : catalogue.robots.find(({ id }) => id === robot)?.title;
   const slips = slip === "none" ? "" : `, ${slip} wheel slip${shownView() === "runs" ? "" : " in the race"}`;
   const size = several ? "" : `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, `;
-  const where = `${size}${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm, seed ${seed}${slips}.`;
+  // Each of many runs has its own.
+  const seeds = shownView() === "runs" ? "" : `, seed ${seed}`;
+  const where = `${size}${title}, cells of ${+(cell_size_m * 100).toFixed(1)} cm${seeds}${slips}.`;
   setText(byId("compare-robot"), where);
   // On paper, where the choices aren't.
   const results = shownView() === "numbers" ? select("table-room").selectedOptions[0]?.text : "";

@@ -13,6 +13,8 @@ import { style } from "../parts.js";
 const CLEAN = 0.95;
 /** Excess over the minimum from which another planner is worth a try. */
 const GOOD = 0.03;
+/** Less coverage than planned that is explained. */
+const MISSED = 0.002;
 
 /** @param {App} app @returns {Promise<(view: View) => void>} */
 export async function startEnding(app) {
@@ -33,12 +35,13 @@ export async function startEnding(app) {
   return (view) => {
     shown = view.state === "finished" ? reached(app, view) : "";
     if (shown === "") dismissed = "";
-    const text = shown && `${shown}${bound(view)}`;
+    const more = `${missed(view)}${bound(view)}`;
+    const text = shown && `${shown}${more}`;
     setHidden(card, shown === "" || shown === dismissed || view.search.film !== null && view.search.film.at < view.search.film.pictures);
     if (text === "" || !changed(card, "text", text)) return;
     const far = driven(view);
     const start = shown.slice(0, shown.length - far.length - 1);
-    words.replaceChildren(start, make("span", { className: "ending-distance" }, far), ".", make("span", { className: "ending-bound" }, bound(view)));
+    words.replaceChildren(start, make("span", { className: "ending-distance" }, far), ".", make("span", { className: "ending-bound" }, more));
     const ways = suggestions(app, view);
     const before = (/** @type {number} */ i) => (i === 0 ? "" : i === ways.length - 1 ? " or " : ", ");
     next.replaceChildren("Try next: ", ...ways.map((way, i) => make("span", {}, before(i), way)), ".");
@@ -56,6 +59,14 @@ function reached({ catalogue }, view) {
   if (kind !== "behaviour") return `Done: ${swept}`;
   const ends = catalogue.behaviours.find(({ id }) => id === algorithm)?.ends;
   return `${ends ? "The robot has stopped by itself" : "The robot has stopped"}${activity && activity !== "done" ? ` (${activity})` : ""}: ${swept}`;
+}
+
+/** Why it is less than planned, if it is the driving that makes the difference. @param {View} view */
+function missed({ plan, coverage, swept_before, smooth, can_smooth, slip }) {
+  const less = (plan?.coverage ?? 0) - coverage;
+  if (less < MISSED || swept_before > 0) return "";
+  const why = [smooth && can_smooth ? "curves cut corners" : "", slip === "none" ? "" : "wheels slip"].filter(Boolean).join(" and ");
+  return why && ` Planned were ${percent(plan?.coverage ?? 0)} %: ${why}.`;
 }
 
 /** How far the plan is from the minimum, once that is known. @param {View} view */

@@ -74,7 +74,9 @@ async function start(app) {
     },
     close: end,
   };
-  const all = [startVersus(app, card), startWorst(app, card)];
+  // The floor alone has no tools to draw with.
+  const isAlone = document.documentElement.classList.contains("embed");
+  const all = [startVersus(app, card), ...(isAlone ? [] : [startWorst(app, card)])];
   /** @param {Game} game @param {() => void} how */
   const begin = (game, how = game.offer) => {
     end();

@@ -57,7 +57,7 @@ function above(value, least) {
 function ownGap({ plan }) {
   const turn = +(plan?.turn_weight ?? 0).toFixed(2);
   const weights = `its steps + ${turn} × its quarter turns${plan?.times_turns ? " (the time that this robot takes for one, in steps; the turn to the first step counts too)" : ""}`;
-  return `How far the plan's cost is above the proven lower bound of what this search minimises, in percent. Here a plan costs ${weights}. 0 % means proven optimal.`;
+  return `How far the plan is above the proven minimum of what this search minimises: ${weights}. "Above the minimum" counts a quarter turn as 2 steps instead. 0 %: proven optimal.`;
 }
 
 /** @param {MetricLine} line @param {import("../types").MetricInfo[]} metrics @returns {Line} */
