@@ -77,6 +77,8 @@ test("the sample is traced, cut, swept, exported, used and undone", async (t) =>
 
   // A room by a click inside, where doors count as walls.
   await page.getByLabel("What DOORS is").selectOption("wall");
+  // What changes with it moves the buttons below.
+  await floor(app);
   await page.getByRole("button", { name: "This room", exact: true }).click();
   await holds(app, "room");
   assert.match(await text(app, "#floor-plan-hint"), /Click into the room/);

@@ -37,10 +37,15 @@ if (files.length < all.length) console.log(`${all.length - files.length} of ${al
 const isUrgent = (file) => /^connection(-bridge|-fake|-program|-serial|-stop|-usb|-window)?\.test/.test(path.basename(file));
 /** That a robot stops in time is measured there: beside nothing else. Another browser's start delays a stop by 0.1 s. */
 const isStop = (file) => /^connection-(bridge|stop|window)\.test/.test(path.basename(file));
+const isEngine = (/** @type {string} */ file) => /^(firefox|webkit)\.test/.test(path.basename(file));
 /** That a robot stops in time has to hold at the first try. */
 const hasOneTry = (file) => /^connection-(bridge|stop)\.test/.test(path.basename(file));
-/** Of each file, the tests with these names; the ends of files are always among them. */
-const testNamePatterns = process.env.ONLY ? [process.env.ONLY, "^end of "] : undefined;
+/** Of each file, the tests with these names; the ends of files are always among them. @param {(string | RegExp)[]} [names] */
+const only = (names) => names && [...names, /^end of /];
+const asked = only(process.env.ONLY ? [process.env.ONLY] : undefined);
+/** Those that failed and those that passed, by their file. @type {Map<string, Set<string>>} */
+const [failures, passes] = [new Map(), new Map()];
+const add = (/** @type {Map<string, Set<string>>} */ lists, /** @type {string} */ file, /** @type {string} */ name) => lists.set(file, (lists.get(file) ?? new Set()).add(name));
 /** How long every test took that has run, in ms, and what it is called. */
 const took = [];
 
@@ -58,20 +63,28 @@ function fileOf({ file, name }, files) {
 /**
  * @param {string[]} files
  * @param {number} lanes How many run at a time, each in a process with a browser of its own.
+ * @param {(string | RegExp)[]} [testNamePatterns]
  * @returns {Promise<Set<string>>} The files in which a test failed.
  */
-async function runAll(files, lanes) {
+async function runAll(files, lanes, testNamePatterns = asked) {
   const failed = new Set();
   if (files.length === 0) return failed;
   const taken = fs.mkdtempSync(path.join(os.tmpdir(), "robovac-e2e-"));
   Object.assign(process.env, { E2E_FILES: JSON.stringify(files), E2E_TAKEN: taken });
   const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, "lane.mjs")), concurrency: lanes, testNamePatterns })
-    .on("test:pass", note)
+    .on("test:pass", (test) => {
+      note(test);
+      const file = fileOf(test, files);
+      if (file && test.skip === undefined) add(passes, file, test.name);
+    })
     .on("test:fail", (test) => {
       note(test);
       const file = fileOf(test, files);
       // A lane fails with its tests, and by itself when its process ends.
-      if (file) failed.add(file);
+      if (file) {
+        failed.add(file);
+        add(failures, file, test.name);
+      }
       else if (test.details.error.failureType !== "subtestsFailed") process.exitCode = 1;
     })
     .compose(new Spec());
@@ -90,7 +103,14 @@ if (process.exitCode === undefined) for (const file of files.filter((file) => !f
 // A busy machine may have made it fail; what fails alone, too, is broken.
 const again = failed.filter((file) => !hasOneTry(file));
 if (again.length > 0) console.log(`\nOnce more, one at a time: ${again.map((file) => path.basename(file)).join(" ")}`);
-const broken = [...failed.filter(hasOneTry), ...(await runAll(again, 1))];
+// Names of other engines' tests are within those of suites.
+const [suites, plain] = [again.filter(isEngine), again.filter((file) => !isEngine(file))];
+const exactly = (/** @type {string} */ name) => new RegExp(`^${name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}$`);
+const failuresOf = (/** @type {string} */ file) => [...(failures.get(file) ?? [])];
+const names = plain.flatMap((file) => failuresOf(file).map(exactly));
+const broken = [...failed.filter(hasOneTry), ...(await runAll(suites, 1)), ...(await runAll(plain, 1, asked ?? only(names)))];
+// Whose name is another one now would have been left out.
+broken.push(...plain.filter((file) => !broken.includes(file) && failuresOf(file).some((name) => !passes.get(file)?.has(name))));
 if (broken.length > 0) process.exitCode = 1;
 const unreliable = failed.filter((file) => !broken.includes(file));
 if (unreliable.length > 0) {

@@ -139,7 +139,9 @@ export function keptAs(scenario) {
 
 /** Keeps the shown room if it is an own one; returns the link with it. @param {App} app @param {string} link */
 export function keep(app, link) {
-  const { playground, view } = app;
+  const { playground } = app;
+  // The room may have changed since the last frame.
+  const view = (app.view = playground.view());
   const lineage = playground.room_lineage();
   if (view.room.id) {
     // All changes of a built-in room were undone.
