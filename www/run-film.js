@@ -1,7 +1,7 @@
 // @ts-check
 // A film of the run so far, frame by frame: smooth on any computer. Loaded when one is saved.
 import { hideToast, toast } from "./messages.js";
-import { drawShown, sizeOf } from "./show.js";
+import { atRest, drawShown, nextFrame, placeOf, sizeOf } from "./show.js";
 import { webm } from "./webm.js";
 
 /** @typedef {import("./main.js").App} App */
@@ -49,6 +49,7 @@ export async function film(app) {
   const context = canvas.getContext("2d", { alpha: false });
   if (!context) throw new Error("this browser can't draw it");
   let isGivenUp = false;
+  let place = "";
   const stop = (/** @type {KeyboardEvent} */ event) => event.key === "Escape" && (isGivenUp = true);
   addEventListener("keydown", stop);
   try {
@@ -56,6 +57,8 @@ export async function film(app) {
       if (i <= moving) {
         const time = (end * i) / moving;
         if (!(await shown(app, time))) isGivenUp = true;
+        if (placeOf(app) !== place) await atRest(app);
+        place = placeOf(app);
         drawShown(app, floor, context, size);
       }
       const frame = new VideoFrame(canvas, { timestamp: (1e6 * i) / FPS, duration: 1e6 / FPS });
@@ -98,6 +101,3 @@ async function shown(app, time) {
   } while (app.view.state === "seeking");
   return true;
 }
-
-/** The page draws first in every frame, as it asked for it first. */
-const nextFrame = () => new Promise((done) => requestAnimationFrame(done));

@@ -67,8 +67,20 @@ export function drawShown(app, floor, into, { width, height, line }) {
   into.fillText(what ?? "", gap, height - line / 2, room);
 }
 
+/** The page draws first in every frame, as it asked for it first. */
+export const nextFrame = () => new Promise((done) => requestAnimationFrame(done));
+
+/** Where the room is on the canvas. @param {App} app */
+export const placeOf = ({ playground }) => playground.floor_to_screen().join();
+
+/** Waits until the room is drawn where it is to be: messages that come or go move it. @param {App} app */
+export async function atRest(app) {
+  for (let before = ""; before !== placeOf(app); await nextFrame()) before = placeOf(app);
+}
+
 /** The floor as it is shown, as a PNG file. @param {App} app @returns {Promise<Blob>} */
-export function picture(app) {
+export async function picture(app) {
+  await atRest(app);
   const floor = /** @type {HTMLCanvasElement} */ (document.getElementById("floor"));
   const size = sizeOf(app, floor, 4096);
   const canvas = new OffscreenCanvas(size.width, size.height);
