@@ -58,7 +58,7 @@ test("the virtual Roomba is driven by the program, and stops for good when answe
   const robot = new VirtualRobot(page, app);
   await page.locator(".cm-content").click();
   await page.keyboard.press("ControlOrMeta+a");
-  await page.keyboard.insertText("def step(robot):\n    if robot.distance > 0.3:\n        while True: pass\n    robot.go(0.2)\n");
+  await page.keyboard.insertText("def step(robot):\n    if robot.distance > 0.15:\n        while True: pass\n    robot.go(0.2)\n");
   await page.keyboard.press("Control+Enter");
   await page.locator("#program-error").filter({ hasText: "never ends" }).waitFor();
   await page.locator("#tab-connection").click();
@@ -66,7 +66,7 @@ test("the virtual Roomba is driven by the program, and stops for good when answe
   await robot.arm();
   await page.locator("#connection-algorithm").selectOption("program");
   await page.locator("#connection-go").click();
-  await robot.drives(0.25);
+  await robot.drives(0.05);
   await page.getByText("didn't answer").or(page.getByText("took too long")).first().waitFor();
   await robot.rests();
   assert.ok((await robot.distance()) < 0.6, "it drove on");
