@@ -246,6 +246,14 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
     assert.deepEqual((await table(page)).rows.map((row) => row.name), first.rows.map((row) => row.name), "as before");
   }
 
+  // By name, as by a number.
+  await page.locator("#compared thead button", { hasText: /^Algorithm$/ }).click();
+  const names = (await table(page)).rows.map((row) => row.name);
+  assert.deepEqual(names, [...names].sort((a, b) => a.localeCompare(b, "en")));
+  assert.notDeepEqual(names, first.rows.map((row) => row.name));
+  await app.linked("sort", (sort) => sort === "name");
+  for (let i = 0; i < 2; i += 1) await page.locator("#compared thead button", { hasText: /^Algorithm$/ }).click();
+
   // How far behind, in words.
   const lengths = column(first, "Distance");
   const least = Math.min(...lengths);

@@ -12,7 +12,11 @@ test("a picture of the floor with its numbers", async (t) => {
   assert.equal(download.suggestedFilename(), "l-shaped-room.png");
   const bytes = fs.readFileSync(await download.path());
   assert.equal(bytes.subarray(1, 4).toString(), "PNG");
-  assert.ok(bytes.readUInt32BE(16) > 300 && bytes.length > 5000, `${bytes.length} bytes`);
+  const [width, height] = [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
+  assert.ok(width > 300 && bytes.length > 5000, `${bytes.length} bytes`);
+  // The room of 6 by 5 m with a margin, and the line of numbers below; not what else the canvas has.
+  const line = Math.min(56, Math.max(22, 0.032 * width));
+  assert.ok(Math.abs(width / (height - line) - 6.36 / 5.36) < 0.02, `${width} × ${height}`);
 });
 
 // slow: 3 s, every frame of a film is drawn and encoded.

@@ -32,6 +32,19 @@ test("the end of a run is told, with what to try next", async (t) => {
   assert.ok(await page.locator("#ending").isHidden(), "another run");
 });
 
+test("less coverage than planned is explained at the end of a run", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=lshape&planner=snake&speed=0" });
+  await app.until("finished");
+  await app.unfold();
+  const told = () => page.locator("#ending p").first().textContent();
+  assert.doesNotMatch(await told(), /Planned were/, "a walk that stops at corners sweeps all that was planned");
+  await app.choose("slip", "typical");
+  await app.until("finished");
+  const [{ coverage }, { plan }] = [await app.numbers(), await app.metric("Coverage")];
+  assert.ok(parseFloat(plan) - coverage > 0.15, `${plan} planned, ${coverage} swept`);
+  await app.poll(told, (text) => text.includes(`Planned were ${plan}: wheels slip.`));
+});
+
 test("drawing keeps what is clean, and back to the start begins anew", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty&speed=64" });
   await cleaned(app, 30);
