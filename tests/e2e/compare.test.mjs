@@ -444,7 +444,7 @@ test("a planner and its copy are named by the setting that differs, and heads do
 test("numbers on paper have every column, say where they are from, and have nothing to press", async (t) => {
   const { page, app, screenshot } = await openCompare(t, { room: "room=bedroom", view: "numbers", viewport: { width: 794, height: 1123 } });
   await tried(page, 4);
-  await app.poll(() => app.text("#table-note"), (text) => /needs at least .* each row's excess is above the bound for its own coverage: of exact areas, which differ from the column by tenths of a per cent\./.test(text));
+  await app.poll(() => app.text("#table-note"), (text) => /needs at least .* each row's excess is above the bound for that row's coverage, measured exactly\./.test(text));
   await page.mouse.move(100, 100);
   await page.locator("#printed").waitFor({ state: "attached" });
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
@@ -551,5 +551,5 @@ test("the comparison fits a phone, light and dark", async (t) => {
   await app.poll(cue, ([more, fades]) => more === "true" && fades);
   await scroller.evaluate((node) => node.scrollTo(node.scrollWidth, 0));
   await app.poll(cue, ([more, fades]) => more === "false" && !fades);
-  assert.match(await app.text("#table-note"), /in the race, .* take longer/);
+  assert.match(await app.text("#table-note"), /In the race robots take longer/);
 });

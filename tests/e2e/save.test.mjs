@@ -54,7 +54,7 @@ test("the dialog is left by Escape, remembers nothing, and its faults are told i
   assert.equal(drawing.suggestedFilename(), "l-shaped-room.svg");
   const svg = fs.readFileSync(await drawing.path(), "utf8");
   assert.match(svg, /<path id="walls"/);
-  assert.match(svg, /<path id="path"/);
+  assert.match(svg, /<g id="path">/);
 });
 
 test("a behaviour has no path to save", async (t) => {

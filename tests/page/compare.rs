@@ -201,6 +201,26 @@ fn robots_race_under_one_clock_and_come_back_to_the_bit() {
 }
 
 #[test]
+fn pets_walk_and_dirt_goes_in_the_pictures_of_a_race() {
+    let mut comparison = comparison(&session("living"), &["boustrophedon"]);
+    work(&mut comparison);
+    let race = comparison.race_mut().expect("there is a plan");
+    let seen = |race: &robovac_app::compare::Race| {
+        let life = race.scene(&race.lanes()[0]).life.expect("the room has a cat and dirt");
+        (life.movers().to_vec(), life.dirt_left())
+    };
+    let (cat, dirt) = seen(race);
+    assert!(!cat.is_empty() && dirt > 0.0);
+    race.set_speed(0.0);
+    race.play();
+    while race.state() == SessionState::Playing {
+        race.frame(0.016, &mut || true);
+    }
+    let (later, left) = seen(race);
+    assert!(later != cat && left < dirt, "{left} of {dirt}");
+}
+
+#[test]
 fn link_brings_the_comparison_back() {
     let session = session("thesis8");
     let mut comparison = comparison(&session, &["boustrophedon", "snake"]);

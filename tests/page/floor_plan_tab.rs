@@ -2,11 +2,11 @@
 
 use floor_drawing::{Role, ShadeMethod};
 use robovac_app::{
-    export::PathFormat,
+    export::{PathFormat, to_svg},
     floor_plan::{BodyChoice, DrawingPart, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, coarse},
 };
 use robovac_core::{
-    floor_plan::SourceFile,
+    floor_plan::{SourceFile, room},
     geometry::Point,
     grid::{Grid, Occupancy},
 };
@@ -524,4 +524,13 @@ fn what_was_drawn_here_is_no_wall_when_it_is_opened_again() {
     let again = DrawingSession::open(&[SourceFile { name: drawing.name, bytes: drawing.bytes }]).unwrap();
     assert!(floor(&board).is_some());
     assert_eq!(floor(&again), floor(&board));
+}
+
+#[test]
+fn the_path_of_a_room_that_was_saved_as_svg_is_no_wall_when_it_is_opened() {
+    let plan = (room("flat").unwrap().build)();
+    let path = [Point::new(1.0, 1.0), Point::new(9.0, 1.0), Point::new(9.0, 1.2), Point::new(1.0, 1.2)];
+    let floor = |path: &[Point]| open(file("flat.svg", to_svg(&plan, path))).floor_m2();
+    assert_eq!(floor(&path), floor(&[]), "the path is no wall");
+    assert!(floor(&[]) > 50.0);
 }

@@ -9,8 +9,10 @@ const STYLES = ["fill", "fill-opacity", "stroke-linejoin", "stroke-linecap", "st
 /** Pixels of a PNG for each unit of the drawing. */
 const SCALE = 2;
 const GAP = 24;
-/** Type size of the line that says where it was measured. */
-const SMALL = 12;
+/** Type sizes of the line that says where it was measured, and of titles. */
+const [SMALL, LARGE] = [12, 14];
+/** A letter is about half as wide as high. @param {string} text @param {number} size */
+const lengthOf = (text, size) => 0.55 * size * text.length;
 
 /**
  * @typedef {{ name: string, csv: () => string, json: () => string, charts: HTMLElement, place?: string }} Exported `place`: where it was measured, if the charts don't say so.
@@ -51,20 +53,19 @@ function drawing({ charts, place = "" }) {
       for (const property of STYLES) to[i]?.setAttribute(property, style.getPropertyValue(property));
     });
     const colour = getComputedStyle(figure).color;
-    const title = `<text x="${GAP}" y="${y + 12}" fill="${colour}" font-family="sans-serif" font-weight="600" font-size="14">${figure.querySelector("figcaption")?.innerHTML}</text>`;
+    const title = `<text x="${GAP}" y="${y + 12}" fill="${colour}" font-family="sans-serif" font-weight="600" font-size="${LARGE}">${figure.querySelector("figcaption")?.innerHTML}</text>`;
     // The crosshair of the pointer isn't exported.
     for (const live of copy.querySelectorAll("[data-live]")) live.remove();
     const part = `${title}<g transform="translate(${GAP} ${y + 20})">${copy.innerHTML}</g>`;
     y += box.height + 20 + GAP;
-    width = Math.max(width, box.width + 2 * GAP);
+    width = Math.max(width, box.width + 2 * GAP, lengthOf(figure.querySelector("figcaption")?.textContent ?? "", LARGE) + 2 * GAP);
     return part;
   });
   if (width === 0) throw new Error("there are no charts yet");
   const ground = getComputedStyle(charts.closest(".ground") ?? charts).backgroundColor;
   const node = make("span", {}, place);
   const head = place ? `<text x="${GAP}" y="${GAP + SMALL}" fill="${getComputedStyle(charts).color}" font-family="sans-serif" font-size="${SMALL}">${node.innerHTML}</text>` : "";
-  // A letter is half as wide as high, about.
-  width = Math.max(width, 0.55 * SMALL * place.length + 2 * GAP);
+  width = Math.max(width, lengthOf(place, SMALL) + 2 * GAP);
   const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${y}" viewBox="0 0 ${width} ${y}"><rect width="100%" height="100%" fill="${ground}"/>${head}${parts.join("")}</svg>`;
   return { text, width, height: y };
 }

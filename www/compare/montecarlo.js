@@ -138,10 +138,10 @@ const runsOf = (study, program) => ({
 });
 
 /** @param {import("../types").ManyRunsPlace} place @param {View} view @param {{ explores: boolean }[]} rows */
-function titleOf({ room, robot, slip, noise, quantised, start_charge_percent: charge }, { minutes }, rows) {
+function titleOf({ room, robot, slip, noise, quantised, start_charge_percent: charge }, { minutes, seeds }, rows) {
   const all = rows.every(({ explores }) => explores);
   const what = all ? "Boundary found" : rows.some(({ explores }) => explores) ? "Coverage (boundary found, for explorers)" : "Coverage";
-  return `${what} over ${minutes} minutes: ${room}, ${robot}, slip ${slip}, noise ${noise}${quantised ? ", rounded wheel speeds" : ""}${charge < 100 ? `, start charge ${charge} %` : ""}`;
+  return `${what} over ${minutes} minutes: ${room}, ${robot}, slip ${slip}, noise ${noise}${quantised ? ", rounded wheel speeds" : ""}${charge < 100 ? `, start charge ${charge} %` : ""}. Median of ${seeds} runs each, and the band of 10 % to 90 %`;
 }
 
 /** @param {View} view @param {Offer} offer @param {HTMLElement[]} items */

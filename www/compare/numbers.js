@@ -91,12 +91,12 @@ export function startNumbers(it) {
 function note({ seeds, entrants }, together) {
   const drive = entrants.some(({ chosen, kind, lacks }) => chosen && kind === "behaviour" && !lacks) ? " Behaviours have no plan: they are in the race, and measured in Many runs." : "";
   const chance = seeds > 1 && entrants.some(({ chosen }) => chosen) ? ` Randomised algorithms: median of ${seeds} seeds, range below it.` : "";
-  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance}${drive} As planned, without wheel slip; in the race, tracking the path, correcting at corners and giving way to pets and people take longer.`.trim();
+  return `${together ? "Sums over the rooms; percentages are means." : ""}${chance}${drive} Numbers are of the plans, without wheel slip. In the race robots take longer: they correct their course and give way to pets and people.`.trim();
 }
 
 /** @param {Table} table */
 function proven({ bounds, least }) {
-  const metric = least ? ` Any path that sweeps ${percent(least.coverage, 0)} % needs at least ${metres(least.length_m)} m and ${clock(least.duration_s)}; each row's excess is above the bound for its own coverage: of exact areas, which differ from the column by tenths of a per cent.` : "";
+  const metric = least ? ` Any path that sweeps ${percent(least.coverage, 0)} % needs at least ${metres(least.length_m)} m and ${clock(least.duration_s)}; each row's excess is above the bound for that row's coverage, measured exactly.` : "";
   if (!bounds) return "";
   return `Proven: no walk over these cells has fewer than ${count(bounds.steps)} steps or ${count(bounds.turns)} quarter turns, or steps + 2 × turns below ${count(bounds.cost)}.${metric}`;
 }

@@ -73,7 +73,7 @@ function missed({ plan, coverage, swept_before, smooth, can_smooth, slip }) {
 function bound({ kind, plan }) {
   const above = kind === "behaviour" ? null : (plan?.above_bound ?? null);
   if (above === null) return "";
-  return above <= 0 ? " No plan can need fewer steps and turns: this one is proven optimal." : ` The plan is ${shareAbove(above)} above the minimum for this room.`;
+  return above <= 0 ? " No plan can need fewer steps and turns: this one is proven optimal." : ` The plan is ${shareAbove(above)} above the minimum of steps and turns.`;
 }
 
 /** What to try next, the most useful first. @param {App} app @param {View} view @returns {HTMLElement[]} */

@@ -95,6 +95,9 @@ function facts({ kind, size, strokes, layers, left_out, reduced_from }) {
   return [size && `${WHOLE[kind]}: ${size}`, what, reduced_from && `reduced from ${reduced_from}`, left_out.length && `not drawn: ${left_out.join(", ")}`].filter(Boolean).join(" · ");
 }
 
+/** As in the words for screen readers: halves go up. @param {number} metres */
+const tenths = (metres) => (Math.round(10 * metres) / 10).toFixed(1);
+
 /** @param {FloorPlanView} view */
 function result({ room, settings, fault, asks, size, assumes_size }) {
   if (!room) {
@@ -102,9 +105,10 @@ function result({ room, settings, fault, asks, size, assumes_size }) {
     return fault || (asks ? `Whole drawing: ${size}. Choose its size first.` : "No room yet.");
   }
   const { width_m, height_m, floor_m2, cells, resolution, objects, gaps, outer_doors, around_m2, reachable_m2 } = room;
-  if (assumes_size) return `Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m if the assumed scale is right: its size is still asked about.`;
+  const inside = `Room ${tenths(width_m)} × ${tenths(height_m)} m`;
+  if (assumes_size) return `${inside}, if the assumed scale is right. Set the size first.`;
   const reach = reachable_m2 === null ? "" : `, ${metres(reachable_m2)} m² of it reachable by a Roomba's brush`;
   const [inner, openings] = [gaps - outer_doors, outer_doors === 1 ? "opening" : "openings"];
   const more = [objects && `${objects} ${objects === 1 ? "obstacle" : "obstacles"}`, inner && `${inner} ${inner === 1 ? "gap" : "gaps"} closed`, outer_doors && `${outer_doors} ${openings} to the outside closed`, around_m2 > 0 && `${metres(around_m2)} m² round the building left out`].filter(Boolean);
-  return [`Room ${width_m.toFixed(1)} × ${height_m.toFixed(1)} m, without walls`, `${metres(floor_m2)} m² of floor${reach}`, `${cells[0]} × ${cells[1]} cells of ${(100 * resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm`, ...more].join(" · ");
+  return [`${inside}, without walls`, `${metres(floor_m2)} m² of floor${reach}`, `${cells[0]} × ${cells[1]} cells of ${(100 * resolution).toLocaleString("en", { maximumFractionDigits: 2 })} cm`, ...more].join(" · ");
 }

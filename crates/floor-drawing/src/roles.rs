@@ -207,9 +207,10 @@ pub(super) fn says_wall(name: &str) -> bool {
     WALLS.iter().any(|word| name.contains(word))
 }
 
-/// Whether a name has a word that says what a layer has. Drawing programs call anything a path.
+/// Whether a name has a word that says what a layer has. Drawing programs call anything a path, with a number.
 pub(super) fn is_known(name: &str) -> bool {
-    !name.to_uppercase().starts_with("PATH") && (guess(name) != Role::Wall || says_wall(name))
+    let is_numbered = name.to_uppercase().starts_with("PATH") && name.contains(|c: char| c.is_ascii_digit());
+    !is_numbered && (guess(name) != Role::Wall || says_wall(name))
 }
 
 /// Guesses the role of a layer. Names without a known word are taken as walls: an additional obstacle is safer than a

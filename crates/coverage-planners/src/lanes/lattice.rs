@@ -20,9 +20,17 @@ pub(super) struct Lattice {
     places: Vec<Option<Point>>,
     /// Which of the eight neighbours can be reached straight.
     links: Vec<u8>,
-    /// Distance and cell before, of the present search; valid where `seen` is `search`.
-    reached: Vec<(f32, u32)>,
-    seen: Vec<u32>,
+    reached: Vec<Reached>,
+    search: u32,
+}
+
+/// How a cell was reached last.
+#[derive(Clone, Copy)]
+struct Reached {
+    distance: f32,
+    /// The cell before.
+    before: u32,
+    /// Number of the search.
     search: u32,
 }
 
@@ -44,8 +52,7 @@ impl Lattice {
             columns,
             rows,
             links: vec![0; places.len()],
-            reached: vec![(0.0, NONE); places.len()],
-            seen: vec![0; places.len()],
+            reached: vec![Reached { distance: 0.0, before: NONE, search: 0 }; places.len()],
             search: 0,
             places,
         };
@@ -97,32 +104,36 @@ impl Lattice {
         mut is_goal: impl FnMut(usize, f32) -> Option<T>,
     ) -> Option<T> {
         self.search += 1;
+        let search = self.search;
+        // Where there is a link, there is a neighbour.
+        let steps = NEIGHBOURS.map(|(dx, dy)| (dy * self.columns + dx) as isize);
         let mut heap = BinaryHeap::new();
         for port in self.ports(space, from) {
             let Some(place) = self.places[port] else { continue };
             let distance = (place - from).norm() as f32;
-            self.reached[port] = (distance, NONE);
-            self.seen[port] = self.search;
+            self.reached[port] = Reached { distance, before: NONE, search };
             heap.push((Reverse(distance.to_bits()), port as u32));
         }
         while let Some((Reverse(bits), cell)) = heap.pop() {
             let (cell, distance) = (cell as usize, f32::from_bits(bits));
-            if distance > self.reached[cell].0 {
+            if distance > self.reached[cell].distance {
                 continue;
             }
             if let Some(found) = is_goal(cell, distance) {
                 return Some(found);
             }
-            for way in 0..8 {
-                if self.links[cell] & (1 << way) == 0 {
+            let Some(a) = self.places[cell] else { continue };
+            let links = self.links[cell];
+            for (way, step) in steps.into_iter().enumerate() {
+                if links & (1 << way) == 0 {
                     continue;
                 }
-                let Some(next) = self.neighbour(cell, way) else { continue };
-                let (Some(a), Some(b)) = (self.places[cell], self.places[next]) else { continue };
+                let next = cell.wrapping_add_signed(step);
+                let Some(b) = self.places[next] else { continue };
                 let farther = distance + (b - a).norm() as f32;
-                if self.seen[next] != self.search || farther < self.reached[next].0 {
-                    self.seen[next] = self.search;
-                    self.reached[next] = (farther, cell as u32);
+                let known = &mut self.reached[next];
+                if known.search != search || farther < known.distance {
+                    *known = Reached { distance: farther, before: cell as u32, search };
                     heap.push((Reverse(farther.to_bits()), next as u32));
                 }
             }
@@ -136,7 +147,7 @@ impl Lattice {
         let mut at = cell as u32;
         while at != NONE {
             way.extend(self.places[at as usize]);
-            at = self.reached[at as usize].1;
+            at = self.reached[at as usize].before;
         }
         way.reverse();
         way

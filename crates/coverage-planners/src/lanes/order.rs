@@ -23,6 +23,11 @@ pub(super) fn in_order(space: &FreeSpace, lattice: &mut Lattice, start: Point, l
             }
         }
     }
+    // Most cells have none: a bit for each stays in the cache, where the lists don't.
+    let mut has_ends = vec![0_u64; lattice.len().div_ceil(64)];
+    for cell in (0..lattice.len()).filter(|&cell| !ends[cell].is_empty()) {
+        has_ends[cell / 64] |= 1 << (cell % 64);
+    }
     let mut is_done = vec![false; lanes.len()];
     let mut path = vec![start];
     for _ in 0..lanes.len() {
@@ -34,10 +39,14 @@ pub(super) fn in_order(space: &FreeSpace, lattice: &mut Lattice, start: Point, l
             if distance > limit {
                 return Some(());
             }
+            if has_ends[cell / 64] & (1 << (cell % 64)) == 0 {
+                return None;
+            }
+            ends[cell].retain(|&(number, _)| !is_done[number as usize]);
+            if ends[cell].is_empty() {
+                has_ends[cell / 64] &= !(1 << (cell % 64));
+            }
             for &(number, is_second) in &ends[cell] {
-                if is_done[number as usize] {
-                    continue;
-                }
                 let (a, b) = lanes[number as usize];
                 let (from, to) = if is_second { (b, a) } else { (a, b) };
                 // The straight distance, where that's the way; it isn't known yet.

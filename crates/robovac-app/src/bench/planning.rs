@@ -2,16 +2,26 @@
 
 use super::Bench;
 use crate::explore::Session;
-use coverage_planners::{CoverageJob, PLANNERS, PlanContext, SLOW_CELLS};
+use coverage_planners::{
+    CoverageJob, PLANNERS, PlanContext, SLOW_CELLS,
+    lanes::{LanesPlan, LanesProgress, LanesSetup, plan_lanes},
+};
 use robovac_core::{
-    floor_plan::generate::random_hall,
-    grid::{Cell, Direction},
+    coverage::ReachableFloor,
+    floor_plan::{FloorPlan, generate::random_hall, room},
+    geometry::Pose,
+    grid::{Cell, Direction, Occupancy},
     registry::Params,
+    robot::model,
 };
 use robovac_sim::{Run, STEP_S, montecarlo::RunsRequest};
+use std::ops::ControlFlow;
 
 /// Steps of the simulator's case: half an hour, less than the flat takes.
 const SIMULATED_STEPS: u32 = 120_000;
+/// Cells along each side of the hall in which lanes are laid, and their width, m: 10,000 m².
+const HALL_SIDE: usize = 1000;
+const HALL_CELL: f64 = 0.1;
 
 /// Every planner of walks on 100 x 100 cells and the fast ones on 1000 x 1000; the opening scene, and one of many runs.
 pub fn planning(bench: &mut Bench<'_>) {
@@ -25,6 +35,13 @@ pub fn planning(bench: &mut Bench<'_>) {
             bench.take(&name, &mut || drop(planner.plan(&job, &mut PlanContext::new(1))), None);
         }
     }
+    let side = bench.size(HALL_SIDE, 100);
+    if let Some(flat) = room("flat").map(|room| (room.build)()) {
+        bench.take("lanes, first path in the flat", &mut || drop(first_path(&flat)), None);
+    }
+    let hall = hall_plan(side);
+    let name = format!("lanes, first path in a hall of {:.0} m²", hall.width_m() * hall.height_m());
+    bench.take(&name, &mut || drop(first_path(&hall)), None);
     if let Some(start) = opening_run() {
         let mut simulate = || {
             let mut run = start.clone();
@@ -62,6 +79,30 @@ pub fn cycle() -> RunsRequest {
 pub fn hall(side: usize) -> Option<CoverageJob> {
     // The generator keeps the lower-left cell free.
     CoverageJob::new(&random_hall(side, side, 1), Cell::new(0, 0), Direction::Right)
+}
+
+/// Such a hall in metres.
+fn hall_plan(side: usize) -> FloorPlan {
+    let free = random_hall(side, side, 1);
+    FloorPlan {
+        name: "hall".to_owned(),
+        note: String::new(),
+        resolution: HALL_CELL,
+        occupancy: free.map(|&free| if free { Occupancy::Free } else { Occupancy::Occupied }),
+        objects: Vec::new(),
+        start: None,
+        origin: Pose::new(0.0, 0.0, 0.0),
+    }
+}
+
+/// What `lanes` shows first, from nothing but a room and a Roomba.
+fn first_path(plan: &FloorPlan) -> Option<LanesPlan> {
+    let robot = model("roomba600")?;
+    let floor = ReachableFloor::new(plan, robot, None).ok()?;
+    plan_lanes(&floor, robot, &LanesSetup::default(), &mut |progress: LanesProgress<'_>| {
+        if progress.path.is_empty() { ControlFlow::Continue(0.0) } else { ControlFlow::Break(()) }
+    })
+    .ok()
 }
 
 /// A Roomba about to clean the furnished flat, as the page opens with it.

@@ -342,6 +342,8 @@ impl Race {
             tracker: Some(run.tracker()),
             run_version: (u64::from(self.number) << 32) + lane.recording.version(),
             trail: run.trail(),
+            life: Some(run.life()),
+            steps: run.steps(),
             robot: Some(RobotView::of(run, &self.prepared.robot, self.setup.conditions.slip != SlipLevel::None)),
             ..self.planned_scene(&lane.line)
         }

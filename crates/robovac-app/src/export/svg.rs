@@ -45,9 +45,11 @@ pub fn to_svg(plan: &FloorPlan, path: &[Point]) -> String {
         let line = page.line(path, false);
         let _ = write!(
             svg,
-            "<path id=\"path\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"20\" stroke-linejoin=\"round\" d=\"{line}\"/>\n\
+            "<g id=\"path\">\n\
+             <path id=\"line\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"20\" stroke-linejoin=\"round\" d=\"{line}\"/>\n\
              <circle id=\"start\" cx=\"{:.0}\" cy=\"{:.0}\" r=\"60\" fill=\"#0072b2\"/>\n\
-             <circle id=\"end\" cx=\"{:.0}\" cy=\"{:.0}\" r=\"50\" fill=\"none\" stroke=\"#d55e00\" stroke-width=\"25\"/>\n",
+             <circle id=\"end\" cx=\"{:.0}\" cy=\"{:.0}\" r=\"50\" fill=\"none\" stroke=\"#d55e00\" stroke-width=\"25\"/>\n\
+             </g>\n",
             first.x * MM,
             page.y(first.y),
             last.x * MM,
