@@ -47,7 +47,7 @@ test("a definition stays while its term is clicked, and says what is counted", a
   const { page, app } = await openApp(t, { address: "#room=thesis8&planner=near_optimal" });
   const own = page.getByRole("button", { name: "Optimality gap" });
   await own.click();
-  await app.poll(() => page.locator("#tip").textContent(), (text) => /a plan costs its steps \+ [\d.]+ × its quarter turns \(the time that this robot takes/.test(text));
+  await app.poll(() => page.locator("#tip").textContent(), (text) => /what this search minimises: its steps \+ [\d.]+ × its quarter turns \(the time that this robot takes/.test(text));
   // One that proves nothing has no gap of its own: its definition goes with it.
   await page.mouse.move(5, 5);
   await page.keyboard.press("Tab");
