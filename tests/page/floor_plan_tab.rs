@@ -532,5 +532,28 @@ fn the_path_of_a_room_that_was_saved_as_svg_is_no_wall_when_it_is_opened() {
     let path = [Point::new(1.0, 1.0), Point::new(9.0, 1.0), Point::new(9.0, 1.2), Point::new(1.0, 1.2)];
     let floor = |path: &[Point]| open(file("flat.svg", to_svg(&plan, path))).floor_m2();
     assert_eq!(floor(&path), floor(&[]), "the path is no wall");
-    assert!(floor(&[]) > 50.0);
+    // Solid blocks of wall, too, come back.
+    let free = plan.blocked().map(|&blocked| !blocked).count() as f64 * plan.resolution * plan.resolution;
+    assert!((floor(&[]) / free - 1.0).abs() < 0.02, "{} of {free} m²", floor(&[]));
+}
+
+#[test]
+fn walls_that_are_painted_as_areas_are_solid_and_rooms_may_be_painted_over_them() {
+    let floor = |body: &str| {
+        let svg = format!("<svg xmlns='http://www.w3.org/2000/svg' width='800cm' viewBox='0 0 800 600'>{body}</svg>");
+        open(file("flat.svg", svg)).floor_m2()
+    };
+    // 6 x 4 m in walls of 0.5 m, with a pillar of 1 x 1 m: as one area with holes, as a house with light rooms in it, and as outlines.
+    let holes = floor(
+        "<path d='M50 50H750V550H50ZM100 100V500H700V100Z M300 200H400V300H300Z' fill-rule='evenodd' fill='#222'/>",
+    );
+    let house = floor(
+        "<rect x='50' y='50' width='700' height='500' fill='#222'/><rect x='100' y='100' width='600' height='400' fill='#eee'/>\
+                       <rect x='300' y='200' width='100' height='100' fill='#222'/>",
+    );
+    for (found, what) in [(holes, "an area with holes"), (house, "a room on a house")] {
+        assert!((found - 23.0).abs() < 1.2, "{what}: {found} m²");
+    }
+    let outlines = floor("<g fill='none' stroke='#222'><rect x='100' y='100' width='600' height='400'/></g>");
+    assert!((outlines - 24.0).abs() < 1.2, "lines alone enclose floor: {outlines} m²");
 }

@@ -39,7 +39,7 @@ mod write;
 
 pub use direction::{dominant_direction, picture_direction};
 pub use error::{DrawingError, DrawingFlaw};
-pub use model::{Drawing, DrawingLayer, MAX_COORDINATE, MAX_LAYERS, MAX_POINTS, Role, Stroke};
+pub use model::{AreaFill, Drawing, DrawingLayer, FillRule, MAX_COORDINATE, MAX_LAYERS, MAX_POINTS, Role, Stroke};
 pub use overlay::Overlay;
 pub use picture::{Picture, ShadeMethod, WallShades, suggest};
 pub use read::{drawing_kind, is_drawing, is_dxf, read};

@@ -64,6 +64,27 @@ pub enum Role {
     Ignored,
 }
 
+/// How the area within all strokes of an entity is painted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum AreaFill {
+    /// Not at all, or in a way that says nothing.
+    #[default]
+    None,
+    /// Dark and without a line round it: solid where it is a wall.
+    Dark(FillRule),
+    /// Light: it covers what was painted before.
+    Light(FillRule),
+}
+
+/// Which part of several outlines is filled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FillRule {
+    /// What an odd number of them encloses.
+    EvenOdd,
+    /// What those in one direction enclose, less what those in the other do.
+    NonZero,
+}
+
 /// A polyline.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stroke {
@@ -76,6 +97,8 @@ pub struct Stroke {
     pub is_closed: bool,
     /// How wide its line is drawn, in drawing units; 0 for a line without width.
     pub width: f64,
+    /// How the area within it is painted.
+    pub fill: AreaFill,
     /// Its corners, in [`Drawing::points`].
     pub points: Range<u32>,
 }
@@ -94,8 +117,9 @@ pub(super) struct Builder {
     strokes: Vec<Stroke>,
     points: Vec<Point>,
     left_out: BTreeMap<&'static str, usize>,
-    /// Width of the strokes to be added.
+    /// Width of the strokes to be added, and how their area is painted.
     pub pen: f64,
+    pub fill: AreaFill,
 }
 
 impl Builder {
@@ -107,6 +131,7 @@ impl Builder {
             points: Vec::new(),
             left_out: BTreeMap::new(),
             pen: 0.0,
+            fill: AreaFill::None,
         }
     }
 
@@ -174,7 +199,14 @@ impl Builder {
             return Ok(());
         }
         let points = start as u32..self.points.len() as u32;
-        self.strokes.push(Stroke { layer, entity, is_closed: is_closed && count > 2, width: self.pen, points });
+        self.strokes.push(Stroke {
+            layer,
+            entity,
+            is_closed: is_closed && count > 2,
+            width: self.pen,
+            fill: self.fill,
+            points,
+        });
         self.layers[layer as usize].strokes += 1;
         Ok(())
     }

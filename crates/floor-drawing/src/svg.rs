@@ -8,7 +8,7 @@ use super::{
     colours::true_colour,
     error::bad,
     flatten::Nurbs,
-    model::{Builder, MAX_POINTS},
+    model::{AreaFill, Builder, FillRule, MAX_POINTS},
     roles::is_known,
 };
 use robovac_core::{floor_plan::SourceFile, geometry::Point};
@@ -27,6 +27,9 @@ const MAX_DEPTH: usize = 100;
 const MM_PER_PIXEL: f64 = 25.4 / 96.0;
 /// Bytes at the start of a file in which its first element is searched.
 const HEAD: usize = 1 << 16;
+/// Brightest channel of a colour that walls are filled with, of 255, and least opacity of what counts (ours).
+const DARK: u8 = 96;
+const OPAQUE: f32 = 0.9;
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 const XLINK: &str = "http://www.w3.org/1999/xlink";
 
@@ -216,6 +219,7 @@ impl SvgPainter {
             .map_or(0.0, |stroke| f64::from(stroke.width().get()) * (sx * sy - kx * ky).abs().sqrt() * self.scale);
         let cap = stroke.filter(|stroke| stroke.linecap() != LineCap::Butt).map_or(0.0, |_| 0.5 * width);
         self.builder.pen = width;
+        self.builder.fill = fill_of(path);
         let at = |point: usvg::tiny_skia_path::Point| {
             let (x, y) = (f64::from(point.x), f64::from(point.y));
             let across = sx * x + kx * y + f64::from(transform.tx);
@@ -251,6 +255,27 @@ impl SvgPainter {
             points.extend(bent.into_iter().skip(1));
         }
         self.builder.stroke(layer, self.paths, is_area, capped(&points, cap))
+    }
+}
+
+/// How the area of a path is painted. Where there is a line, too, a dark area is often one that nobody chose: black is what SVG
+/// fills with by default.
+fn fill_of(path: &usvg::Path) -> AreaFill {
+    let Some(fill) = path.fill().filter(|fill| fill.opacity().get() >= OPAQUE) else { return AreaFill::None };
+    let Paint::Color(colour) = fill.paint() else { return AreaFill::None };
+    let rule = match fill.rule() {
+        usvg::FillRule::EvenOdd => FillRule::EvenOdd,
+        usvg::FillRule::NonZero => FillRule::NonZero,
+    };
+    match [colour.red, colour.green, colour.blue].into_iter().max() {
+        Some(brightest) if brightest <= DARK => {
+            if path.stroke().is_none() {
+                AreaFill::Dark(rule)
+            } else {
+                AreaFill::None
+            }
+        }
+        _ => AreaFill::Light(rule),
     }
 }
 

@@ -3,6 +3,7 @@
 mod alone;
 mod behind;
 mod cut_frame;
+mod fills;
 mod frame;
 mod gaps;
 mod leak;
@@ -48,7 +49,7 @@ const FIRST_LOOK: i32 = 512;
 /// Traces a room from a drawing.
 ///
 /// Strokes of walls stop the robot, and so do open ones of obstacles: every cell that they cross, in their width, is occupied. A closed
-/// wall only encloses floor. A closed obstacle is solid: a piece of furniture, or a leg if it is a circle, with its
+/// wall only encloses floor, unless its area is painted dark. A closed obstacle is solid: a piece of furniture, or a leg if it is a circle, with its
 /// exact outline; beyond the limits of a room, the cells that it covers. So are open ones that are joined end to end round
 /// no more than a piece of furniture.
 ///
@@ -464,6 +465,7 @@ impl<'a> RoomTracer<'a> {
                 canvas.cells.values_mut()[index] = picture.blocks(low, frame.side, outside);
             }
         }
+        fills::paint_walls(&mut canvas, self.drawing, &self.how.roles, frame)?;
         for stroke in &self.drawing.strokes {
             let stops = match self.how.roles[stroke.layer as usize] {
                 Role::Wall => true,

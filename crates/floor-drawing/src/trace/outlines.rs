@@ -240,7 +240,7 @@ impl Joints {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{DrawingLayer, DrawingRegion};
+    use crate::{AreaFill, DrawingLayer, DrawingRegion};
 
     /// A drawing of open strokes in metres: walls on the first layer, obstacles on the second.
     fn drawn(lines: &[(u32, &[(f64, f64)])]) -> (Drawing, Tracing) {
@@ -253,6 +253,7 @@ mod tests {
                 entity: 1,
                 is_closed: false,
                 width: 0.0,
+                fill: AreaFill::None,
                 points: start..points.len() as u32,
             });
         }

@@ -1,6 +1,6 @@
 //! Rasterises strokes and outlines.
 
-use crate::DrawingFlaw;
+use crate::{DrawingFlaw, FillRule};
 use robovac_core::{
     geometry::Point,
     grid::Grid,
@@ -50,33 +50,79 @@ impl RasterCanvas {
         let mut crossings: Vec<(usize, f64)> = Vec::new();
         for (a, b) in edges().filter(|(a, b)| a.y != b.y) {
             let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
-            // Rows whose middles lie in [low, high).
-            let first = ceil(low.y - 0.5).clamp(0, height as i32) as usize;
-            let end = ceil(high.y - 0.5).clamp(0, height as i32) as usize;
             let slope = (high.x - low.x) / (high.y - low.y);
-            crossings.extend((first..end).map(|row| (row, low.x + (row as f64 + 0.5 - low.y) * slope)));
+            crossings.extend(
+                rows_between(low.y, high.y, height).map(|row| (row, low.x + (row as f64 + 0.5 - low.y) * slope)),
+            );
             if crossings.len() > MAX_WORK / 32 {
                 return Err(too_much());
             }
         }
         crossings.sort_by(|one, other| one.0.cmp(&other.0).then(one.1.total_cmp(&other.1)));
         for pair in crossings.chunks_exact(2) {
-            let first = ceil(pair[0].1 - 0.5).clamp(0, width as i32) as usize;
-            let end = ceil(pair[1].1 - 0.5).clamp(0, width as i32) as usize;
-            self.set(pair[0].0, first..end.max(first))?;
+            self.set(pair[0].0, columns_between(pair[0].1, pair[1].1, width))?;
+        }
+        Ok(())
+    }
+
+    /// Gives the cells whose centres lie within several outlines a value.
+    pub fn paint(&mut self, outlines: &[Vec<Point>], rule: FillRule, value: bool) -> Result<(), DrawingFlaw> {
+        let (width, height) = (self.cells.width(), self.cells.height());
+        // Row, place in it, and whether the line goes up there.
+        let mut crossings: Vec<(usize, f64, i32)> = Vec::new();
+        for outline in outlines {
+            let edges = outline.iter().copied().zip(outline.iter().copied().cycle().skip(1));
+            for (a, b) in edges.filter(|(a, b)| a.y != b.y) {
+                let (low, high, way) = if a.y < b.y { (a, b, 1) } else { (b, a, -1) };
+                let slope = (high.x - low.x) / (high.y - low.y);
+                let rows = rows_between(low.y, high.y, height);
+                crossings.extend(rows.map(|row| (row, low.x + (row as f64 + 0.5 - low.y) * slope, way)));
+                if crossings.len() > MAX_WORK / 32 {
+                    return Err(too_much());
+                }
+            }
+        }
+        crossings.sort_by(|one, other| one.0.cmp(&other.0).then(one.1.total_cmp(&other.1)));
+        let mut winding = 0;
+        for pair in crossings.windows(2) {
+            winding += pair[0].2;
+            let is_inside = match rule {
+                FillRule::EvenOdd => winding % 2 != 0,
+                FillRule::NonZero => winding != 0,
+            };
+            if is_inside && pair[0].0 == pair[1].0 {
+                let columns = columns_between(pair[0].1, pair[1].1, width);
+                self.give(pair[0].0, columns, value)?;
+            }
         }
         Ok(())
     }
 
     fn set(&mut self, row: usize, columns: Range<usize>) -> Result<(), DrawingFlaw> {
+        self.give(row, columns, true)
+    }
+
+    fn give(&mut self, row: usize, columns: Range<usize>, value: bool) -> Result<(), DrawingFlaw> {
         self.work += columns.len() + 1;
         if self.work > MAX_WORK {
             return Err(too_much());
         }
         let start = row * self.cells.width();
-        self.cells.values_mut()[start + columns.start..start + columns.end].fill(true);
+        self.cells.values_mut()[start + columns.start..start + columns.end].fill(value);
         Ok(())
     }
+}
+
+/// The rows of `count` whose middles lie in [low, high).
+fn rows_between(low: f64, high: f64, count: usize) -> Range<usize> {
+    let at = |y: f64| ceil(y - 0.5).clamp(0, count as i32) as usize;
+    at(low)..at(high)
+}
+
+/// The same of columns; none if `high` is below `low`.
+fn columns_between(low: f64, high: f64, count: usize) -> Range<usize> {
+    let Range { start, end } = rows_between(low, high, count);
+    start..end.max(start)
 }
 
 fn too_much() -> DrawingFlaw {
@@ -109,6 +155,25 @@ mod tests {
         assert_eq!(far.trim(), "...\n###");
         let outside = drawn([3, 2], |canvas| canvas.segment(Point::new(-5.0, 9.0), Point::new(-1.0, -3.0)).unwrap());
         assert!(!outside.contains('#'));
+    }
+
+    #[test]
+    fn outlines_together_are_filled_by_their_rule() {
+        let square = |a: f64, b: f64| [(a, a), (b, a), (b, b), (a, b)].map(|(x, y)| Point::new(x, y)).to_vec();
+        let hole: Vec<Point> = square(2.0, 4.0).into_iter().rev().collect();
+        let ring = "......\n.####.\n.#..#.\n.#..#.\n.####.\n......";
+        let paint = |inner: Vec<Point>, rule| {
+            drawn([6, 6], |canvas| canvas.paint(&[square(1.0, 5.0), inner.clone()], rule, true).unwrap())
+        };
+        assert_eq!(paint(hole.clone(), FillRule::EvenOdd).trim(), ring);
+        assert_eq!(paint(hole, FillRule::NonZero).trim(), ring);
+        assert_eq!(paint(square(2.0, 4.0), FillRule::EvenOdd).trim(), ring);
+        assert_eq!(paint(square(2.0, 4.0), FillRule::NonZero).matches('#').count(), 16);
+        let cleared = drawn([6, 6], |canvas| {
+            canvas.paint(&[square(1.0, 5.0)], FillRule::NonZero, true).unwrap();
+            canvas.paint(&[square(2.0, 4.0)], FillRule::NonZero, false).unwrap();
+        });
+        assert_eq!(cleared.trim(), ring);
     }
 
     #[test]
