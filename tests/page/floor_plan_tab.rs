@@ -532,9 +532,9 @@ fn the_path_of_a_room_that_was_saved_as_svg_is_no_wall_when_it_is_opened() {
     let path = [Point::new(1.0, 1.0), Point::new(9.0, 1.0), Point::new(9.0, 1.2), Point::new(1.0, 1.2)];
     let floor = |path: &[Point]| open(file("flat.svg", to_svg(&plan, path))).floor_m2();
     assert_eq!(floor(&path), floor(&[]), "the path is no wall");
-    // Solid blocks of wall, too, come back.
+    // Solid blocks of wall, too, come back; cells that an outline touches are wall.
     let free = plan.blocked().map(|&blocked| !blocked).count() as f64 * plan.resolution * plan.resolution;
-    assert!((floor(&[]) / free - 1.0).abs() < 0.02, "{} of {free} m²", floor(&[]));
+    assert!((0.9..1.0).contains(&(floor(&[]) / free)), "{} of {free} m²", floor(&[]));
 }
 
 #[test]
