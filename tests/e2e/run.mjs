@@ -34,7 +34,7 @@ const files = all.filter((file) => !passed?.has(file));
 if (files.length < all.length) console.log(`${all.length - files.length} of ${all.length} files passed before with all that they test unchanged, and are left out; ALL=1 runs them`);
 
 /** Where a robot's stop is due soon, the machine has nothing heavy to do besides. */
-const isUrgent = (file) => /^connection(-bridge|-fake|-program|-serial|-stop|-usb|-window)?\.test/.test(path.basename(file));
+const isUrgent = (file) => /^connection(-bridge|-fake|-motors|-program|-serial|-stop|-usb|-window)?\.test/.test(path.basename(file));
 /** That a robot stops in time is measured there: beside nothing else. Another browser's start delays a stop by 0.1 s. */
 const isStop = (file) => /^connection-(bridge|stop|window)\.test/.test(path.basename(file));
 const isEngine = (/** @type {string} */ file) => /^(firefox|webkit)\.test/.test(path.basename(file));
