@@ -37,12 +37,12 @@ test("less coverage than planned is explained at the end of a run", async (t) =>
   await app.until("finished");
   await app.unfold();
   const told = () => page.locator("#ending p").first().textContent();
-  assert.doesNotMatch(await told(), /Planned were/, "a walk that stops at corners sweeps all that was planned");
+  assert.doesNotMatch(await told(), /Planned:/, "a walk that stops at corners sweeps all that was planned");
   await app.choose("slip", "typical");
   await app.until("finished");
   const [{ coverage }, { plan }] = [await app.numbers(), await app.metric("Coverage")];
   assert.ok(parseFloat(plan) - coverage > 0.15, `${plan} planned, ${coverage} swept`);
-  await app.poll(told, (text) => text.includes(`Planned were ${plan}: wheels slip.`));
+  await app.poll(told, (text) => text.includes(`Planned: ${plan} (wheels slip).`));
 });
 
 test("drawing keeps what is clean, and back to the start begins anew", async (t) => {

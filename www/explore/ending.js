@@ -66,7 +66,7 @@ function missed({ plan, coverage, swept_before, smooth, can_smooth, slip }) {
   const less = (plan?.coverage ?? 0) - coverage;
   if (less < MISSED || swept_before > 0) return "";
   const why = [smooth && can_smooth ? "curves cut corners" : "", slip === "none" ? "" : "wheels slip"].filter(Boolean).join(" and ");
-  return why && ` Planned were ${percent(plan?.coverage ?? 0)} %: ${why}.`;
+  return why && ` Planned: ${percent(plan?.coverage ?? 0)} % (${why}).`;
 }
 
 /** How far the plan is from the minimum, once that is known. @param {View} view */

@@ -42,37 +42,19 @@ impl RasterCanvas {
 
     /// Sets the cells that the outline covers: those whose centres it encloses and those that it crosses.
     pub fn fill(&mut self, outline: &[Point]) -> Result<(), DrawingFlaw> {
-        let edges = || outline.iter().copied().zip(outline.iter().copied().cycle().skip(1));
-        for (a, b) in edges() {
+        for (a, b) in edges(outline) {
             self.segment(a, b)?;
         }
-        let (width, height) = (self.cells.width(), self.cells.height());
-        let mut crossings: Vec<(usize, f64)> = Vec::new();
-        for (a, b) in edges().filter(|(a, b)| a.y != b.y) {
-            let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
-            let slope = (high.x - low.x) / (high.y - low.y);
-            crossings.extend(
-                rows_between(low.y, high.y, height).map(|row| (row, low.x + (row as f64 + 0.5 - low.y) * slope)),
-            );
-            if crossings.len() > MAX_WORK / 32 {
-                return Err(too_much());
-            }
-        }
-        crossings.sort_by(|one, other| one.0.cmp(&other.0).then(one.1.total_cmp(&other.1)));
-        for pair in crossings.chunks_exact(2) {
-            self.set(pair[0].0, columns_between(pair[0].1, pair[1].1, width))?;
-        }
-        Ok(())
+        self.paint(&[outline], FillRule::EvenOdd, true)
     }
 
     /// Gives the cells whose centres lie within several outlines a value.
-    pub fn paint(&mut self, outlines: &[Vec<Point>], rule: FillRule, value: bool) -> Result<(), DrawingFlaw> {
+    pub fn paint(&mut self, outlines: &[impl AsRef<[Point]>], rule: FillRule, value: bool) -> Result<(), DrawingFlaw> {
         let (width, height) = (self.cells.width(), self.cells.height());
         // Row, place in it, and whether the line goes up there.
         let mut crossings: Vec<(usize, f64, i32)> = Vec::new();
         for outline in outlines {
-            let edges = outline.iter().copied().zip(outline.iter().copied().cycle().skip(1));
-            for (a, b) in edges.filter(|(a, b)| a.y != b.y) {
+            for (a, b) in edges(outline.as_ref()).filter(|(a, b)| a.y != b.y) {
                 let (low, high, way) = if a.y < b.y { (a, b, 1) } else { (b, a, -1) };
                 let slope = (high.x - low.x) / (high.y - low.y);
                 let rows = rows_between(low.y, high.y, height);
@@ -111,6 +93,11 @@ impl RasterCanvas {
         self.cells.values_mut()[start + columns.start..start + columns.end].fill(value);
         Ok(())
     }
+}
+
+/// The edges of a closed outline.
+fn edges(outline: &[Point]) -> impl Iterator<Item = (Point, Point)> {
+    outline.iter().copied().zip(outline.iter().copied().cycle().skip(1))
 }
 
 /// The rows of `count` whose middles lie in [low, high).
