@@ -103,16 +103,29 @@ export const withFewFrames = (context) =>
     let waiting = new Map();
     let last = 0;
     let prompt = 30;
+    /** One frame is due at a time: soon, or after the timer. */
+    let isDue = false;
+    let timer = 0;
     function callAll(now) {
+      isDue = false;
       const due = waiting;
       waiting = new Map();
       for (const call of due.values()) call(now);
     }
+    function soon() {
+      clearTimeout(timer);
+      timer = 0;
+      if (!isDue) atNextFrame(callAll);
+      isDue = true;
+    }
     for (const input of ["pointerdown", "pointermove", "click", "wheel", "keydown", "keyup", "change", "hashchange", "popstate"]) {
-      addEventListener(input, () => void (prompt = 6, atNextFrame(callAll)), { capture: true, passive: true });
+      addEventListener(input, () => void ((prompt = 6), soon()), { capture: true, passive: true });
     }
     self.requestAnimationFrame = (call) => {
-      if (waiting.size === 0) prompt-- > 0 ? atNextFrame(callAll) : setTimeout(() => atNextFrame(callAll), 60);
+      if (!isDue && timer === 0) {
+        if (prompt-- > 0) soon();
+        else timer = setTimeout(soon, 60);
+      }
       waiting.set((last += 1), call);
       return last;
     };

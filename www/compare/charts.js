@@ -13,6 +13,8 @@ const BARS = ["length", "direction_changes", "revisits", "turns", "duration", "a
 const AXES = ["coverage", "length", "duration", "energy", "turns", "revisits", "overlap_area", "planning"];
 /** Height of a bar with its name, of a printed value's bar, and width of all, in units of the drawing. */
 const [ROW, PRINTED, WIDTH] = [34, 18, 330];
+/** Height of the chart with axes down to the first name below it, and of a name. */
+const [PROFILES, KEY] = [292, 18];
 
 /** @param {string} text */
 const safe = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
@@ -86,7 +88,12 @@ function parallel({ metrics, rows }, entrants) {
     const { title: name, mark } = drawn(entrants[row.entrant]);
     return points.length > 1 ? `<path class="profile" d="M${points.join("L")}" data-entrant="${row.entrant}" ${mark}><title>${name}</title></path>` : "";
   });
-  return svg("Best at the top, worst at the bottom", 284, marks.join("") + lines.join(""), "Profiles of the algorithms over all numbers; the table has the same data.");
+  const key = rows.map((row, i) => {
+    const { title: name, mark } = drawn(entrants[row.entrant]);
+    const y = PROFILES + KEY * i;
+    return `<path class="profile" d="M0 ${y}H26" data-entrant="${row.entrant}" ${mark}/><text class="name" x="34" y="${y + 4}">${name}</text>`;
+  });
+  return svg("Best at the top, worst at the bottom", PROFILES + KEY * rows.length, marks.join("") + lines.join("") + key.join(""), "Profiles of the algorithms over all numbers; the table has the same data.");
 }
 
 /** A planner's name and mark, as SVG. @param {Entrant} [entrant] */

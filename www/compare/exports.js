@@ -37,37 +37,38 @@ export function startExports(app, shown) {
   });
 }
 
-/** All charts in one drawing, below each other. @param {Exported} exported */
+/** All charts in one drawing; several in two columns. @param {Exported} exported */
 function drawing({ charts, place = "" }) {
-  const heading = place ? 2 * SMALL : 0;
-  let y = GAP + heading;
-  let width = 0;
-  const parts = [...charts.querySelectorAll("figure")].map((figure) => {
+  const found = [...charts.querySelectorAll("figure")].flatMap((figure) => {
     const svg = figure.querySelector("svg");
-    if (!svg) return "";
-    const box = svg.viewBox.baseVal;
+    return svg ? [{ figure, svg, box: svg.viewBox.baseVal, caption: figure.querySelector("figcaption") }] : [];
+  });
+  if (found.length === 0) throw new Error("there are no charts yet");
+  const column = Math.max(...found.map(({ box, caption }) => Math.max(box.width, lengthOf(caption?.textContent ?? "", LARGE)))) + GAP;
+  /** Where the next chart of each column begins. */
+  const ends = Array(found.length > 2 ? 2 : 1).fill(GAP + (place ? 2 * SMALL : 0));
+  const parts = found.map(({ figure, svg, box, caption }) => {
     const copy = /** @type {SVGSVGElement} */ (svg.cloneNode(true));
     const [from, to] = [[svg, ...svg.querySelectorAll("*")], [copy, ...copy.querySelectorAll("*")]];
     from.forEach((node, i) => {
       const style = getComputedStyle(node);
       for (const property of STYLES) to[i]?.setAttribute(property, style.getPropertyValue(property));
     });
-    const colour = getComputedStyle(figure).color;
-    const title = `<text x="${GAP}" y="${y + 12}" fill="${colour}" font-family="sans-serif" font-weight="600" font-size="${LARGE}">${figure.querySelector("figcaption")?.innerHTML}</text>`;
     // The crosshair of the pointer isn't exported.
     for (const live of copy.querySelectorAll("[data-live]")) live.remove();
-    const part = `${title}<g transform="translate(${GAP} ${y + 20})">${copy.innerHTML}</g>`;
-    y += box.height + 20 + GAP;
-    width = Math.max(width, box.width + 2 * GAP, lengthOf(figure.querySelector("figcaption")?.textContent ?? "", LARGE) + 2 * GAP);
-    return part;
+    const at = ends.indexOf(Math.min(...ends));
+    const [x, y] = [GAP + at * column, ends[at]];
+    ends[at] += box.height + 20 + GAP;
+    const title = `<text x="${x}" y="${y + 12}" fill="${getComputedStyle(figure).color}" font-family="sans-serif" font-weight="600" font-size="${LARGE}">${caption?.innerHTML}</text>`;
+    return `${title}<g transform="translate(${x} ${y + 20})">${copy.innerHTML}</g>`;
   });
-  if (width === 0) throw new Error("there are no charts yet");
+  const height = Math.max(...ends);
   const ground = getComputedStyle(charts.closest(".ground") ?? charts).backgroundColor;
   const node = make("span", {}, place);
   const head = place ? `<text x="${GAP}" y="${GAP + SMALL}" fill="${getComputedStyle(charts).color}" font-family="sans-serif" font-size="${SMALL}">${node.innerHTML}</text>` : "";
-  width = Math.max(width, lengthOf(place, SMALL) + 2 * GAP);
-  const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${y}" viewBox="0 0 ${width} ${y}"><rect width="100%" height="100%" fill="${ground}"/>${head}${parts.join("")}</svg>`;
-  return { text, width, height: y };
+  const width = Math.max(GAP + ends.length * column, lengthOf(place, SMALL) + 2 * GAP);
+  const text = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"><rect width="100%" height="100%" fill="${ground}"/>${head}${parts.join("")}</svg>`;
+  return { text, width, height };
 }
 
 /** @param {{ text: string, width: number, height: number }} drawing @returns {Promise<Blob>} */

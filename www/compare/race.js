@@ -67,7 +67,10 @@ export function startRace(it) {
 /** The end of a race. @param {Comparing} it @param {RaceView} race */
 function sayWinner({ view }, race) {
   const first = race.lanes.find(({ place }) => place === 1);
-  if (first) toast(`The race is over. First: ${view.entrants[first.entrant]?.title}, ${percent(first.coverage)} % in ${clock(first.won_s ?? first.time_s)}`);
+  if (!first) return;
+  const stopped = race.lanes.filter(({ finished }) => !finished).length;
+  const rest = stopped === 0 ? "" : ` Behaviours that don't stop were stopped at ${clock(race.time_s)}.`;
+  toast(`The race is over. First: ${view.entrants[first.entrant]?.title}, ${percent(first.coverage)} % in ${clock(first.won_s ?? first.time_s)}.${rest}`);
 }
 
 /** @param {Comparing} it */

@@ -21,7 +21,7 @@ const RUN = [
   { metric: "overlap", plan: (p) => 100 * p.overlap, run: (v) => 100 * v.overlap },
   { label: "Bumps", tip: "How often the bumper touched a wall or furniture.", run: (v) => count(v.bumps) },
   { label: "Position error", tip: "Distance between the true position and the one estimated from wheel counts.", run: (v) => smallLength(v.pose_error_m) },
-  { label: "Dirt left", tip: "Share of the room's dirt not picked up yet.", run: (v) => `${percent(v.dirt_left ?? 0, 0)} %`, when: (v) => v.dirt_left !== null },
+  { label: "Dirt left", tip: "Share of the room's dirt not picked up yet.", run: (v) => `${percent(v.dirt_left ?? 0)} %`, when: (v) => v.dirt_left !== null },
 ];
 
 /** @type {(Line | MetricLine)[]} */

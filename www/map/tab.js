@@ -155,7 +155,7 @@ function show(view) {
   // A robot that has come to its end would look as if it hung; one that is lost has explored less, and says so itself.
   const isDone = view.phase === "finished" && view.is_sure !== false && view.time_s > 0;
   const next = view.can.clean ? " Next: clean with this map." : "";
-  const done = view.program ? view.activity || `The program has ended.${next}` : `Done: nothing left to explore.${next}`;
+  const done = view.program ? view.activity || `The program has ended.${next}` : `Done: the robot found nothing more to explore.${next}`;
   const activity = isDone && !view.is_cleaning ? done : view.activity;
   setText(byId("map-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");
   const sure = view.is_sure === null ? "" : view.is_sure ? "Relocalised" : view.figures?.position_m === null ? "Lost" : "Relocalising";
