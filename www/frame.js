@@ -3,6 +3,7 @@
 import { byId, make, setText } from "./dom.js";
 import { toast } from "./messages.js";
 import { style } from "./parts.js";
+import { isOnFloor } from "./tabs.js";
 import { caption } from "./show.js";
 
 /** Set by the head of the page, too. */
@@ -33,7 +34,14 @@ function linkToPage(app) {
   };
   lead();
   for (const sign of ["pointerdown", "focus"]) link.addEventListener(sign, lead);
-  byId("stage").append(link);
+  // Other tabs have room for it above them.
+  const place = () => {
+    if (isOnFloor()) byId("stage").append(link);
+    else document.body.prepend(link);
+    setText(what, app.view.room.title);
+  };
+  place();
+  document.addEventListener("tab", place);
   return () => setText(what, caption(app)[0] ?? "");
 }
 

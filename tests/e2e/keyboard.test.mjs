@@ -108,6 +108,9 @@ test("the time line follows the arrow keys", async (t) => {
   await page.keyboard.press("Home");
   await app.until("ready");
   assert.equal((await app.numbers()).time, 0);
+  // What was recorded lies ahead.
+  await page.keyboard.press("PageUp");
+  await app.numbersThat((now) => now.time > 0);
 });
 
 test("draws walls by arrow keys and enter", async (t) => {

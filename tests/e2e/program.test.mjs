@@ -78,7 +78,7 @@ test("what a call takes is told while it is written, and a double click takes a 
 });
 
 test("an endless loop is ended, its line named, and the text is untouched", async (t) => {
-  const { page } = await openProgram(t);
+  const { page, app } = await openProgram(t);
   const source = "let n = 0;\nfunction step(robot) {\n  robot.go(0.2);\n  if (robot.time > 1)\n    while (true) n += 1;\n}\n";
   await page.locator("#program-list").selectOption("turn_when_you_bump.javascript");
   await page.locator(".cm-content", { hasText: "function step" }).waitFor();
@@ -88,6 +88,8 @@ test("an endless loop is ended, its line named, and the text is untouched", asyn
   await page.getByRole("alert").filter({ hasText: "never ends" }).waitFor();
   await page.getByRole("button", { name: "Line 5" }).waitFor();
   assert.equal(await text(page), source);
+  // Nor does the run go on.
+  await app.until("paused", "ready");
   // The next run is as any.
   await write(page, source.replace("true", "false"));
   await page.keyboard.press("Control+Enter");
@@ -129,6 +131,7 @@ test("scrubbing back shows variables, prints and the line of that time", async (
   await page.keyboard.press("Control+Enter");
   await page.locator("#program-watch summary").click();
   await page.waitForFunction(() => document.getElementById("events").textContent.includes("tick 200"));
+  await page.locator("#program-printed").filter({ hasText: /^Printed: tick \d+00$/ }).waitFor();
   await page.getByRole("button", { name: "Pause" }).click();
   const ticks = () => page.locator("#program-variables tr", { hasText: "ticks" }).locator("td").textContent();
   const step = async () => Number((await page.locator("#program-moment").textContent()).replace(/.*step |,/g, ""));
@@ -229,6 +232,22 @@ test("a link opens the program elsewhere, where it waits to be read", async (t) 
   assert.equal(await page.locator("#program-status").textContent(), "Not run yet: read it first");
   await page.locator("#program-run").click();
   await driven(page);
+});
+
+test("a program that was stopped runs on when the run is played, and can be stopped again", async (t) => {
+  const { page, app } = await openProgram(t);
+  await driven(page);
+  const stop = page.locator("#program-stop");
+  await stop.click();
+  await app.until("paused");
+  await page.locator("#program-status").filter({ hasText: "Stopped" }).waitFor();
+  assert.equal(await stop.isDisabled(), true);
+  const before = seconds(await time(page));
+  await page.getByRole("button", { name: "Play", exact: true }).click();
+  await page.locator("#program-stop:enabled").waitFor();
+  await app.poll(() => time(page), (now) => seconds(now) > before);
+  await stop.click();
+  await app.until("paused");
 });
 
 test("a planner in Python plans, and a wrong one is told what is wrong", async (t) => {

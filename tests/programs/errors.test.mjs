@@ -37,6 +37,7 @@ const MISTAKES = [
   ["python", "def step(robot):\n    if robot.bump && robot.cliff: pass\n", 2, /Python writes "and"/],
   ["python", "def step(robot):\n    if bump: pass\n", 2, /did you mean robot\.bump\?/],
   ["python", "def step(robot):\n    x = sin(1)\n", 2, /write import math in the first line/],
+  ["python", "robot.go(0.2)\ndef step(robot):\n    pass\n", 1, /robot' isn't defined; it is known inside def step\(robot\)/],
   ["python", "def step(robot):\n    x = true\n", 2, /did you mean True\?/],
   ["python", "def step():\n    pass\n", 1, /write def step\(robot\):/],
   ["python", "def step(robot):\n    if robot.bump(): pass\n", 2, /robot\.bump is a reading, no function/],

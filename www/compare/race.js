@@ -123,7 +123,7 @@ function updateLanes({ view }, race) {
     setHidden(fault, failure === "");
     setText(fault, failure);
     const isLate = !isDone && lane.time_s < 0.9 * race.time_s - 1;
-    setText(output, `${isLate ? `catching up, at ${clock(lane.time_s)}: ` : ""}${percent(lane.coverage)} %${isDone ? ` ${failure ? "until" : "in"} ${clock(lane.won_s ?? lane.time_s)}` : ""}`);
+    setText(output, `${isLate ? `catching up, at ${clock(lane.time_s)}: ` : ""}${percent(lane.coverage)} %${isDone ? ` ${failure ? "until" : "in"} ${clock(lane.won_s ?? lane.time_s)}` : race.state === "finished" ? " at the end" : ""}`);
     setAttribute(pane, "data-leads", String(lane.place === 1 && race.time_s > 0));
     // While it drives, the picture is put into words now and then; while it stands, the words fit it.
     const far = isMoving(race) ? Math.floor(lane.coverage * 10) : lane.time_s;

@@ -113,7 +113,7 @@ export function startConnection(app, module, guard) {
     }
     isFresh = true;
     setAttribute(document.body, "data-robot", view.is_open ? "open" : "");
-    guard(() => it.live.update(it.view, way));
+    guard(() => it.live.update(it.view, isOver ? new Float64Array() : way));
     way = new Float64Array();
   };
   const follow = (/** @type {Float64Array} */ trace) => void (way = trace);

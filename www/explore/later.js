@@ -81,7 +81,7 @@ export async function startLater(app) {
       () => import("./film.js").then(({ startFilm }) => startFilm(app)),
     ),
   ];
-  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips(app)), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), ideas(app), import("../learn/offer.js").then(({ offerTour }) => offerTour(app))])).then(whenIdle).catch(console.warn);
+  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips(app)), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), ideas(app)])).then(whenIdle).catch(console.warn);
   setTimeout(() => ideas(app).catch(console.warn), WATCHED);
   const view = app.playground.view();
   updateFolds(view);
@@ -94,10 +94,10 @@ export async function startLater(app) {
 /** What nobody waits for. */
 const whenIdle = () => (window.requestIdleCallback ?? setTimeout)(() => void import("../offline/register.js").then(({ startOffline }) => startOffline()).catch(console.warn));
 
-/** @type {Promise<void> | undefined} */
+/** @type {Promise<unknown> | undefined} */
 let offered;
 /** @param {import("../main.js").App} app */
-const ideas = (app) => (offered ??= import("./try.js").then(({ startTry }) => startTry(app)));
+const ideas = (app) => (offered ??= Promise.all([import("./try.js").then(({ startTry }) => startTry(app)), import("../learn/offer.js").then(({ offerTour }) => offerTour(app))]));
 
 const help = () => import("../help.js").then(({ fillHelp }) => fillHelp(byId("help-text")));
 

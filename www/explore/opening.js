@@ -3,7 +3,7 @@
 import { byId, setText } from "../dom.js";
 import { percent } from "../format.js";
 
-const OPENED = ": first 10 minutes done";
+const OPENED = ": after 10 minutes";
 
 /** Explains for a while why the robot has already cleaned. */
 export function tellOpening() {

@@ -47,8 +47,7 @@ export class ProgramRun {
 
   /** Runs a program from the start of the room. @param {Program} program @param {boolean} plays */
   async start(program, plays) {
-    // What one program has done to its worker is none of another's business.
-    // And a loop whose line is looked for doesn't hold up what comes next.
+    // What one program has done to its worker is none of another's business, nor is a loop whose line is looked for.
     if (program.id !== this.program?.id || this.#doubt.until) this.#hired.end();
     this.program = program;
     this.#set("loading", undefined);
@@ -191,10 +190,11 @@ export class ProgramRun {
   frame() {
     const { program } = this.#app.view;
     if (!program || program.reach_steps === null || this.#doubt.until || this.state === "loading" || this.state === "idle") return;
-    if (this.state !== "stopped" && this.#stage.changes()) {
-      // The same program, from there on.
+    const isNew = this.state === "stopped" ? this.#stage.isResumed() : this.#stage.changes();
+    if (isNew) {
       this.#set("running", undefined);
       void this.#launch(program.reach_steps);
     } else if (this.state === "running") this.#goOn();
+    else if (program.waits && this.#app.view.state === "playing") this.#stage.pause();
   }
 }

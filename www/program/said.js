@@ -20,6 +20,11 @@ export class Said {
     this.version += 1;
   }
 
+  /** What was printed last up to a step. @param {number} until @returns {Output | undefined} */
+  printed(until) {
+    return this.all.findLast(({ kind, step = 0 }) => kind === "print" && step <= until);
+  }
+
   /** Forgets what comes after a step. @param {number} from */
   cut(from) {
     this.all = this.all.filter(({ step = 0 }) => step < from);

@@ -17,6 +17,8 @@ export class Stage {
   /** Its request for a plan. @type {PlanRequest | undefined} */
   #request;
   #began = 0;
+  /** Whether the run was seen to stand since it was paused from here. */
+  #isPaused = false;
   /** Rounds corners of plans, and proves how good they are. */
   #judge;
 
@@ -41,6 +43,14 @@ export class Stage {
   /** What is shown, steps. */
   get shown() {
     return Math.round(this.#app.view.time_s / STEP);
+  }
+
+  /** Whether somebody has the run play on since it was paused; once. */
+  isResumed() {
+    const [wasPaused, isPlaying] = [this.#isPaused, this.#app.view.state === "playing"];
+    this.#isPaused = !isPlaying;
+    if (isPlaying) this.changes();
+    return wasPaused && isPlaying;
   }
 
   /** For the sandbox. */
@@ -77,6 +87,7 @@ export class Stage {
   }
 
   pause() {
+    this.#isPaused = false;
     this.#app.act((p) => p.pause());
   }
 

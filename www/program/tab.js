@@ -32,7 +32,9 @@ export async function startProgram(app) {
   let isHeld = false;
   const editor = new Editor(byId("program-editor"), { changed: () => edited(), run: () => byHand(), stop: () => run.stop(), marked: () => void marked() });
   const run = new ProgramRun(app, () => show());
-  const watch = new Watch(app, run, (line) => editor.light((line && stops.line) || line));
+  /** Where it failed, the line of the fault is marked. */
+  const hasFailed = () => run.fault !== undefined && app.view.time_s >= run.fault.step * STEP - 1e-6;
+  const watch = new Watch(app, run, (line) => editor.light(hasFailed() ? 0 : (line && stops.line) || line));
   const stops = new Stops(app, run);
   const tellNames = startNames(() => editor.language);
   const shelf = await new Shelf({
@@ -126,6 +128,9 @@ export async function startProgram(app) {
     if (isHeld && currentTab() === "program" && app.view.state === "playing") app.act((p) => p.pause());
     if (currentTab() !== "program") return;
     setText(byId("program-status"), status());
+    const printed = app.view.program && run.said.printed(Math.round(app.view.time_s / STEP));
+    setHidden(byId("program-printed"), !printed);
+    if (printed) setText(byId("program-printed"), `Printed: ${String(printed.text ?? "").slice(0, 200)}`);
     watch.frame();
   };
   requestAnimationFrame(frame);

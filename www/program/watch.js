@@ -100,6 +100,7 @@ export class Watch {
   /** @param {[name: string, text: string, type: string][]} variables @param {number} step */
   #show(variables, step) {
     setHidden(byId("program-no-variables"), variables.length > 0);
+    setText(byId("program-no-variables"), step ? "This program has no variables that last from step to step." : "Run the program to see its variables.");
     // Where it rests, a digest to compare with `robovac run`.
     const digest = this.#app.view.state !== "playing" && Math.round(this.#app.view.time_s / STEP) === step ? this.#app.playground.digest() : undefined;
     setText(byId("program-moment"), variables.length || step ? `at ${clock(step * STEP)}, step ${step.toLocaleString("en")}` : "");

@@ -55,6 +55,8 @@ def hinted(message):
 
 def _meant(name):
     """What a name that isn't defined may mean."""
+    if name == "robot":
+        return "; it is known inside def step(robot) and def run(robot) only"
     if name in names:
         return "; did you mean robot.%s?" % name
     if hasattr(math, name):
