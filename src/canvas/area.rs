@@ -25,8 +25,9 @@ impl CanvasArea {
     /// Where the scene's moving parts are: robot, estimate, trails.
     pub fn of_moving(scene: &Scene<'_>, viewport: &Viewport) -> Self {
         let mut area = Self::NONE;
+        let around = beside(scene) * viewport.scale + MARGIN;
         for point in scene.trail.iter().chain(scene.believed) {
-            area.add(viewport.to_screen(*point), MARGIN);
+            area.add(viewport.to_screen(*point), around);
         }
         if let Some(view) = &scene.robot {
             let body = REACH * (view.radius * viewport.scale).max(robot::LEAST_RADIUS);
@@ -55,8 +56,7 @@ impl CanvasArea {
         // A cell fades into its neighbours.
         let (low, high) = (row * (rows.0 as f64 - 2.0), row * (rows.1 as f64 + 3.0));
         let mut area = Self::NONE;
-        let has_dirt = scene.life.is_some_and(|life| !life.spots().is_empty());
-        let beside = scene.robot.filter(|_| has_dirt).map_or(0.0, |view| view.radius + BRUSHED);
+        let beside = beside(scene);
         area.add(viewport.to_screen(Point::new(0.0, low - beside)), MARGIN);
         area.add(viewport.to_screen(Point::new(scene.plan.width_m(), high + beside)), MARGIN);
         area
@@ -84,6 +84,12 @@ impl CanvasArea {
         let is_most = width.max(0.0) * height.max(0.0) > MOST * size.x * size.y;
         (!is_most).then_some([left, top, width.max(0.0), height.max(0.0)])
     }
+}
+
+/// How far from the robot's way dirt can have gone, m.
+fn beside(scene: &Scene<'_>) -> f64 {
+    let has_dirt = scene.life.is_some_and(|life| !life.spots().is_empty());
+    scene.robot.filter(|_| has_dirt).map_or(0.0, |view| view.radius + BRUSHED)
 }
 
 #[cfg(test)]

@@ -236,6 +236,7 @@ test("a link opens the program elsewhere, where it waits to be read", async (t) 
 
 test("a program that was stopped runs on when the run is played, and can be stopped again", async (t) => {
   const { page, app } = await openProgram(t);
+  await app.linked("behaviour", (value) => value === "program");
   await driven(page);
   const stop = page.locator("#program-stop");
   await stop.click();
