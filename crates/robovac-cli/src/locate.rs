@@ -42,6 +42,7 @@ pub struct Arguments {
 #[derive(Serialize)]
 struct LocateTrial {
     seed: u64,
+    first_s: Option<f64>,
     found_s: Option<f64>,
     deluded_s: f64,
     error_m: Option<f64>,
@@ -92,6 +93,15 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     if let Some((half, most)) = quantile(&found, 0.5).zip(quantile(&found, 0.9)) {
         let _ = writeln!(text, "relocalised after {half:.0} s (median), {most:.0} s (90 %)");
     }
+    let first = sorted(trials.iter().filter_map(|t| t.first_s));
+    if let Some((half, most)) = quantile(&first, 0.5).zip(quantile(&first, 0.9)) {
+        let deluded_s: f64 = trials.iter().map(|t| t.deluded_s).sum();
+        let _ = writeln!(
+            text,
+            "{} for the first time after {half:.0} s (median), {most:.0} s (90 %); confident but wrong for {deluded_s:.1} s of all trials",
+            first.len(),
+        );
+    }
     let errors = sorted(trials.iter().filter(|t| t.found_s.is_some()).filter_map(|t| t.error).map(|e| 100.0 * e.0));
     if let Some((half, most)) = quantile(&errors, 0.5).zip(quantile(&errors, 0.9)) {
         let _ = writeln!(text, "final error {half:.1} cm (median), {most:.1} cm (90 %)");
@@ -113,6 +123,7 @@ impl LocateTrial {
     fn of(trial: &Kidnapped) -> Self {
         Self {
             seed: trial.seed,
+            first_s: trial.first_s,
             found_s: trial.found_s,
             deluded_s: trial.deluded_s,
             error_m: trial.error.map(|e| e.0),

@@ -51,7 +51,10 @@ pub struct Kidnapping<'a> {
 pub struct Kidnapped {
     /// Seed of everything random in it.
     pub seed: u64,
-    /// Time from being put down until it was sure of the right place, to the end, s; `None` if never.
+    /// Time from being put down until it was first sure of the right place, s; `None` if never. What goes wrong later is a
+    /// matter of tracking.
+    pub first_s: Option<f64>,
+    /// The same until it was so to the end.
     pub found_s: Option<f64>,
     /// Time for which it was sure of a wrong place, s.
     pub deluded_s: f64,
@@ -72,7 +75,7 @@ impl Kidnapping<'_> {
         let at = places[rng.random_range(0..places.len())];
         let pose = Pose::new(at.x, at.y, rng.random_range(-math::PI..math::PI));
         let mut run = self.prepared.run_behaviour(self.behaviour, self.params, self.conditions, seed)?;
-        let (mut found, mut deluded) = (None, 0_u64);
+        let (mut first, mut found, mut deluded) = (None, None, 0_u64);
         let steps = (self.duration_s / STEP_S).round() as u64;
         for step in 0..BEFORE + IN_THE_AIR + steps {
             match step {
@@ -85,7 +88,10 @@ impl Kidnapping<'_> {
             let Some(after) = step.checked_sub(BEFORE + IN_THE_AIR) else { continue };
             let off = locator.pose().map(|pose| (pose.position() - run.pose().position()).norm());
             match (locator.is_sure(), off) {
-                (true, Some(off)) if off < RIGHT_M => found = found.or(Some(after)),
+                (true, Some(off)) if off < RIGHT_M => {
+                    first = first.or(Some(after));
+                    found = found.or(Some(after));
+                }
                 (true, _) => (found, deluded) = (None, deluded + 1),
                 _ => {}
             }
@@ -97,6 +103,7 @@ impl Kidnapping<'_> {
         let is_right = locator.is_sure() && error.is_some_and(|(off, _)| off < RIGHT_M);
         Some(Kidnapped {
             seed,
+            first_s: first.map(|step| step as f64 * STEP_S),
             found_s: found.filter(|_| is_right).map(|step| step as f64 * STEP_S),
             deluded_s: deluded as f64 * STEP_S,
             error,

@@ -27,6 +27,9 @@
 //!   for each 5 cm, so that a point of a wall corrects the pose across the wall only. Points of one wall share most of
 //!   their error. Patches added on the last few metres share the error of the present pose and can't correct it, so
 //!   they count little.
+//! - *Own error*: the filter's covariance is that of the place on the map. The map itself is as wrong as the pose was when it
+//!   was mapped. What the pose's error in the room is then is tracked beside it: it is what the mapper reports, and corrects
+//!   nothing. It still assumes a hard floor.
 //! - *Right angles*: a wall that is nearly parallel or perpendicular to the others is taken to be so, with a
 //!   probability that is learnt from the walls met so far. Where most aren't, as in an attic, this stops by itself.
 //! - *Reprocessing*: after 10, 25 and 60 m, when the wheels are known better, all readings so far are processed again,

@@ -9,6 +9,12 @@ pub(super) struct NormalEquations {
     pub information: Matrix6<f64>,
     /// Half the sum's derivative.
     pub gradient: Vector6<f64>,
+    /// Covariance of the gradient by errors of the observations, without what they have in common with others.
+    pub noise: Matrix6<f64>,
+    /// The part of the information that comes from the map, and the covariance of the errors of the pose from which that was
+    /// mapped, times a weight, with the sum of these weights.
+    pub mapped: Matrix3<f64>,
+    pub drift: (Matrix3<f64>, f64),
 }
 
 /// Residuals of the pose with a common error: points of one wall are all nearer or all farther than they seem.
@@ -35,7 +41,9 @@ impl NormalEquations {
 
     /// A residual `off` with its derivatives `row`; `weight` is one over its variance.
     pub fn add(&mut self, row: &Vector6<f64>, off: f64, weight: f64) {
-        self.information += row * row.transpose() * weight;
+        let information = row * row.transpose() * weight;
+        self.information += information;
+        self.noise += information;
         self.gradient += row * (off * weight);
     }
 
@@ -59,6 +67,9 @@ impl NormalEquations {
         let gradient = group.gradient - group.rows * (factor * group.off);
         let mut block = self.information.fixed_view_mut::<3, 3>(0, 0);
         block += information * news;
+        let mut block = self.noise.fixed_view_mut::<3, 3>(0, 0);
+        block += information * (news * news);
+        self.mapped += information * news;
         let mut head = self.gradient.fixed_rows_mut::<3>(0);
         head += gradient * news;
     }

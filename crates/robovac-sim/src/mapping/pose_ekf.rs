@@ -35,6 +35,8 @@ const NEWS: (f64, f64, f64) = (0.02, 0.3, 25.0);
 const FRAME: (f64, f64) = (0.8, 0.006);
 /// Residuals of more than this many standard deviations count little.
 const OUTLIER: f64 = 1.5;
+/// Added to variances, so that they aren't singular.
+const TINY: f64 = 1e-12;
 /// Rounds of the search for the likeliest pose.
 const ROUNDS: usize = 4;
 /// Indices into the state: pose, wheels, and the direction of the room's walls modulo a right angle.
@@ -47,6 +49,11 @@ const AXIS: usize = 5;
 pub(super) struct PoseEkf {
     state: Vector6<f64>,
     covariance: Matrix6<f64>,
+    /// Covariance of the error in the room. That above is the uncertainty of the place on the map, which decides how much an
+    /// observation counts; but the map itself is as wrong as the pose was when it was mapped.
+    error: Matrix6<f64>,
+    /// The error of the pose after some distances driven, m.
+    errors: Vec<(f64, Matrix3<f64>)>,
     /// Length of walls along the room's axes, and of all, m; `None` while no axes are known.
     squared: Option<[f64; 2]>,
     /// Distance driven since the start, m.
@@ -58,9 +65,12 @@ impl PoseEkf {
     pub fn new(start: Pose) -> Self {
         let state = Vector6::new(start.x, start.y, start.heading, 0.0, 0.0, 0.0);
         let deviations = Vector6::new(1e-3, 1e-3, 1e-3, UNEQUAL, BASE, FRAME.1);
+        let covariance = Matrix6::from_diagonal(&deviations.component_mul(&deviations));
         Self {
             state,
-            covariance: Matrix6::from_diagonal(&deviations.component_mul(&deviations)),
+            covariance,
+            error: covariance,
+            errors: Vec::new(),
             squared: Some([FRAME.0, 1.0]),
             driven: 0.0,
             boundary: BoundaryPatches::new(),
@@ -69,7 +79,7 @@ impl PoseEkf {
 
     /// The same without the boundary.
     pub fn bare(&self) -> Self {
-        Self { boundary: BoundaryPatches::new(), ..*self }
+        Self { boundary: BoundaryPatches::new(), errors: Vec::new(), ..*self }
     }
 
     /// Pose at the end of the last stretch.
@@ -90,6 +100,7 @@ impl PoseEkf {
             self.state[i] = other.state[i];
             let variance = unsure * unsure * other.covariance[(i, i)];
             self.covariance[(i, i)] = variance.min(self.covariance[(i, i)]);
+            self.error[(i, i)] = self.covariance[(i, i)];
         }
     }
 
@@ -97,9 +108,9 @@ impl PoseEkf {
         WheelErrors { unequal: self.state[UNEQUAL_AT], base: self.state[BASE_AT] }
     }
 
-    /// Uncertainty of the pose: covariance of x, y and heading.
+    /// Uncertainty of the pose in the room: covariance of x, y and heading.
     pub fn pose_covariance(&self) -> Matrix3<f64> {
-        self.covariance.fixed_view::<3, 3>(0, 0).into()
+        self.error.fixed_view::<3, 3>(0, 0).into()
     }
 
     /// Sets another pose, with its uncertainty.
@@ -107,23 +118,27 @@ impl PoseEkf {
         (self.state[0], self.state[1], self.state[HEADING]) = (pose.x, pose.y, pose.heading);
         self.loosen(spread);
         let [xx, xy, yy] = spread.position;
-        for i in 0..3 {
-            self.covariance.row_mut(i).fill(0.0);
-            self.covariance.column_mut(i).fill(0.0);
+        for covariance in [&mut self.covariance, &mut self.error] {
+            for i in 0..3 {
+                covariance.row_mut(i).fill(0.0);
+                covariance.column_mut(i).fill(0.0);
+            }
+            (covariance[(0, 0)], covariance[(1, 1)]) = (xx.max(1e-8), yy.max(1e-8));
+            (covariance[(0, 1)], covariance[(1, 0)]) = (xy, xy);
+            covariance[(HEADING, HEADING)] = (spread.heading * spread.heading).max(1e-8);
         }
-        (self.covariance[(0, 0)], self.covariance[(1, 1)]) = (xx.max(1e-8), yy.max(1e-8));
-        (self.covariance[(0, 1)], self.covariance[(1, 0)]) = (xy, xy);
-        self.covariance[(HEADING, HEADING)] = (spread.heading * spread.heading).max(1e-8);
     }
 
     /// Increases the uncertainty of the pose.
     pub fn loosen(&mut self, by: &PoseCovariance) {
         let [xx, xy, yy] = by.position;
-        self.covariance[(0, 0)] += xx;
-        self.covariance[(0, 1)] += xy;
-        self.covariance[(1, 0)] += xy;
-        self.covariance[(1, 1)] += yy;
-        self.covariance[(HEADING, HEADING)] += by.heading * by.heading;
+        for covariance in [&mut self.covariance, &mut self.error] {
+            covariance[(0, 0)] += xx;
+            covariance[(0, 1)] += xy;
+            covariance[(1, 0)] += xy;
+            covariance[(1, 1)] += yy;
+            covariance[(HEADING, HEADING)] += by.heading * by.heading;
+        }
     }
 
     /// Advances by a stretch.
@@ -141,10 +156,12 @@ impl PoseEkf {
         for i in 0..3 {
             self.state[i] += shift[i];
         }
-        self.covariance = change * self.covariance * change.transpose();
         let noise = turn * way.noise * turn.transpose();
-        let mut block = self.covariance.fixed_view_mut::<3, 3>(0, 0);
-        block += noise;
+        for covariance in [&mut self.covariance, &mut self.error] {
+            *covariance = change * *covariance * change.transpose();
+            let mut block = covariance.fixed_view_mut::<3, 3>(0, 0);
+            block += noise;
+        }
     }
 
     /// Corrects the state by the observations of the stretch that ends here: the likeliest state is searched for by
@@ -183,6 +200,7 @@ impl PoseEkf {
         let fit = surfaces.compare(self.pose(), scan);
         let mut axes = fit.untold().peekable();
         if axes.peek().is_none() {
+            self.error = self.covariance;
             return fit;
         }
         for axis in axes {
@@ -190,6 +208,7 @@ impl PoseEkf {
             self.state += along * along.dot(&(state - self.state));
             self.covariance += along * along.transpose() * along.dot(&((covariance - self.covariance) * along));
         }
+        self.error = self.covariance;
         surfaces.compare(self.pose(), scan)
     }
 
@@ -232,15 +251,55 @@ impl PoseEkf {
             }
             let change = (state - self.state).fixed_rows::<3>(0).norm();
             self.state = state;
-            shrinks = Some(inverse);
+            shrinks = Some((inverse, equations));
             if change < 1e-4 {
                 break;
             }
         }
-        if let Some(inverse) = shrinks {
+        if let Some((inverse, equations)) = shrinks {
             let covariance = inverse * self.covariance;
             self.covariance = 0.5 * (covariance + covariance.transpose());
+            self.share_errors(&inverse, &equations);
         }
+    }
+
+    /// The error after a correction by the map, of which `keeps` is what remains of the one before.
+    ///
+    /// Both the pose's error and the map's are sums of what the wheels did wrong until then. So the smaller one is a part of the
+    /// larger one, which no correction takes away: boundary that was just mapped corrects nothing, and older one at most to the
+    /// error that the pose had when it was mapped.
+    fn share_errors(&mut self, keeps: &Matrix6<f64>, equations: &NormalEquations) {
+        let own = self.pose_covariance() + Matrix3::identity() * TINY;
+        let (drift, weight) = equations.drift;
+        let mut error = keeps * self.error * keeps.transpose();
+        if weight > 0.0
+            && let Some(root) = own.cholesky().map(|own| own.l())
+            && let Some(inverse) = root.try_inverse()
+        {
+            let map = drift / weight;
+            let compared = inverse * map * inverse.transpose();
+            if !compared.iter().all(|value| value.is_finite()) {
+                return;
+            }
+            let compared = compared.symmetric_eigen();
+            let axes = root * compared.eigenvectors;
+            let both =
+                axes * Matrix3::from_diagonal(&compared.eigenvalues.map(|share| share.min(1.0))) * axes.transpose();
+            // How the whole state's error goes with that of the pose.
+            let goes = self.error.fixed_view::<6, 3>(0, 0) * (inverse.transpose() * inverse);
+            let left = keeps * goes;
+            let takes = self.covariance.fixed_view::<6, 3>(0, 0) * equations.mapped;
+            error += (left + takes) * both * (left + takes).transpose() - left * both * left.transpose();
+            error += takes * (map - both) * takes.transpose();
+        }
+        error += self.covariance * equations.noise * self.covariance;
+        self.error = 0.5 * (error + error.transpose());
+    }
+
+    /// Covariance of the pose's error when it had driven that far, m.
+    fn error_at(&self, driven: f64) -> Matrix3<f64> {
+        let index = self.errors.partition_point(|(at, _)| *at < driven - 1e-3);
+        self.errors.get(index).map_or_else(|| self.pose_covariance(), |(_, error)| *error)
     }
 
     /// Learns the room's axes from walls, after the pose is corrected.
@@ -250,12 +309,14 @@ impl PoseEkf {
             let Some([along, all]) = self.squared else {
                 // The first wall: its direction is as uncertain as the heading, with the same error.
                 self.state[AXIS] = direction;
-                for i in 0..5 {
-                    let shared = self.covariance[(HEADING, i)];
-                    (self.covariance[(AXIS, i)], self.covariance[(i, AXIS)]) = (shared, shared);
-                }
                 let own = wall.deviation * wall.deviation + SQUARE * SQUARE;
-                self.covariance[(AXIS, AXIS)] = self.covariance[(HEADING, HEADING)] + own;
+                for covariance in [&mut self.covariance, &mut self.error] {
+                    for i in 0..5 {
+                        let shared = covariance[(HEADING, i)];
+                        (covariance[(AXIS, i)], covariance[(i, AXIS)]) = (shared, shared);
+                    }
+                    covariance[(AXIS, AXIS)] = covariance[(HEADING, HEADING)] + own;
+                }
                 self.squared = Some([wall.length, wall.length]);
                 continue;
             };
@@ -334,13 +395,20 @@ impl PoseEkf {
             let ratio = off * off / (OUTLIER * OUTLIER * (own + shared + predicted));
             let trust = 1.0 / ((1.0 + ratio) * (1.0 + ratio));
             let age = ((self.driven - surface.found) / NEWS.2).min(1.0);
-            group.add(&row, off, trust / own, shared, NEWS.0 + (NEWS.1 - NEWS.0) * age);
+            let news = NEWS.0 + (NEWS.1 - NEWS.0) * age;
+            group.add(&row, off, trust / own, shared, news);
+            let (drift, weight) = &mut equations.drift;
+            *drift += self.error_at(surface.found) * (news * trust / own);
+            *weight += news * trust / own;
         }
         equations.add_group(&group);
     }
 
     /// Adds the points to the boundary patches.
     pub fn draw(&mut self, points: &[BoundaryPoint]) {
+        if self.errors.last().is_none_or(|(driven, _)| *driven < self.driven) {
+            self.errors.push((self.driven, self.pose_covariance()));
+        }
         let pose = self.pose();
         let ahead = pose.direction();
         for point in points.iter().filter(|point| point.is_oriented) {
@@ -354,7 +422,7 @@ impl PoseEkf {
 
     /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
-        self.boundary.bytes()
+        self.boundary.bytes() + self.errors.len() * size_of::<(f64, Matrix3<f64>)>()
     }
 }
 
@@ -366,6 +434,38 @@ pub(super) fn quarter(angle: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use robovac_core::robot::{OdometryModel, model};
+
+    #[test]
+    fn a_wall_tells_the_place_no_better_than_it_was_known_when_the_wall_was_mapped() {
+        let known = 0.05;
+        let mut ekf = PoseEkf::new(Pose::new(0.0, 0.0, 0.0));
+        ekf.loosen(&PoseCovariance { position: [known * known, 0.0, known * known], heading: 0.0 });
+        let point = |i| BoundaryPoint {
+            at: Point::new(0.05 * f64::from(i), 0.3),
+            normal: Vector::new(0.0, -1.0),
+            is_oriented: true,
+            own: 0.004,
+            shared: 0.004,
+            group: 0,
+            middle: None,
+        };
+        let points: Vec<BoundaryPoint> = (-10..=10).map(point).collect();
+        ekf.draw(&points);
+        for _ in 0..60 {
+            let mut way = Reckoning::new(model("roomba600").unwrap(), OdometryModel::Arc, ekf.wheels());
+            for step in 0..24 {
+                let ahead = if step < 12 { 0.02 } else { -0.02 };
+                way.roll([ahead, ahead, 0.0], None);
+            }
+            way.settle();
+            ekf.advance(&way);
+            ekf.correct(&Features { points: points.clone(), ..Features::default() });
+        }
+        let [on_map, in_room] = [&ekf.covariance, &ekf.error].map(|covariance| covariance[(1, 1)].sqrt());
+        assert!(on_map < 0.01, "{on_map}");
+        assert!((0.9 * known..1.3 * known).contains(&in_room), "{in_room}");
+    }
 
     #[test]
     fn angles_modulo_a_right_angle() {

@@ -334,8 +334,8 @@ impl Locator {
 
     /// Moves the particles of the best place to where the scan fits best.
     fn polish(&mut self, scans: &ScanSearch, scan: &ScanReading) {
-        let Some(Estimate { pose, .. }) = self.estimate else { return };
-        let Some(best) = scans.polished(scan, pose) else { return };
+        let Some(Estimate { pose, covariance, .. }) = self.estimate else { return };
+        let Some(best) = scans.polished(scan, pose, &covariance) else { return };
         self.particles.shift(pose, best);
         if let Some(estimate) = &mut self.estimate {
             estimate.pose = best;
