@@ -10,6 +10,8 @@ import { caption } from "./show.js";
 const ALONE = "embed";
 /** Letters of a link that is printed at most: more lines are of no use. */
 const LONGEST = 700;
+/** How often other tabs name their room, ms. */
+const NAMED = 500;
 
 /** @param {import("./main.js").App} app @returns {Promise<() => void>} */
 export async function startFrame(app) {
@@ -38,9 +40,10 @@ function linkToPage(app) {
   const place = () => {
     if (isOnFloor()) byId("stage").append(link);
     else document.body.prepend(link);
-    setText(what, app.view.room.title);
   };
   place();
+  // No frame of Explore's calls what is returned there.
+  setInterval(() => isOnFloor() || setText(what, app.view.room.title), NAMED);
   document.addEventListener("tab", place);
   return () => setText(what, caption(app)[0] ?? "");
 }

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import { test } from "node:test";
 import { openApp } from "./app.mjs";
+import { openPage } from "./harness.mjs";
 
 test("a picture of the floor with its numbers", async (t) => {
   const { app } = await openApp(t, { address: "#room=lshape&planner=snake&speed=64" });
@@ -71,6 +72,16 @@ test("in a frame of another page there are floor and play bar alone, and the way
   await screenshot("embed-end");
   const [end, stage] = [await page.locator("#ending").boundingBox(), await page.locator("#stage").boundingBox()];
   assert.ok(end.height <= 48 && end.y + end.height < stage.y + 0.3 * stage.height, JSON.stringify(end));
+});
+
+test("a frame with the tab Compare names the room, and is the way to the whole page", async (t) => {
+  const { page } = await openPage(t, { address: "?embed#room=lshape&tab=compare", viewport: { width: 720, height: 540 } });
+  await page.locator("#race-play").waitFor();
+  const link = page.locator("a.to-page");
+  await link.filter({ hasText: /^L-shaped room.*Robovac Playground$/ }).waitFor();
+  await link.focus();
+  const address = new URL(await link.getAttribute("href"), page.url());
+  assert.deepEqual([address.search, new URLSearchParams(address.hash.slice(1)).get("tab")], ["", "compare"]);
 });
 
 test("copying a link offers the HTML for a frame, which leads to the same", async (t) => {
