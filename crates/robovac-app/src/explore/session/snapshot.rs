@@ -142,7 +142,9 @@ impl Session {
             cancel: state.allows(Action::Cancel),
             keep: state.allows(Action::Cancel) && self.can_keep(),
             // Back at the start, what was recorded still lies ahead.
-            seek: state.allows(Action::Seek) || (state == SessionState::Ready && self.recording.as_ref().is_some_and(|recording| recording.end_s() > 0.0)),
+            seek: state.allows(Action::Seek)
+                || (state == SessionState::Ready
+                    && self.recording.as_ref().is_some_and(|recording| recording.end_s() > 0.0)),
             edit: state.allows(Action::Edit),
             lift: state.allows(Action::Lift) && !self.is_lifted(),
             undo: self.editor.can_undo(),
