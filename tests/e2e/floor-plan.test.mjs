@@ -263,6 +263,37 @@ test("rectangle and polygon cut the drawing, by pointer and by keys", async (t) 
   assert.equal(await floor(app), triangle);
 });
 
+test("choices are undone and redone by their keys, and a comma in a number is a point", async (t) => {
+  const { page, app } = await openFloorPlan(t);
+  await app.bring(dxf("two.dxf", TWO_ROOMS, { units: 6 }));
+  const all = await floor(app);
+  const part = (name) => page.locator(`#floor-plan-parts [data-part=${name}]`);
+  await part("room").click();
+  await holds(app, "room");
+  await click(app, 0.3, 0.5);
+  await isDone(app);
+  const one = await floor(app);
+  assert.ok(one < 0.7 * all, `${one} of ${all}`);
+  await page.keyboard.press("ControlOrMeta+z");
+  await part("indoors").and(page.locator("[aria-pressed=true]")).waitFor();
+  assert.equal(await floor(app), all);
+  await page.keyboard.press("ControlOrMeta+Shift+z");
+  await part("room").and(page.locator("[aria-pressed=true]")).waitFor();
+  assert.equal(await floor(app), one);
+  await page.keyboard.press("ControlOrMeta+z");
+  await part("indoors").and(page.locator("[aria-pressed=true]")).waitFor();
+  await page.keyboard.press("ControlOrMeta+z");
+  await page.getByText("Nothing to undo").waitFor();
+
+  await page.locator("#floor-plan-distance").evaluate((field) => {
+    field.form.hidden = false;
+    field.value = "";
+    field.focus();
+  });
+  await page.keyboard.type("8,60");
+  assert.equal(await page.locator("#floor-plan-distance").inputValue(), "8.60");
+});
+
 test("gaps between walls are closed as far as one likes", async (t) => {
   const { page, app } = await openFloorPlan(t);
   const side = [["WALLS", 0, 0, 4, 0], ["WALLS", 4, 0, 4, 3], ["WALLS", 4, 3, 0, 3], ["WALLS", 0, 3, 0, 2], ["WALLS", 0, 1.2, 0, 0]];

@@ -1,7 +1,7 @@
 // @ts-check
 // The end of a run: what was reached, how good that is, and what to try next.
 import { byId, changed, make, setHidden } from "../dom.js";
-import { clock, metres, percent, shareAbove } from "../format.js";
+import { clock, count, metres, percent, shareAbove } from "../format.js";
 import { style } from "../parts.js";
 
 /**
@@ -13,6 +13,8 @@ import { style } from "../parts.js";
 const CLEAN = 0.95;
 /** Excess over the minimum from which another planner is worth a try. */
 const GOOD = 0.03;
+/** Bumps that explain it, as against pets and people: a plan touches nothing. */
+const BUMPS = 10;
 /** Less coverage than planned that is explained. */
 const MISSED = 0.002;
 
@@ -62,10 +64,10 @@ function reached({ catalogue }, view) {
 }
 
 /** Why it is less than planned, if it is the driving that makes the difference. @param {View} view */
-function missed({ plan, coverage, swept_before, smooth, can_smooth, slip }) {
+function missed({ plan, coverage, swept_before, smooth, can_smooth, slip, bumps }) {
   const less = (plan?.coverage ?? 0) - coverage;
   if (less < MISSED || swept_before > 0) return "";
-  const why = [smooth && can_smooth ? "curves cut corners" : "", slip === "none" ? "" : "wheels slip"].filter(Boolean).join(" and ");
+  const why = [bumps >= BUMPS ? `${count(bumps)} bumps pushed it off its path` : "", smooth && can_smooth ? "curves cut corners" : "", slip === "none" ? "" : "wheels slip"].filter(Boolean).join(" and ");
   return why && ` Planned: ${percent(plan?.coverage ?? 0)} % (${why}).`;
 }
 

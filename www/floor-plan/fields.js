@@ -24,5 +24,14 @@ export function onNumber(field, take) {
   });
 }
 
+/** A comma that is typed into a number is a point: browsers would leave it out. @param {HTMLElement} within */
+export function takeCommas(within) {
+  within.addEventListener("beforeinput", (event) => {
+    if (!(event.target instanceof HTMLInputElement) || event.target.type !== "number" || !event.data?.includes(",")) return;
+    event.preventDefault();
+    document.execCommand("insertText", false, event.data.replaceAll(",", "."));
+  });
+}
+
 /** Without noise of floating point. @param {number} value */
 export const plain = (value, digits = 4) => String(Number(value.toPrecision(digits)));

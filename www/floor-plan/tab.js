@@ -8,11 +8,13 @@ import { startBody } from "./body.js";
 import { startCanvas } from "./canvas.js";
 import { CANCELLED, FloorPlanClient } from "./client.js";
 import { startFacts } from "./facts.js";
+import { takeCommas } from "./fields.js";
 import { startKeeping } from "./keep.js";
 import { startLayers } from "./layers.js";
 import { startScale } from "./scale.js";
 import { startSweep } from "./sweep.js";
 import { startTurn } from "./turn.js";
+import { startUndo } from "./undo.js";
 import { startWalls } from "./walls.js";
 
 /**
@@ -117,7 +119,8 @@ export function startFloorPlan(app, module) {
     root.dataset.taken = `${++taken} ${isOpen ? "open" : "refused"}`;
   };
 
-  const updates = [startFacts, startScale, startTurn, startLayers, startWalls, startBody, startSweep].map((begin) => begin(it));
+  takeCommas(root);
+  const updates = [startFacts, startScale, startTurn, startLayers, startWalls, startBody, startSweep, startUndo].map((begin) => begin(it));
   const picture = startCanvas(it);
   const keeping = startKeeping(it);
   client.onstart = (canvas) => {

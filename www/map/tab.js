@@ -135,12 +135,20 @@ function remember(link) {
   }
 }
 
+/** Why the run has ended. @param {MapView} view @param {string} next */
+function ended({ program, activity, is_sure: isSure }, next) {
+  if (program) return activity || `The program has ended.${next}`;
+  if (isSure === false) return "Done, but the robot doesn't know where it is. Test it again from another place, or go back to mapping.";
+  if (activity === "battery empty") return `The battery is empty.${next}`;
+  return `Done: the robot found nothing more to explore.${next}`;
+}
+
 /** Values that are neither numbers nor choices. @param {MapView} view */
 function show(view) {
   const root = byId("panel-map");
   setAttribute(root, "data-phase", view.phase);
   setAttribute(root, "data-cleaning", String(view.is_cleaning));
-  const goals = view.layers.includes("goals") ? [view.frontiers > 0 && "frontiers", view.has_route && "route"] : [];
+  const goals = view.layers.includes("goals") && view.is_sure !== false ? [view.frontiers > 0 && "frontiers", view.has_route && "route"] : [];
   // A lost robot has many possible poses.
   const particles = (view.layers.includes("particles") || view.is_sure === false) && "particles";
   setAttribute(root, "data-drawn", [...goals, particles].filter(Boolean).join(" "));
@@ -153,9 +161,9 @@ function show(view) {
   }
   setText(byId("map-room"), view.title);
   // A robot that has come to its end would look as if it hung; one that is lost has explored less, and says so itself.
-  const isDone = view.phase === "finished" && view.is_sure !== false && view.time_s > 0;
+  const isDone = view.phase === "finished" && view.time_s > 0;
   const next = view.can.clean ? " Next: clean with this map." : "";
-  const done = view.program ? view.activity || `The program has ended.${next}` : `Done: the robot found nothing more to explore.${next}`;
+  const done = ended(view, next);
   const activity = isDone && !view.is_cleaning ? done : view.activity;
   setText(byId("map-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");
   const sure = view.is_sure === null ? "" : view.is_sure ? "Relocalised" : view.figures?.position_m === null ? "Lost" : "Relocalising";

@@ -106,8 +106,9 @@ export function startUses(it, keeping) {
   });
   return {
     /** @param {import("../types").MapView} view */
-    update({ can, planner, known, is_cleaning: isCleaning }) {
-      if (known === null) setHidden(byId("map-began"), true);
+    update({ can, planner, known, is_sure: isSure, is_cleaning: isCleaning }) {
+      // Nor is it true any more of a robot that has relocalised.
+      if (known === null || isSure) setHidden(byId("map-began"), true);
       setEnabled(button("map-clean"), can.clean);
       setText(button("map-clean"), isCleaning ? "Replan the rest" : "Clean with this map");
       if (changed(select("map-planner"), "value", planner)) select("map-planner").value = planner;

@@ -290,7 +290,8 @@ fn draw_robots(
         return solid(pose, false);
     }
     let robot = (model.radius, viewport);
-    if let (true, Some(intent)) = (has("goals"), run.intent()) {
+    // A robot that doesn't know where it is has none that mean anything on its map.
+    if let (true, Some(intent)) = (has("goals") && estimate.is_sure() != Some(false), run.intent()) {
         marks::frontiers(context, viewport, intent.frontiers, ink.goal)?;
         if let Some(pose) = estimate.pose() {
             marks::route(context, viewport, (pose.position(), intent.route), (ink.goal, ink.halo))?;
