@@ -1,7 +1,7 @@
 // @ts-check
 // The end of a run: what was reached, how good that is, and what to try next.
 import { byId, changed, make, setHidden } from "../dom.js";
-import { clock, count, metres, percent, shareAbove } from "../format.js";
+import { clock, metres, percent, shareAbove } from "../format.js";
 import { style } from "../parts.js";
 
 /**
@@ -13,7 +13,7 @@ import { style } from "../parts.js";
 const CLEAN = 0.95;
 /** Excess over the minimum from which another planner is worth a try. */
 const GOOD = 0.03;
-/** Bumps that explain it, as against pets and people: a plan touches nothing. */
+/** Bumps that explain it where wheels don't slip: plans touch nothing, but pets and people come in their way. */
 const BUMPS = 10;
 /** Less coverage than planned that is explained. */
 const MISSED = 0.002;
@@ -67,7 +67,7 @@ function reached({ catalogue }, view) {
 function missed({ plan, coverage, swept_before, smooth, can_smooth, slip, bumps }) {
   const less = (plan?.coverage ?? 0) - coverage;
   if (less < MISSED || swept_before > 0) return "";
-  const why = [bumps >= BUMPS ? `${count(bumps)} bumps pushed it off its path` : "", smooth && can_smooth ? "curves cut corners" : "", slip === "none" ? "" : "wheels slip"].filter(Boolean).join(" and ");
+  const why = [smooth && can_smooth ? "curves cut corners" : "", slip !== "none" ? "wheels slip" : bumps >= BUMPS ? "bumps pushed it off its path" : ""].filter(Boolean).join(" and ");
   return why && ` Planned: ${percent(plan?.coverage ?? 0)} % (${why}).`;
 }
 
