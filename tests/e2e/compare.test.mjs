@@ -405,6 +405,11 @@ test("numbers and charts can be saved", async (t) => {
     return new Set(new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer)).size;
   }, png.toString("base64"));
   assert.ok(colours > 10, `${colours} colours`);
+
+  // Before the first plan there is none, which is no mistake of the page.
+  await page.locator("#charts").evaluate((charts) => charts.replaceChildren());
+  await page.locator("[data-export=svg]").click();
+  await page.getByText("The SVG could not be created: there are no charts yet.").waitFor();
 });
 
 test("table 2 of the thesis is one click away, with its printed values beside the bars", async (t) => {

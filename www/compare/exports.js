@@ -2,7 +2,7 @@
 // Exports of comparisons: numbers as CSV and JSON, charts as SVG and PNG.
 import { byId, make } from "../dom.js";
 import { download, fileName } from "../files.js";
-import { complain } from "../messages.js";
+import { complain, textOf } from "../messages.js";
 
 /** Styles of charts from the style sheet, which files must contain themselves. */
 const STYLES = ["fill", "fill-opacity", "stroke-linejoin", "stroke-linecap", "stroke", "stroke-width", "stroke-dasharray", "font-family", "font-size", "font-weight", "text-anchor", "opacity"];
@@ -27,13 +27,13 @@ export function startExports(app, shown) {
   const exports = {
     csv: () => download(name("csv"), shown().csv(), "text/csv"),
     json: () => download(name("json"), shown().json(), "application/json"),
-    svg: () => download(name("svg"), drawn().text, "image/svg+xml"),
+    svg: async () => download(name("svg"), drawn().text, "image/svg+xml"),
     png: async () => download(name("png"), await picture(drawn()), "image/png"),
   };
   byId("exports").addEventListener("click", (event) => {
     const kind = event.target instanceof Element ? event.target.getAttribute("data-export") : null;
     if (!kind) return;
-    app.act(() => void Promise.resolve(exports[kind]?.()).catch((error) => complain(`The ${kind.toUpperCase()} could not be created: ${error}`)));
+    app.act(() => void Promise.resolve(exports[kind]?.()).catch((error) => complain(`The ${kind.toUpperCase()} could not be created: ${textOf(error)}.`)));
   });
 }
 
