@@ -36,7 +36,7 @@ test("says for a while that the opening scene begins after ten minutes, and othe
   };
   const { page } = await openApp(t, { init });
   const caption = (page) => page.locator(".timeline-caption > span").first().innerText();
-  assert.equal(await caption(page), "Coverage over time: after 10 minutes");
+  assert.equal(await caption(page), "Coverage over time: 10 minutes already done");
   await page.evaluate(() => window.due.forEach((what) => what()));
   await page.waitForFunction(() => document.getElementById("opening").textContent === "");
   const other = await openApp(t, { address: "#room=lshape" });

@@ -96,7 +96,7 @@ function note({ seeds, entrants }, together) {
 
 /** @param {Table} table */
 function proven({ bounds, least }) {
-  const metric = least ? ` Any path that sweeps ${percent(least.coverage, 0)} % needs at least ${metres(least.length_m)} m and ${clock(least.duration_s)}; each row's excess is above the bound for its own coverage, measured more finely than the column and mostly a little lower.` : "";
+  const metric = least ? ` Any path that sweeps ${percent(least.coverage, 0)} % needs at least ${metres(least.length_m)} m and ${clock(least.duration_s)}; each row's excess is above the bound for its own coverage, which is measured more finely than in the column, and mostly a little lower.` : "";
   if (!bounds) return "";
   return `Proven: no walk over these cells has fewer than ${count(bounds.steps)} steps or ${count(bounds.turns)} quarter turns, or steps + 2 × turns below ${count(bounds.cost)}.${metric}`;
 }

@@ -3,7 +3,7 @@
 import { byId, setText } from "../dom.js";
 import { percent } from "../format.js";
 
-const OPENED = ": after 10 minutes";
+const OPENED = ": 10 minutes already done";
 
 /** Explains for a while why the robot has already cleaned. */
 export function tellOpening() {

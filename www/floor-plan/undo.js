@@ -3,8 +3,6 @@
 import { byId } from "../dom.js";
 import { toast } from "../messages.js";
 
-/** @typedef {import("./types").FloorPlanSettings} Settings */
-
 /** Most changes that can be undone. */
 const MOST = 100;
 
@@ -15,16 +13,21 @@ export function startUndo(it) {
   let now = "";
   /** The files that they are for. @type {File[]} */
   let files = [];
-  /** What is being gone back to. */
-  let wanted = "";
+  /** What is being gone to, and whether it still is. */
+  let [wanted, isGoing] = ["", false];
 
   /** @param {string[]} from @param {string[]} to @param {string} what */
-  const go = (from, to, what) => {
-    const next = from.pop();
+  const go = async (from, to, what) => {
+    const next = from.at(-1);
+    if (isGoing) return;
     if (!next) return toast(`Nothing to ${what}`);
-    to.push(now);
-    wanted = next;
-    void it.ask({ type: "set", settings: JSON.parse(next) }, "Tracing the room");
+    [wanted, isGoing] = [next, true];
+    const before = now;
+    const isDone = await it.ask({ type: "set", settings: JSON.parse(next) }, "Tracing the room");
+    isGoing = false;
+    if (!isDone) return void (wanted = "");
+    from.pop();
+    to.push(before);
   };
   document.addEventListener("keydown", (event) => {
     const isUndo = event.key.toLowerCase() === "z";
@@ -33,8 +36,7 @@ export function startUndo(it) {
     // Where one types, the browser undoes letters.
     if (event.target instanceof HTMLInputElement && event.target.type !== "range" && event.target.type !== "checkbox") return;
     event.preventDefault();
-    if (isUndo && !event.shiftKey) go(past, undone, "undo");
-    else go(undone, past, "redo");
+    void (isUndo && !event.shiftKey ? go(past, undone, "undo") : go(undone, past, "redo"));
   });
 
   return (view) => {

@@ -160,7 +160,7 @@ function show(view) {
     if (changed(byId("map-return"), "done", done)) typed("map-return-bar", HTMLProgressElement).value = done;
   }
   setText(byId("map-room"), view.title);
-  // A robot that has come to its end would look as if it hung; one that is lost has explored less, and says so itself.
+  // A robot that has come to its end would look as if it hung.
   const isDone = view.phase === "finished" && view.time_s > 0;
   const next = view.can.clean ? " Next: clean with this map." : "";
   const done = ended(view, next);
