@@ -263,7 +263,7 @@ test("rectangle and polygon cut the drawing, by pointer and by keys", async (t) 
   assert.equal(await floor(app), triangle);
 });
 
-test("choices are undone and redone by their keys, and a comma in a number is a point", async (t) => {
+test("choices and other files are undone and redone by their keys, and a comma in a number is a point", async (t) => {
   const { page, app } = await openFloorPlan(t);
   await app.bring(dxf("two.dxf", TWO_ROOMS, { units: 6 }));
   const all = await floor(app);
@@ -284,6 +284,22 @@ test("choices are undone and redone by their keys, and a comma in a number is a 
   await part("indoors").and(page.locator("[aria-pressed=true]")).waitFor();
   await page.keyboard.press("ControlOrMeta+z");
   await page.getByText("Nothing to undo").waitFor();
+
+  // Opening another file is undone, too.
+  await part("room").click();
+  await holds(app, "room");
+  await click(app, 0.3, 0.5);
+  await isDone(app);
+  await app.bring(dxf("square.dxf", [["WALLS", 0, 0, 2, 0], ["WALLS", 2, 0, 2, 2], ["WALLS", 2, 2, 0, 2], ["WALLS", 0, 2, 0, 0]], { units: 6 }));
+  const square = await floor(app);
+  assert.ok(square < 0.8 * one, `${square} of ${one}`);
+  await page.locator("#floor-plan-floor").focus();
+  await page.keyboard.press("ControlOrMeta+z");
+  await page.getByText("Back to two.dxf").waitFor();
+  assert.equal(await floor(app), one);
+  await page.keyboard.press("ControlOrMeta+y");
+  await page.getByText("Back to square.dxf").waitFor();
+  assert.equal(await floor(app), square);
 
   await page.locator("#floor-plan-distance").evaluate((field) => {
     field.form.hidden = false;

@@ -1,5 +1,5 @@
 // @ts-check
-// Undo and redo of what was chosen for a floor plan, by their keys.
+// Undo and redo of what was chosen for a floor plan, and of opening another one, by their keys.
 import { byId } from "../dom.js";
 import { toast } from "../messages.js";
 
@@ -8,26 +8,27 @@ const MOST = 100;
 
 /** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
 export function startUndo(it) {
-  /** Settings before the present ones, and those that were undone, the latest last. @type {[past: string[], undone: string[]]} */
+  /** @typedef {{ files: File[], settings: string }} State */
+  /** States before the present one, and those that were undone, the latest last. @type {[past: State[], undone: State[]]} */
   let [past, undone] = [[], []];
-  let now = "";
-  /** The files that they are for. @type {File[]} */
-  let files = [];
-  /** What is being gone to, and whether it still is. */
-  let [wanted, isGoing] = ["", false];
+  /** @type {State | undefined} */
+  let now;
+  let isGoing = false;
 
-  /** @param {string[]} from @param {string[]} to @param {string} what */
+  /** @param {State[]} from @param {State[]} to @param {string} what */
   const go = async (from, to, what) => {
     const next = from.at(-1);
     if (isGoing) return;
-    if (!next) return toast(`Nothing to ${what}`);
-    [wanted, isGoing] = [next, true];
-    const before = now;
-    const isDone = await it.ask({ type: "set", settings: JSON.parse(next) }, "Tracing the room");
+    if (!next || !now) return toast(`Nothing to ${what}`);
+    isGoing = true;
+    const [before, settings] = [now, JSON.parse(next.settings)];
+    const isOther = next.files !== now.files;
+    const isDone = await (isOther ? it.ask({ type: "restore", files: next.files, settings }, "Opening the floor plan") : it.ask({ type: "set", settings }, "Tracing the room"));
     isGoing = false;
-    if (!isDone) return void (wanted = "");
+    if (!isDone) return;
     from.pop();
     to.push(before);
+    if (isOther) toast(`Back to ${next.files.map(({ name }) => name).join(" and ")}`);
   };
   document.addEventListener("keydown", (event) => {
     const isUndo = event.key.toLowerCase() === "z";
@@ -40,10 +41,10 @@ export function startUndo(it) {
   });
 
   return (view) => {
-    if (!view || files !== it.client.files) [past, undone, now, files] = [[], [], "", it.client.files];
-    const settings = view ? JSON.stringify(view.settings) : "";
-    if (settings === now) return;
-    if (now && settings !== wanted) [past, undone] = [[...past, now].slice(-MOST), []];
-    [now, wanted] = [settings, ""];
+    if (!view) return;
+    const state = { files: it.client.files, settings: JSON.stringify(view.settings) };
+    if (now?.files === state.files && now.settings === state.settings) return;
+    if (now && !isGoing) [past, undone] = [[...past, now].slice(-MOST), []];
+    now = state;
   };
 }

@@ -2,6 +2,7 @@
 //! them as from drawings.
 
 mod door_symbols;
+mod hollow;
 mod lettering;
 mod level;
 mod local;
@@ -47,9 +48,8 @@ pub struct WallShades {
     pub contrast: f64,
     /// Whether light shades are walls instead.
     pub negate: bool,
-    /// Marks that are smaller than this are left out, pixels; and, unless it is 0, words, symbols of doors and thin lines outside of
-    /// the building. Not for
-    /// [`ShadeMethod::Map`].
+    /// Marks that are smaller than this are left out, pixels. Unless it is 0, so are words, symbols of doors and thin lines
+    /// outside of the building, and walls drawn as two lines are filled. Not for [`ShadeMethod::Map`].
     pub specks: f64,
 }
 
@@ -73,7 +73,9 @@ impl WallShades {
             }
         };
         if self.specks > 0.0 {
-            // First, while the pieces of their letters are there.
+            let is_even = self.method == ShadeMethod::Level;
+            hollow::fill(&mut walls, is_even.then_some(shades));
+            // While the pieces of their letters are there.
             lettering::remove(&mut walls);
             door_symbols::remove(&mut walls);
             outlying::remove(&mut walls);

@@ -24,11 +24,16 @@ pub(super) struct ReducedPicture {
 impl ReducedPicture {
     /// `None` if hardly anything in it is as thick as a wall.
     pub fn new(walls: &Grid<bool>) -> Option<Self> {
+        Self::by(walls, usual_thickness)
+    }
+
+    /// The same with another way to tell how thick walls are.
+    pub fn by(walls: &Grid<bool>, usual: impl Fn(&Grid<bool>) -> Option<f64>) -> Option<Self> {
         // A large picture takes long, and shows no more.
         let mut by = walls.width().max(walls.height()).div_ceil(LONGEST).max(1);
         loop {
             let cells = reduced(walls, by);
-            let usual = usual_thickness(&cells)?;
+            let usual = usual(&cells)?;
             if by == 1 || usual >= THINNEST_WALL {
                 return Some(Self { by, cells, usual });
             }
