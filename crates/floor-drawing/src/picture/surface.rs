@@ -1,7 +1,10 @@
 //! The surface that a photographed sheet lies on. Beside the light sheet it is darker than the mean around it, as walls are; but
 //! farther away it is as dark, and isn't taken for wall.
 
-use super::local;
+use super::{
+    local,
+    marks::{erase, marks},
+};
 use robovac_core::grid::{Cell, Grid};
 
 /// Longer side of the picture in which it is looked for, pixels: noise is less there.
@@ -16,6 +19,8 @@ const AS_LIGHT: f64 = 0.75;
 const SHEET: f64 = 1.25;
 /// Share of the light pixels behind the dark ones that are the sheet's, at least; the others are noise.
 const BESIDE_SHEET: f64 = 0.1;
+/// Marks beside the surface with less than this share of the dark pixels belong to it.
+const REST: f64 = 0.2;
 /// Share of the picture that is still dark without the surface: the drawing.
 const DRAWING: f64 = 0.002;
 
@@ -29,10 +34,17 @@ pub(super) fn remove(dark: &mut Grid<bool>, shades: &Grid<u8>) {
         let at = Cell::new(x / by as i32, y / by as i32);
         at.block().any(|beside| surface.is_set(beside))
     };
-    let left: Vec<bool> =
-        dark.values().iter().enumerate().map(|(index, &is_dark)| is_dark && !is_surface(index)).collect();
-    if left.iter().filter(|is_dark| **is_dark).count() as f64 >= DRAWING * left.len() as f64 {
-        dark.values_mut().copy_from_slice(&left);
+    let mut left = dark.clone();
+    for (index, is_dark) in left.values_mut().iter_mut().enumerate() {
+        *is_dark &= !is_surface(index);
+    }
+    // Between the surface and the drawing is the sheet: what is left beside it belongs to it.
+    let most = REST * left.count() as f64;
+    let is_beside = |cell: Cell| cell.block().any(|beside| dark.is_set(beside) && !left[beside]);
+    let rest = marks(&left, |mark| (mark.cells.len() as f64) < most && mark.cells.iter().any(|&cell| is_beside(cell)));
+    erase(&mut left, &rest);
+    if left.count() as f64 >= DRAWING * left.len() as f64 {
+        *dark = left;
     }
 }
 
@@ -158,15 +170,17 @@ mod tests {
     };
 
     const SIZE: [i32; 2] = [480, 360];
+    /// How much less light there is on one side than on the other, at least and at most.
+    const EVEN: [f64; 2] = [0.2, 0.5];
 
     /// A photograph of a house on a sheet, askew and unevenly lit, and its walls. The surface is `table` times as light as the sheet;
     /// the sheet fills the picture if there is none.
-    fn photograph(seed: u64, table: Option<f64>) -> (Grid<u8>, Grid<bool>) {
+    fn photograph(seed: u64, table: Option<f64>, [least_dim, most_dim]: [f64; 2]) -> (Grid<u8>, Grid<bool>) {
         let mut rng = seeded(seed, 0);
         let mut noise = seeded(seed, 1);
         let mut any = |low: f64, high: f64| rng.random_range(low..high);
         let (turn, ink, noisy) = (any(-0.12, 0.12), any(0.1, 0.3), any(2.0, 6.0));
-        let (dim, towards) = (any(0.2, 0.5), any(-3.0, 3.0));
+        let (dim, towards) = (any(least_dim, most_dim), any(-3.0, 3.0));
         let sheet = [0; 4].map(|_| any(1.0, 1.35));
         let (door, thick) = (any(-60.0, 30.0), any(5.0, 9.0));
         let mut shades = Grid::filled(SIZE[0] as usize, SIZE[1] as usize, 0);
@@ -212,7 +226,7 @@ mod tests {
         let (mut worst, mut before) = ([0.0_f64; 2], 0.0);
         for seed in 0..12 {
             let table = 0.25 + 0.04 * seed as f64;
-            let (shades, walls) = photograph(seed, Some(table));
+            let (shades, walls) = photograph(seed, Some(table), EVEN);
             let mut dark = local::darker(&shades, 0.15, false);
             before += errors(&dark, &walls)[1] / 12.0;
             remove(&mut dark, &shades);
@@ -223,9 +237,21 @@ mod tests {
     }
 
     #[test]
+    fn dark_spots_of_the_table_beside_what_was_found_go_too() {
+        // Those on which they were left.
+        for seed in [5, 9, 10] {
+            let (shades, walls) = photograph(seed, Some(0.25 + 0.02 * seed as f64), [0.7, 1.1]);
+            let mut dark = local::darker(&shades, 0.15, false);
+            remove(&mut dark, &shades);
+            let [missing, extra] = errors(&dark, &walls);
+            assert!(missing == 0.0 && extra < 2e-5, "{seed}: {missing} {extra}");
+        }
+    }
+
+    #[test]
     fn without_a_table_nothing_goes() {
         for seed in 0..8 {
-            let (shades, _) = photograph(seed, None);
+            let (shades, _) = photograph(seed, None, EVEN);
             let dark = local::darker(&shades, 0.15, false);
             let mut left = dark.clone();
             remove(&mut left, &shades);
