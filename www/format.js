@@ -32,8 +32,8 @@ export const shareAbove = (share) => `${(perMilleAbove(share) / 10).toFixed(1)} 
 /** The same in whole per mille: what looks alike is equal. @param {number} share */
 export const perMilleAbove = (share) => Math.ceil(share * 1000 - 1e-6);
 
-/** @param {number} metres */
-export const metres = (metres) => (metres < 1000 ? metres.toFixed(1) : count(metres));
+/** As metrics of lengths are shown. @param {number} metres */
+export const metres = (metres) => metres.toLocaleString("en", { minimumFractionDigits: 1, maximumFractionDigits: 1 });
 
 /**
  * A length of at most some metres, in the unit that suits it.

@@ -3,7 +3,7 @@
 import { byId, make, setText } from "./dom.js";
 import { toast } from "./messages.js";
 import { style } from "./parts.js";
-import { isOnFloor } from "./tabs.js";
+import { currentTab, isOnFloor } from "./tabs.js";
 import { caption } from "./show.js";
 
 /** Set by the head of the page, too. */
@@ -83,7 +83,10 @@ function startPrint(app, root) {
   addEventListener("beforeprint", () => {
     theme = root.dataset.theme ?? "";
     const isDark = theme === "dark" || (!theme && matchMedia("(prefers-color-scheme: dark)").matches);
-    const [what] = caption(app);
+    // Compare has a line of its own.
+    (document.querySelector(".tab-panel:not([hidden], .compare) .stage") ?? byId("stage")).after(line);
+    // The planner is no part of a map, nor the room of a drawing.
+    const [what] = isOnFloor() || currentTab() === "compare" ? caption(app) : currentTab() === "map" ? [app.view.room.title] : [];
     const where = location.href.length < LONGEST ? location.href : `${location.origin}${location.pathname} The link to this room is too long for paper. Copy link has it.`;
     line.replaceChildren(make("b", {}, what ?? ""), make("br"), where);
     const compare = document.getElementById("compare-link");

@@ -11,7 +11,7 @@ import { currentTab, isOnFloor } from "./tabs.js";
  */
 
 /** Where keys write. */
-const WRITING = "select, textarea, [contenteditable] *, [contenteditable], input:not([type=checkbox], [type=range])";
+export const WRITING = "select, textarea, [contenteditable] *, [contenteditable], input:not([type=checkbox], [type=range])";
 
 /** @type {Record<string, import("./types").FloorTool>} */
 const TOOLS = { v: "view", w: "wall", e: "erase", s: "start" };

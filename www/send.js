@@ -3,7 +3,7 @@
 import { button, byId, make } from "./dom.js";
 import { complain, textOf, toast } from "./messages.js";
 import { style } from "./parts.js";
-import { isOnFloor } from "./tabs.js";
+import { currentTab, isOnFloor } from "./tabs.js";
 
 /** Size of the frame in another page, px. */
 const [WIDTH, HEIGHT] = [720, 540];
@@ -51,14 +51,13 @@ async function build(app) {
     make("button", { type: "button", onclick: () => Promise.resolve(what()).catch((error) => complain(`This could not be loaded (${textOf(error)}). Check the connection, then try again.`)) }, label);
   const show = act("Picture or film…", save);
   const title = make("h2", { id: "ways-title", tabIndex: -1 });
+  const framed = make("div", { className: "framed" }, make("h3", {}, "In your own web page"), snippet, act("Copy HTML", copy));
   const node = make(
     "section",
     { id: "ways", className: "ways", role: "dialog", "aria-labelledby": "ways-title", hidden: true },
     title,
     make("div", { className: "row" }, show, act("Print…", print)),
-    make("h3", {}, "In your own web page"),
-    snippet,
-    act("Copy HTML", copy),
+    framed,
   );
   byId("share").after(node);
 
@@ -80,6 +79,8 @@ async function build(app) {
     title.textContent = done;
     // It is of the floor in Explore.
     show.hidden = !isOnFloor();
+    // Other tabs are more than a floor and a play bar, and some show what only this browser has.
+    framed.hidden = !isOnFloor() && currentTab() !== "compare";
     snippet.value = `<iframe src="${embedded(link).replaceAll("&", "&amp;")}" width="${WIDTH}" height="${HEIGHT}" style="border: 0" title="Robovac Playground" allow="fullscreen"></iframe>`;
     node.hidden = false;
   };

@@ -397,7 +397,7 @@ test("the slice of the obstacle map and the robot's outline", async (t) => {
   await page.keyboard.press("Tab");
   await text(app, "#floor-plan-name");
   assert.equal(await page.locator("#floor-plan-scan").getAttribute("placeholder"), "0.25", "half the width");
-  await page.getByText("Links, clearance, obstacle map").click();
+  await page.getByText("Connections, clearance, obstacle map").click();
   await page.locator("#floor-plan-slice").check();
   await page.locator("#floor-plan-slice-key").waitFor();
   await page.locator("#floor-plan-body").selectOption("polygon");

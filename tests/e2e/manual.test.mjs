@@ -46,6 +46,27 @@ test("arrow keys and letters drive while they are held, on the floor", async (t)
   await page.keyboard.down("KeyA");
   await app.poll(turning, (degrees) => degrees > before + 30);
   await page.keyboard.up("KeyA");
+  await stands(app);
+
+  // Wherever else the focus is, letters of tools drive.
+  const { distance } = await app.numbers();
+  await page.locator("#tab-explore").focus();
+  await page.keyboard.down("KeyW");
+  await page.keyboard.down("KeyW");
+  await app.numbersThat((now, then) => now.distance > then + 0.1, distance);
+  await page.keyboard.up("KeyW");
+});
+
+test("whoever chooses to drive while drawing walls drives", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty&behaviour=bounce" });
+  await page.locator("#tools [data-tool=wall]").click();
+  await page.locator("#algorithm").focus();
+  await page.locator("#algorithm").selectOption("manual");
+  await page.locator("#tools [data-tool=view][aria-pressed=true]").waitFor();
+  await page.locator("#floor:focus").waitFor();
+  await page.keyboard.down("ArrowUp");
+  await app.numbersThat(({ distance }) => distance > 0.1);
+  await page.keyboard.up("ArrowUp");
 });
 
 test("losing the focus, pausing and letting go stop it", async (t) => {

@@ -179,7 +179,15 @@ test("a reload goes on where it was", async (t) => {
   await phase("paused");
   assert.equal((await figures(app)).time, late.time);
   await app.linked("tab", (tab) => tab === "map");
-  // Forget map asks first.
+  // On paper is where it is from, and nothing to press.
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  await page.emulateMedia({ media: "print" });
+  const shown = await page.locator("#panel-map").innerText();
+  assert.match(shown, /https?:\/\/\S+tab=map/);
+  assert.doesNotMatch(shown, /Start mapping|Forget the map|Method/);
+  await page.emulateMedia({ media: null });
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  // Forget the map asks first.
   await page.locator("#map-forget").click();
   assert.equal((await figures(app)).time, late.time);
   await page.getByRole("button", { name: "Forget it for good" }).click();

@@ -1,8 +1,10 @@
 // @ts-check
 // Driving the simulated robot by hand.
-import { button, byId, changed, setHidden, setText } from "../dom.js";
+import { button, byId, changed, input, setHidden, setText } from "../dom.js";
 import { STILL, joystick, rounded } from "../joystick.js";
+import { WRITING } from "../keys.js";
 import { style } from "../parts.js";
+import { isOnFloor } from "../tabs.js";
 
 /** @typedef {import("../main.js").App} App */
 
@@ -40,7 +42,20 @@ export async function startManual(app) {
     end();
   };
 
+  // Wherever else the focus is, letters that mean tools drive.
+  const focus = (/** @type {KeyboardEvent} */ event) => {
+    const { key, target, ctrlKey, metaKey, altKey } = event;
+    if (byId("manual").hidden || !input("keys-on").checked || !isOnFloor() || !"wasd".includes(key.toLowerCase()) || ctrlKey || metaKey || altKey) return;
+    if (!(target instanceof Element) || target === floor || target === knob || target.matches(WRITING) || document.querySelector("dialog[open]")) return;
+    floor.focus();
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  document.addEventListener("keydown", focus, { capture: true });
+
   return (view) => {
+    // Whoever chooses to drive has been drawing, perhaps.
+    if (changed(floor, "drives", isManual()) && isManual() && view.tool !== "view") app.act((p) => p.set_tool("view"));
     // Other tools need the keys, and the room on a small screen.
     const manual = isManual() && view.tool === "view";
     if (changed(byId("manual"), "on", manual)) {

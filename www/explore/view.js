@@ -77,7 +77,7 @@ const NEAR = 16;
  * @param {boolean} isAllShown @param {[number, number]} spot
  */
 function keepClear(isAllShown, [right, down]) {
-  for (const id of ["legend", "zoom", "tools"]) byId(id).classList.toggle("thin", !isAllShown && hides(byId(id), right, down));
+  for (const node of document.querySelectorAll("#legend, #zoom, #tools, #kinds, #selection")) node.classList.toggle("thin", !isAllShown && hides(node, right, down));
   const captions = byId("search-box");
   const notices = captions.parentElement;
   const isLow = notices?.dataset.low === "true";

@@ -2,7 +2,7 @@
 // The sweep of 001: scan width, obstacle map, the stages one after the other, their results, and export.
 import { button, byId, input, select, setAttribute, setHidden, setText } from "../dom.js";
 import { download } from "../files.js";
-import { clock, count, percent, took } from "../format.js";
+import { clock, count, metres, percent, took } from "../format.js";
 import { onNumber, plain, showValue } from "./fields.js";
 
 /** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
@@ -76,8 +76,8 @@ export function startSweep(it) {
   };
 }
 
-/** A length as Explore and Compare show that of a plan. @param {number} metres */
-const tenths = (metres) => `${metres.toLocaleString("en", { minimumFractionDigits: 1, maximumFractionDigits: 1 })} m`;
+/** @param {number} length */
+const tenths = (length) => `${metres(length)} m`;
 
 /** @param {import("./types").SweepView} sweep @param {number} seconds */
 function numbers(sweep, seconds) {

@@ -34,7 +34,7 @@ export function startUses(it, keeping) {
   const forget = button("map-forget");
   const ask = (/** @type {string} */ sure) => {
     forget.dataset.sure = sure;
-    setText(forget, sure ? "Forget it for good" : "Forget map");
+    setText(forget, sure ? "Forget it for good" : "Forget the map");
   };
   forget.addEventListener("click", () => {
     // There is no way back.

@@ -284,7 +284,11 @@ impl Session {
     pub(super) fn prepare_changed(&mut self) {
         let run = self.recording.as_ref().map(RunRecording::run).filter(|run| run.steps() > 0).cloned();
         let before = run.or_else(|| self.before.take());
+        let is_lost = before.is_some() && self.program_drives();
         self.lay_out(before);
+        if is_lost && self.message.is_none() {
+            self.say("notice", "The room changed: your program begins again.".to_owned());
+        }
     }
 
     /// Lays the room out again and requests a plan.
