@@ -2,7 +2,7 @@
 
 use image::{GrayImage, ImageFormat, Luma};
 use rand::RngExt;
-use robovac_app::floor_plan::{DrawingSession, FloorPlanSettings};
+use robovac_app::floor_plan::{DrawingPart, DrawingSession, FloorPlanSettings};
 use robovac_core::{floor_plan::SourceFile, geometry::Point, rng::seeded};
 use std::io::Cursor;
 
@@ -248,4 +248,77 @@ fn dimension_lines_and_a_thin_fence_of_a_picture_are_no_walls() {
         let room = session.view().room.unwrap();
         assert_eq!((room.outer_doors, room.around_m2), (1, 0.0), "seed {seed}: the front door alone is closed");
     }
+}
+
+/// Whether the room starts within the walls of the flat.
+fn starts_in(session: &DrawingSession, flat: &Flat) -> bool {
+    let room = session.room().unwrap();
+    let Some(start) = room.plan.start else { return false };
+    let Point { coords: at } = room.to_drawing(start.position());
+    (0..2).all(|axis| (0.0..flat.size[axis]).contains(&(0.001 * at[axis])))
+}
+
+#[test]
+fn all_of_a_flat_with_an_opening_starts_indoors_and_says_that_the_robot_gets_out() {
+    for (seed, wide) in [(0, 0.9), (1, 1.2), (2, 0.2)] {
+        let flat = Flat::of(seed, wide);
+        let mut session = DrawingSession::open(&[flat.drawing()]).unwrap();
+        session.set_part(DrawingPart::Whole).unwrap();
+        assert!(session.floor_m2() > flat.floor_m2(), "seed {seed}: what is outside counts");
+        assert!(starts_in(&session, &flat), "seed {seed}: {:?}", session.room().unwrap().plan.start);
+        let notice = session.view().notice;
+        assert_eq!(notice.contains("a robot gets out"), wide > 0.35, "seed {seed}: {notice:?}");
+        session.set_part(DrawingPart::Indoors).unwrap();
+        assert_eq!(session.view().notice, "", "seed {seed}");
+    }
+}
+
+/// A flat in its garden, whose wall is drawn as so many lines.
+fn in_a_garden(seed: u64, lines: u32) -> Flat {
+    let mut flat = Flat::of(seed, 1.0);
+    let [width, height] = flat.size;
+    for line in 0..lines {
+        let garden = 8.0 + 0.2 * f64::from(line);
+        let (low, right, high) = (-garden, width + garden, height + garden);
+        flat.walls.extend([[low, low, right, low], [right, low, right, high]]);
+        flat.walls.extend([[right, high, low, high], [low, high, low, low]]);
+    }
+    flat
+}
+
+#[test]
+fn a_house_in_a_large_garden_is_taken_and_told() {
+    let flat = in_a_garden(0, 1);
+    let mut session = DrawingSession::open(&[flat.drawing()]).unwrap();
+    let share = session.floor_m2() / flat.floor_m2();
+    assert!((0.9..1.0).contains(&share), "{share} of the floor");
+    let notice = session.view().notice;
+    assert!(notice.contains("Only its floor counts") && notice.contains("Whole"), "{notice:?}");
+    session.set_part(DrawingPart::Whole).unwrap();
+    assert!(session.floor_m2() > 3.0 * flat.floor_m2(), "all");
+    assert!(starts_in(&session, &flat), "in the garden");
+}
+
+#[test]
+fn a_house_with_walls_of_two_lines_is_taken_within_a_garden_wall_of_two_lines() {
+    let mut flat = in_a_garden(1, 2);
+    let ([width, height], [low, wide], out) = (flat.size, flat.opening, 0.35);
+    let (right, high) = (width + out, height + out);
+    flat.walls.extend([[-out, -out, right, -out], [right, -out, right, high], [right, high, -out, high]]);
+    flat.walls.extend([[-out, high, -out, low + wide], [-out, low, -out, -out]]);
+    flat.walls.extend([[-out, low, 0.0, low], [-out, low + wide, 0.0, low + wide]]);
+    let session = DrawingSession::open(&[flat.drawing()]).unwrap();
+    let share = session.floor_m2() / flat.floor_m2();
+    assert!((0.9..1.05).contains(&share), "{share} of the floor");
+}
+
+#[test]
+fn a_building_that_may_be_a_block_in_a_hall_is_told_and_the_robot_starts_in_it() {
+    // The walls round all are two lines, those of the building one.
+    let flat = in_a_garden(1, 2);
+    let session = DrawingSession::open(&[flat.drawing()]).unwrap();
+    assert!(session.floor_m2() > 3.0 * flat.floor_m2(), "all");
+    let notice = session.view().notice;
+    assert!(notice.contains("All floor counts") && notice.contains("Polygon"), "{notice:?}");
+    assert!(starts_in(&session, &flat), "{:?}", session.room().unwrap().plan.start);
 }

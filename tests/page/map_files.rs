@@ -122,8 +122,8 @@ mod formats {
     use rand::RngExt;
     use robovac_core::{
         floor_plan::{
-            DEFAULT_ASCII_RESOLUTION, DEFAULT_IMAGE_RESOLUTION, FloorPlan, MapError, Scenario, SourceFile, image_of,
-            load, to_ascii,
+            DEFAULT_ASCII_RESOLUTION, DEFAULT_IMAGE_RESOLUTION, FloorPlan, MapError, Scenario, SourceFile, TAKEN,
+            image_of, load, load_shades, to_ascii,
         },
         geometry::Pose,
         grid::{Cell, Grid, Occupancy, picture},
@@ -313,6 +313,28 @@ mod formats {
             (text(&".".repeat(4097)), "\"a.txt\" has 4097 x 1 cells, but the limit is 4096 x 4096; crop it"),
             (text(&".\n".repeat(5000)), "\"a.txt\" has 1 x 4097 cells"),
         ]);
+    }
+
+    #[test]
+    fn files_that_are_no_floor_plan_are_told_with_all_formats() {
+        let cases: [(&str, &[u8]); 9] = [
+            ("a.json", b"{}"),
+            ("a.json", b""),
+            ("a.png", b""),
+            ("a.png", b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0"),
+            ("a.jpg", b"\xff\xd8\xff\xe0\0\x10JFIF"),
+            ("a.webp", b"RIFF\x0a\0\0\0WEBPVP8 "),
+            ("a.pgm", b"P5 9000 9000 255\n"),
+            ("a.pgm", b"P5 2 2 255\nab"),
+            ("a.pdf", b"%PDF-1.7"),
+        ];
+        for (name, bytes) in cases {
+            let files = [file(name, bytes)];
+            let messages = [message(&files), load_shades(&files[0]).map_or_else(|e| e.to_string(), |_| String::new())];
+            for message in messages {
+                assert!(message.ends_with(TAKEN), "{name}: {message}");
+            }
+        }
     }
 
     #[test]

@@ -1,13 +1,13 @@
 //! Errors in drawings, with a hint how to fix each.
 
-use robovac_core::floor_plan::{MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, base_name};
+use robovac_core::floor_plan::{MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, TAKEN, base_name};
 
 /// A drawing that can't be read or written, or from which no room can be traced. Every message names the cause, the
 /// place and the remedy.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DrawingError {
     /// A file has no content.
-    #[error("\"{name}\" is empty; choose another file or save the map again")]
+    #[error("\"{name}\" is empty; choose another file or save the map again. {TAKEN}")]
     Empty {
         /// The file.
         name: String,

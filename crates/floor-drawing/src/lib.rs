@@ -44,5 +44,5 @@ pub use overlay::Overlay;
 pub use picture::{Picture, ShadeMethod, WallShades, suggest};
 pub use read::{drawing_kind, is_drawing, is_dxf, read};
 pub use trace::{OUTER_DOOR, trace, trace_picture};
-pub use tracing::{DrawingRegion, OutsideLeak, Traced, Tracing};
+pub use tracing::{DrawingRegion, FreeStandingBuilding, OutsideLeak, Traced, Tracing};
 pub use write::{outlines, to_dxf};

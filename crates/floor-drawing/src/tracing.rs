@@ -65,8 +65,22 @@ pub struct Traced {
     pub around_m2: f64,
     /// An opening in the walls round the floor indoors, wider than those that are closed.
     pub leak: Option<OutsideLeak>,
+    /// A building with little of the floor within the outermost walls indoors.
+    pub free_standing: Option<FreeStandingBuilding>,
+    /// Whether a robot gets out of the building that it starts in, where what is outside is floor, too.
+    pub goes_out: bool,
     /// Whether walls enclose hardly any floor indoors, so that all of the drawing counts.
     pub is_open: bool,
+}
+
+/// A building that stands free within walls, with less than a quarter of the floor: a house in its garden, or a block of rooms
+/// in a hall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeStandingBuilding {
+    /// Its floor, m².
+    pub floor_m2: f64,
+    /// Whether it is taken for a house, so that its floor alone counts. Otherwise all of it does, and the start is in it.
+    pub is_taken: bool,
 }
 
 /// An opening through which the outside reaches floor that walls enclose otherwise.
@@ -88,7 +102,18 @@ impl Traced {
     /// A map as it is: its lower-left corner is the origin of the drawing, whose unit is `metre` m.
     pub fn of_map(plan: FloorPlan, metre: f64) -> Self {
         let (corner, gaps) = (Vector::zeros(), Vec::new());
-        Self { plan, corner, turn: 0.0, metre, gaps, around_m2: 0.0, leak: None, is_open: false }
+        Self {
+            plan,
+            corner,
+            turn: 0.0,
+            metre,
+            gaps,
+            around_m2: 0.0,
+            leak: None,
+            free_standing: None,
+            goes_out: false,
+            is_open: false,
+        }
     }
 
     /// The room as it is if the drawing was turned by `turn` around its origin before it was traced.

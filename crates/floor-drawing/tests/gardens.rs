@@ -37,15 +37,20 @@ struct Garden {
 
 impl Garden {
     fn of(seed: u64) -> Self {
+        Self::with(seed, [1.5, 5.0])
+    }
+
+    /// With so much garden on every side, m: from, to.
+    fn with(seed: u64, garden: [f64; 2]) -> Self {
         let mut rng = seeded(seed, 0);
         let mut any = |low: f64, high: f64| (rng.random_range(low..high) / PIXEL).round() * PIXEL;
         let (width, height) = (any(8.5, 12.5), any(8.0, 10.5));
         let [outer, fence] = [0; 2].map(|_| any(0.1, 0.4));
         let inner = 0.1;
         let wide = any(1.5, 3.0);
-        let usual = any(1.5, 5.0);
+        let usual = any(garden[0], garden[1]);
         let is_even = any(0.0, 1.0) < 0.5;
-        let around = [0; 4].map(|_| if is_even { usual } else { any(1.5, 5.0) });
+        let around = [0; 4].map(|_| if is_even { usual } else { any(garden[0], garden[1]) });
         let is_open = any(0.0, 1.0) < 0.5;
         let (middle, sill, other) = (any(3.6, 4.8), any(4.4, 5.4), any(2.9, 5.0));
         let doors = [0; 4].map(|_| any(0.8, 1.1));
@@ -271,4 +276,83 @@ fn the_edge_of_a_picture_opens_no_room_where_it_cuts_a_frame() {
 #[ignore = "soak: two minutes"]
 fn the_edge_of_more_pictures_opens_no_room() {
     check_sheets(0..40);
+}
+
+/// Whether a room starts on the floor of the house.
+fn starts_in(garden: &Garden, traced: &Traced) -> bool {
+    let Some(start) = traced.plan.start else { return false };
+    let at = Point::from(traced.corner) + start.position().coords / PIXEL;
+    garden.floor.is_set(Cell::new(at.x.floor() as i32, at.y.floor() as i32))
+}
+
+/// The share of large gardens that are told, not decided.
+fn check_large_gardens(seeds: std::ops::Range<u64>) -> f64 {
+    let count = (seeds.end - seeds.start) as f64;
+    let mut told = 0.0;
+    for garden in seeds.map(|seed| Garden::with(seed, [6.0, 9.0])) {
+        let traced = garden.traced(OUTER_DOOR);
+        let Some(leak) = traced.leak else {
+            assert!(garden.is_right(&traced), "{}: {:.2?}", garden.case, garden.faults(&traced));
+            assert!(traced.free_standing.is_some_and(|house| house.is_taken), "{}: not told", garden.case);
+            continue;
+        };
+        told += 1.0;
+        assert!(garden.is_told(&traced) && leak.to_garden, "{}: {leak:?}", garden.case);
+        assert!(starts_in(&garden, &traced), "{}: starts in the garden", garden.case);
+    }
+    told / count
+}
+
+#[test]
+fn a_house_with_less_than_a_quarter_of_the_floor_is_told_from_its_garden() {
+    let told = check_large_gardens(0..6);
+    assert!(told <= 0.4, "{told} in doubt");
+}
+
+#[test]
+#[ignore = "soak: a minute"]
+fn more_houses_are_told_from_large_gardens() {
+    let told = check_large_gardens(6..50);
+    println!("{:.0} % in doubt", 100.0 * told);
+    assert!(told <= 0.5, "{told} in doubt");
+}
+
+/// A hall of 24 x 18 m with a block of four rooms in it, 10 x 7 m, 1 m of paper round it: all rooms have a door to the hall,
+/// or one has, and the others have doors to each other. Walls are `thick` m, those of the block 0.1 m.
+fn hall(thick: f64, is_connected: bool) -> Grid<bool> {
+    let [width, height] = [24.0 + 2.0 * (PAPER + thick), 18.0 + 2.0 * (PAPER + thick)];
+    let mut walls = Grid::filled((width / PIXEL).round() as usize, (height / PIXEL).round() as usize, false);
+    let inner_doors = [[4.95, 1.0, 5.05, 1.9], [4.95, 5.0, 5.05, 5.9], [2.0, 3.45, 2.9, 3.55]];
+    let outer_doors = [[1.0, 0.0, 1.9, 0.1], [7.0, 0.0, 7.9, 0.1], [1.0, 6.9, 1.9, 7.0], [7.0, 6.9, 7.9, 7.0]];
+    let doors = if is_connected { [&inner_doors[..], &outer_doors[..1]].concat() } else { outer_doors.to_vec() };
+    for index in 0..walls.len() {
+        let at = walls.cell(index).centre(PIXEL);
+        let is_in = |[left, low, right, high]: Rectangle, x: f64, y: f64| x > left && x < right && y > low && y < high;
+        let (x, y) = (at.x - PAPER - thick, at.y - PAPER - thick);
+        let is_hall = is_in([-thick, -thick, 24.0 + thick, 18.0 + thick], x, y) && !is_in([0.0, 0.0, 24.0, 18.0], x, y);
+        let (x, y) = (x - 7.0, y - 5.0);
+        let is_block = is_in([0.0, 0.0, 10.0, 7.0], x, y)
+            && (!is_in([0.1, 0.1, 9.9, 6.9], x, y) || (x - 5.0).abs() < 0.05 || (y - 3.5).abs() < 0.05);
+        walls.values_mut()[index] = is_hall || is_block && !doors.iter().any(|&door| is_in(door, x, y));
+    }
+    walls
+}
+
+#[test]
+fn a_hall_with_a_block_of_rooms_in_it_is_floor() {
+    for (thick, is_connected) in [(0.3, false), (0.3, true), (0.1, false)] {
+        let case = format!("walls of {thick} m, connected: {is_connected}");
+        let traced = indoors(&hall(thick, is_connected), 0.0, OUTER_DOOR);
+        assert_eq!((traced.around_m2, traced.leak), (0.0, None), "{case}");
+        let [width, height] = traced.plan.floor_size();
+        assert!((width - 24.0).abs() < 0.11 && (height - 18.0).abs() < 0.11, "{case}: {width} x {height} m");
+        // What looks like a house, but for its thin walls, is told, and so is a block whose walls are no thinner.
+        let told = traced.free_standing;
+        assert_eq!(
+            told.map(|block| block.is_taken),
+            (is_connected || thick < 0.2).then_some(false),
+            "{case}: {told:?}"
+        );
+        assert_eq!(traced.plan.start.is_some(), told.is_some(), "{case}");
+    }
 }

@@ -105,15 +105,16 @@ impl Walker<'_> {
                 _ => self.carry(),
             };
         }
-        match self.below(100) {
+        // Corners are seldom worth leaving out, and parts worth carrying; a shift makes way for either.
+        match self.below(80) {
             0..16 => self.shift_corner(),
             16..20 => self.slide_corner(),
             20..30 => self.shift_piece(),
-            30..46 => self.leave_out(),
-            46..52 => self.join_corners(),
-            52..55 => self.insert(),
-            55..71 => self.reach_for_floor(),
-            71..83 => self.reverse(),
+            30..38 => self.leave_out(),
+            38..41 => self.join_corners(),
+            41..44 => self.insert(),
+            44..60 => self.reach_for_floor(),
+            60..72 => self.reverse(),
             _ => self.carry(),
         }
     }

@@ -3,8 +3,9 @@
 
 use super::{
     behind::{OpenRoom, open_rooms},
+    house::{FreeStanding, Site},
     openings, region,
-    surroundings::{ATTACHED, MOST_LAYERS, ROOMS, SHARE, parts},
+    surroundings::{ATTACHED, LEAST_SHARE, MOST_LAYERS, ROOMS, SHARE, parts},
 };
 use robovac_core::grid::{Cell, Grid};
 
@@ -13,14 +14,19 @@ use robovac_core::grid::{Cell, Grid};
 const TERRACE_DOORS: [f64; 3] = [1.8, 2.5, 3.2];
 /// Least share of a building that is enclosed without them.
 const CLOSED: f64 = 0.5;
-/// Least share of the floor that may be a building's: the core of an office floor with a wide opening may be as large.
+/// Least share of the floor that may be a building's, whatever it is like: the core of an office floor with a wide opening
+/// may be as large.
 const IN_DOUBT: f64 = 0.5 * SHARE;
+/// Share of the floor that is all of it: what stands free is the inner line of the walls round it then.
+const ALL: f64 = 0.98;
 
 /// A building in its garden.
 pub(super) struct FreeBuilding {
     pub floor: Grid<bool>,
     /// Its rooms behind openings wider than outer doors.
     pub behind: Vec<OpenRoom>,
+    /// Whether it has little of the floor.
+    pub is_small: bool,
     /// Whether it may as well be the core of a hall.
     is_in_doubt: bool,
 }
@@ -33,29 +39,37 @@ impl FreeBuilding {
     }
 }
 
-/// The building that stands free within the walls round `inside`, with its openings up to `gap` cells closed, and its
-/// terrace doors, unless openings as narrow as an outer door stay open; `outside` is beyond the outermost walls.
-pub(super) fn building(
-    walls: &Grid<bool>,
-    inside: &Grid<bool>,
-    outside: &Grid<bool>,
-    [gap, door]: [f64; 2],
-    resolution: f64,
-) -> Option<FreeBuilding> {
+/// The building that stands free within the walls of a place, with its openings up to `gap` cells closed, and its terrace
+/// doors, unless openings as narrow as an outer door stay open.
+pub(super) fn building(walls: &Grid<bool>, site: Site<'_>, gap: f64) -> Option<FreeBuilding> {
+    let Site { floor: inside, door, resolution, .. } = site;
     let mut found: Option<FreeBuilding> = None;
-    let (mut standing, mut outside) = (walls.clone(), outside.clone());
+    let (mut standing, mut outside) = (walls.clone(), site.outside.clone());
     for _ in 0..MOST_LAYERS {
         let all = found.as_ref().map_or(inside, |found| &found.floor);
         standing = free_standing(&standing, &outside);
         let all_cells = all.count().max(1) as f64;
-        let Some(mut next) = closed(&standing, [gap, door], resolution, CLOSED * IN_DOUBT * all_cells) else { break };
+        let Some(mut next) = closed(&standing, [gap, door], resolution, CLOSED * LEAST_SHARE * all_cells) else {
+            break;
+        };
         let share = next.floor.count() as f64 / all_cells;
-        // What stands in a house is no other house: only the outermost one may be in doubt.
-        let least = if next.behind.is_empty() || found.is_some() { SHARE } else { IN_DOUBT };
-        next.is_in_doubt = share < SHARE || found.as_ref().is_some_and(|found| found.is_in_doubt);
-        if share < least || !has_rooms_in_a_garden(&next, all, door) {
+        if found.is_none() && next.behind.is_empty() && share >= ALL {
+            outside = beyond(&standing, &next.floor);
+            continue;
+        }
+        // What stands in a house is no other house: only the outermost one can be small.
+        let can_be_small = !next.behind.is_empty() && found.is_none();
+        next.is_small = share < SHARE;
+        if next.is_small && !can_be_small || share < LEAST_SHARE || !has_rooms_in_a_garden(&next, all, door) {
             break;
         }
+        let kind = next.is_small.then(|| site.kind(&next.floor));
+        if kind == Some(FreeStanding::Block) && share < IN_DOUBT {
+            break;
+        }
+        next.is_in_doubt = kind.is_some_and(|kind| kind != FreeStanding::House)
+            || found.as_ref().is_some_and(|found| found.is_in_doubt);
+        next.is_small |= found.as_ref().is_some_and(|found| found.is_small);
         outside = beyond(&standing, &next.floor);
         found = Some(next);
     }
@@ -151,5 +165,5 @@ fn closed(walls: &Grid<bool>, [gap, door]: [f64; 2], resolution: f64, least: f64
             behind.push(room);
         }
     }
-    Some(FreeBuilding { floor, behind, is_in_doubt: false })
+    Some(FreeBuilding { floor, behind, is_small: false, is_in_doubt: false })
 }

@@ -6,6 +6,7 @@ mod cut_frame;
 mod fills;
 mod frame;
 mod gaps;
+mod house;
 mod leak;
 mod openings;
 mod outlines;
@@ -14,22 +15,26 @@ mod pen;
 mod raster;
 mod region;
 mod solids;
+mod start;
 mod surroundings;
 
 use super::{
-    Drawing, DrawingError, DrawingFlaw, DrawingRegion, OutsideLeak, Picture, Role, Traced, Tracing, error::bad,
+    Drawing, DrawingError, DrawingFlaw, DrawingRegion, FreeStandingBuilding, OutsideLeak, Picture, Role, Traced,
+    Tracing, error::bad,
 };
 pub(crate) use page::without_page;
 
 use alone::FreeBuilding;
 use frame::{BoundingBox, RasterFrame, bounds_of};
+use house::{FreeStanding, Site};
 use raster::RasterCanvas;
 use robovac_core::{
     floor_plan::{FloorPlan, MAX_CORNERS, MAX_RESOLUTION, MAX_SIDE, MIN_RESOLUTION, crossing, encloses},
     geometry::{Point, Pose, Vector},
-    grid::{Cell, Grid, Occupancy, chessboard, largest_part, reachable},
+    grid::{Cell, Grid, Occupancy},
     math::{ceil, floor},
 };
+use surroundings::{Building, Surrounded};
 
 /// Free cells around a whole drawing, so that there is a way around its walls.
 const MARGIN: i32 = 2;
@@ -106,6 +111,8 @@ struct EnclosedFloor {
     around: usize,
     /// A building that may stand free within it.
     in_doubt: Option<FreeBuilding>,
+    /// The building with little of the floor within the outermost walls: its floor, and whether that is what is taken.
+    small: Option<(Grid<bool>, bool)>,
 }
 
 struct RoomTracer<'a> {
@@ -171,7 +178,7 @@ impl<'a> RoomTracer<'a> {
     fn run(&self) -> Result<Traced, DrawingFlaw> {
         match &self.how.region {
             DrawingRegion::Indoors { .. } => self.indoors(),
-            DrawingRegion::Whole => self.whole(),
+            DrawingRegion::Whole => self.whole_from_indoors(),
             DrawingRegion::Rectangle { low, high } => self.rectangle(*low, *high),
             DrawingRegion::Polygon(outline) => self.polygon(outline),
             DrawingRegion::Room(point) => self.room(*point),
@@ -187,9 +194,15 @@ impl<'a> RoomTracer<'a> {
         };
         let is_open = found.is_none();
         let mut traced = match found {
-            Some(EnclosedFloor { frame, inside, walls, openings, around, .. }) => {
+            Some(EnclosedFloor { frame, inside, walls, openings, around, in_doubt, small }) => {
                 let mut traced = self.cropped(&frame, inside, &walls, &openings)?;
                 traced.around_m2 = area(around);
+                let home = small.as_ref().filter(|(_, is_taken)| !is_taken).map(|(floor, _)| floor);
+                if let Some(home) = home.or(in_doubt.as_ref().map(|building| &building.floor)) {
+                    self.start_at(&mut traced, &frame, home);
+                }
+                traced.free_standing =
+                    small.map(|(floor, is_taken)| FreeStandingBuilding { floor_m2: area(floor.count()), is_taken });
                 traced
             }
             None => self.whole()?,
@@ -238,27 +251,45 @@ impl<'a> RoomTracer<'a> {
             (inside, openings) = (with_doors_closed, outside.openings);
         }
         let all = inside.count();
-        let building = |door: f64| surroundings::building(&walls, &inside, door, self.how.resolution);
-        let free = alone::building(&walls, &inside, &outside.cells, [gap, door], self.how.resolution);
-        let (free, in_doubt) = match free {
+        let has_garden = self.drawing.layers.iter().any(|layer| house::names_garden(&layer.name));
+        let floor = inside.clone();
+        let site = |door: f64| Site {
+            floor: &floor,
+            outside: &outside.cells,
+            door,
+            resolution: self.how.resolution,
+            has_garden,
+        };
+        let (free, in_doubt) = match alone::building(&walls, site(door), gap) {
             Some(free) if !free.is_decided(gap) => (None, Some(free)),
             free => (free, None),
         };
-        let free = free.map(|FreeBuilding { floor, .. }| {
+        // Its rooms behind terrace doors would be missing.
+        let building = |door: f64| surroundings::building(&walls, site(door), in_doubt.is_none());
+        let surrounded = if let Some(FreeBuilding { floor, is_small, .. }) = free {
             let openings = openings::openings(&walls, &floor);
-            (floor, openings)
-        });
-        let building = free.or_else(|| building(gap.max(door))).or_else(|| building(door).filter(|_| gap > door));
+            let small = is_small.then_some(FreeStanding::House);
+            Surrounded { building: Some(Building { floor, openings, small }), in_doubt: None }
+        } else {
+            let first = building(gap.max(door));
+            let next = (first.building.is_none() && gap > door).then(|| building(door));
+            next.filter(|next| next.building.is_some()).unwrap_or(first)
+        };
+        let Surrounded { building, in_doubt: may_be } = surrounded;
         let is_in_garden = building.is_some();
+        let mut small = may_be.map(|floor| (floor, false));
         if let Some(building) = building {
-            (inside, openings) = building;
+            (inside, openings) = (building.floor, building.openings);
+            if building.small.is_some() {
+                small = Some((inside.clone(), true));
+            }
         }
         surroundings::remove_outbuildings(&mut inside, &walls);
         let around = all - inside.count();
         let size = (self.bounds.high - self.bounds.low) / self.side;
         let is_building = inside.count() as f64 >= INDOORS * size.x * size.y;
         let in_doubt = in_doubt.filter(|_| !is_in_garden);
-        Ok(is_building.then_some(EnclosedFloor { frame, inside, walls, openings, around, in_doubt }))
+        Ok(is_building.then_some(EnclosedFloor { frame, inside, walls, openings, around, in_doubt, small }))
     }
 
     fn whole(&self) -> Result<Traced, DrawingFlaw> {
@@ -266,9 +297,7 @@ impl<'a> RoomTracer<'a> {
             let frame = RasterFrame::around(&self.bounds, self.side, 0);
             frame.check(self.how.metre)?;
             let floor = self.walls(&frame, true)?.map(|is_wall| !is_wall);
-            let mut traced = self.furnished(&frame, &floor)?;
-            traced.plan.start = self.start_indoors(&frame, floor.count())?;
-            return Ok(traced);
+            return self.furnished(&frame, &floor);
         }
         let frame = RasterFrame::around(&self.bounds, self.side, MARGIN);
         frame.check(self.how.metre)?;
@@ -289,19 +318,6 @@ impl<'a> RoomTracer<'a> {
         frame.check(self.how.metre)?;
         let walls = self.walls(&frame, false)?;
         self.furnished(&frame, &walls.map(|is_wall| !is_wall))
-    }
-
-    /// The middle of the widest place that walls enclose, in the room of the cells `whole`, if there is floor outside, too.
-    fn start_indoors(&self, whole: &RasterFrame, free: usize) -> Result<Option<Pose>, DrawingFlaw> {
-        let Some(EnclosedFloor { frame, inside, .. }) = self.enclosed()? else { return Ok(None) };
-        let Some(room) = largest_part(&inside).filter(|_| inside.count() < free) else { return Ok(None) };
-        let room = reachable(&inside, room);
-        let width = chessboard(&room.map(|is_room| !is_room));
-        let widest = width.iter().max_by_key(|&(_, &moves)| moves);
-        Ok(widest.map(|(cell, _)| {
-            let at = whole.cells(frame.point(cell.centre(1.0))) * self.how.resolution;
-            Pose::new(at.x, at.y, 0.0)
-        }))
     }
 
     /// The floor enclosed when openings in walls are closed, if that is more than the `closed` cells enclosed anyway.
@@ -518,6 +534,8 @@ impl<'a> RoomTracer<'a> {
             gaps,
             around_m2: 0.0,
             leak: None,
+            free_standing: None,
+            goes_out: false,
             is_open: false,
         })
     }

@@ -1,6 +1,9 @@
 //! Tells a building from what lies round it within the outermost walls: a garden, or the page within its frame.
 
-use super::{openings, region};
+use super::{
+    house::{FreeStanding, Site},
+    openings, region,
+};
 use robovac_core::{
     geometry::Point,
     grid::{Cell, Grid, chessboard, largest_part, reachable},
@@ -13,10 +16,11 @@ use std::{
 
 /// Fewest rooms of a building, unless a thin frame is round it: a column, a kiosk or a lift stands in a hall, too.
 pub(super) const ROOMS: usize = 2;
-/// Least share of the floor that is the building's (ours). The core of an office floor is less; on a sheet, within a thin
-/// or standard frame, a building can be smaller: a flat of 50 m² at 1:100 is a twelfth of an A4 sheet.
+/// Share of the floor from which on a building is one (ours). The core of an office floor has less; so has a house in a
+/// large garden, which is told by what it is like, and a building on a sheet, within a thin or standard frame: a flat of
+/// 50 m² at 1:100 is a twelfth of an A4 sheet.
 pub(super) const SHARE: f64 = 0.25;
-const SHARE_IN_FRAME: f64 = 0.05;
+pub(super) const LEAST_SHARE: f64 = 0.05;
 /// Largest floor that stands at the outermost walls, as a share of the building's: a shed, a title block. Halls have
 /// their rooms there.
 pub(super) const ATTACHED: f64 = 0.25;
@@ -34,23 +38,42 @@ pub(super) const MOST_LAYERS: usize = 4;
 /// No part.
 const NONE: u16 = u16::MAX;
 
-/// The floor of a building that stands free within walls, with the openings in its walls that are closed for it.
-/// `inside` is the floor that the walls enclose; `None` if nothing there is a building.
-pub(super) fn building(
-    walls: &Grid<bool>,
-    inside: &Grid<bool>,
-    door: f64,
-    resolution: f64,
-) -> Option<(Grid<bool>, Vec<[Point; 2]>)> {
-    let mut found: Option<(Grid<bool>, Vec<[Point; 2]>)> = None;
+/// A building that stands free within walls.
+pub(super) struct Building {
+    pub floor: Grid<bool>,
+    /// The openings in its walls that are closed for it.
+    pub openings: Vec<[Point; 2]>,
+    /// What it is if it has little of the floor.
+    pub small: Option<FreeStanding>,
+}
+
+/// What stands free within walls.
+#[derive(Default)]
+pub(super) struct Surrounded {
+    pub building: Option<Building>,
+    /// The floor of what may be a building.
+    pub in_doubt: Option<Grid<bool>>,
+}
+
+/// What stands free within the walls round `site.floor`; `can_be_small` is whether a house with little of it is looked for.
+pub(super) fn building(walls: &Grid<bool>, site: Site<'_>, mut can_be_small: bool) -> Surrounded {
+    let mut found = Surrounded::default();
     let (mut outside, _) = region::room(walls, Cell::new(0, 0));
     for _ in 0..MOST_LAYERS {
-        let floor = found.as_ref().map_or(inside, |(floor, _)| floor);
-        let Some(next) = within(walls, floor, &outside, door, resolution) else { break };
-        for (cell, &is_floor) in floor.iter() {
-            outside[cell] |= is_floor && !next.0[cell];
+        let floor = found.building.as_ref().map_or(site.floor, |found| &found.floor);
+        let Some((next, is_sheet)) = within(walls, Site { floor, outside: &outside, ..site }, can_be_small) else {
+            break;
+        };
+        // What stands in a house is no other house, but a page can be round a garden.
+        can_be_small &= is_sheet;
+        if next.small == Some(FreeStanding::InDoubt) {
+            found.in_doubt = Some(next.floor);
+            break;
         }
-        found = Some(next);
+        for (cell, &is_floor) in floor.iter() {
+            outside[cell] |= is_floor && !next.floor[cell];
+        }
+        found.building = Some(next);
     }
     found
 }
@@ -74,14 +97,9 @@ impl RoomShare {
     }
 }
 
-/// The building within the outermost walls of `floor`; beyond them is `outside`.
-fn within(
-    walls: &Grid<bool>,
-    floor: &Grid<bool>,
-    outside: &Grid<bool>,
-    door: f64,
-    resolution: f64,
-) -> Option<(Grid<bool>, Vec<[Point; 2]>)> {
+/// The building within the outermost walls of a place, and whether these are the frame of a sheet.
+fn within(walls: &Grid<bool>, site: Site<'_>, can_be_small: bool) -> Option<(Building, bool)> {
+    let Site { floor, outside, door, resolution, .. } = site;
     let blocked = floor.map(|&is_floor| !is_floor);
     let (mut labels, mut parts) = parts(&blocked, door);
     let outer = outer(&labels);
@@ -114,7 +132,8 @@ fn within(
     let frame = frame(walls, &labels, &outer, &parts);
     let is_sheet = frame.is_some() && rooms >= ROOMS;
     let has_title_block = is_sheet && blocks == 1 && share(attached, all) <= TITLE_BLOCK;
-    let least = if is_sheet { SHARE_IN_FRAME } else { SHARE };
+    let is_small = !is_sheet && share(building, all) < SHARE;
+    let least = if is_sheet || can_be_small { LEAST_SHARE } else { SHARE };
     let is_alone = rooms < ROOMS && frame != Some(PageFrame::Thin);
     if is_alone || share(attached, building) > ATTACHED && !has_title_block || share(building, all) < least {
         return None;
@@ -133,7 +152,11 @@ fn within(
     let left = region::enclosed(&shut, resolution);
     let openings = if yard.seeds.is_empty() { openings::openings(&blocked, &left) } else { outside.openings };
     // What lies round a building without closed walls flows through it.
-    (left.count() * 2 > building).then_some((left, openings))
+    if left.count() * 2 <= building {
+        return None;
+    }
+    let small = is_small.then(|| site.kind(&left));
+    (small != Some(FreeStanding::Block)).then_some((Building { floor: left, openings, small }, is_sheet))
 }
 
 /// Removes floor that no wall connects with the building, if it is little: a shed, a tree, a pond.
@@ -424,7 +447,9 @@ mod tests {
 
     fn found(walls: &Grid<bool>) -> Option<usize> {
         let inside = region::enclosed(walls, RESOLUTION);
-        building(walls, &inside, DOOR, RESOLUTION).map(|(floor, _)| floor.count())
+        let outside = region::room(walls, Cell::new(0, 0)).0;
+        let site = Site { floor: &inside, outside: &outside, door: DOOR, resolution: RESOLUTION, has_garden: false };
+        building(walls, site, true).building.map(|building| building.floor.count())
     }
 
     #[test]

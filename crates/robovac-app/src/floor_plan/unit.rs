@@ -22,10 +22,10 @@ pub const UNITS: [Unit; 5] = [
 ];
 
 /// Scales of plans on paper, with their names in menus.
-type Scales = [(f64, &'static str); 3];
-const SCALES: Scales = [(50.0, "1:50"), (100.0, "1:100"), (200.0, "1:200")];
-/// A quarter, an eighth and a sixteenth of an inch for a foot.
-const US_SCALES: Scales = [(48.0, "1:48"), (96.0, "1:96"), (192.0, "1:192")];
+type Scales = &'static [(f64, &'static str)];
+const SCALES: Scales = &[(50.0, "1:50"), (100.0, "1:100"), (200.0, "1:200")];
+/// A quarter, an eighth and a sixteenth of an inch for a foot; metric plans are printed on these sheets, too.
+const US_SCALES: Scales = &[(48.0, "1:48"), (50.0, "1:50"), (96.0, "1:96"), (100.0, "1:100"), (192.0, "1:192")];
 /// Sheets that are scanned: longer and shorter side, m, name, and scales (ISO 216; ANSI/ASME Y14.1, A and B).
 const SHEETS: [([f64; 2], &str, Scales); 4] = [
     ([0.297, 0.21], "A4", SCALES),
@@ -41,7 +41,7 @@ pub fn paper_units(source: &DrawingSource) -> Vec<(String, f64)> {
     let units = sheets.flat_map(|&(sides, sheet, scales)| {
         let paper = source.paper(sides);
         let of = if is_image { format!("{sheet} sheet") } else { "on paper".to_owned() };
-        scales.into_iter().filter_map(move |(scale, name)| Some((format!("{of}, {name}"), scale * paper?)))
+        scales.iter().filter_map(move |&(scale, name)| Some((format!("{of}, {name}"), scale * paper?)))
     });
     units.collect()
 }

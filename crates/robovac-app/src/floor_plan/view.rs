@@ -6,7 +6,7 @@ use super::{
 };
 use crate::amount::{amount, grouped};
 use coverage_planners::{metrics::DriveMetrics, stage::LineEndContact, sweep::Sweep};
-use floor_drawing::{OUTER_DOOR, OutsideLeak, Role};
+use floor_drawing::{FreeStandingBuilding, OUTER_DOOR, OutsideLeak, Role};
 use robovac_core::{cspace::Outline, geometry::Point};
 use serde::Serialize;
 
@@ -351,6 +351,14 @@ impl DrawingSession {
                  is, {counts}.{mend}"
             );
         }
+        if let Some(building) = room.free_standing.filter(|_| !self.assumes_size()) {
+            return beside(building);
+        }
+        if room.goes_out && !self.assumes_size() {
+            return "The floor round the building counts, too, and a robot gets out to it through an opening in the walls. \
+                    Indoors takes only the floor within the walls."
+                .to_owned();
+        }
         let notice = match self.source() {
             _ if !room.is_open => "",
             DrawingSource::Image { .. } => {
@@ -364,6 +372,21 @@ impl DrawingSession {
         };
         notice.to_owned()
     }
+}
+
+/// What is in doubt about a building that stands free within walls, in words.
+fn beside(building: FreeStandingBuilding) -> String {
+    let floor_m2 = grouped(building.floor_m2.round() as usize);
+    if building.is_taken {
+        return format!(
+            "A building of about {floor_m2} m² stands free within the outermost walls. Only its floor counts, as that of a \
+             house in its garden. If all of it is one building, choose Whole."
+        );
+    }
+    format!(
+        "A building of about {floor_m2} m² stands free within the outermost walls. All floor counts, and the robot starts \
+         in the building. If it is a house in its garden, choose Rectangle or Polygon, or click a room with This room."
+    )
 }
 
 /// Description of the picture for screen readers.

@@ -9,7 +9,7 @@ pub enum MapError {
     #[error("no file was given; choose a floor plan. {TAKEN}")]
     NoFile,
     /// A file has no content.
-    #[error("\"{name}\" is empty; choose another file or save the map again")]
+    #[error("\"{name}\" is empty; choose another file or save the map again. {TAKEN}")]
     Empty {
         /// The file.
         name: String,
@@ -27,7 +27,7 @@ pub enum MapError {
     /// The map has too many rows or columns.
     #[error(
         "\"{name}\" has {width} x {height} cells, but the limit is {MAX_SIDE} x {MAX_SIDE}; crop it or save it at a \
-         coarser resolution"
+         coarser resolution. {TAKEN}"
     )]
     TooLarge {
         /// The file.
@@ -39,7 +39,7 @@ pub enum MapError {
     },
     /// A picture that is larger than memory allows.
     #[error(
-        "\"{name}\" has {width} x {height} pixels, but at most {} million are read; scale it down to {}",
+        "\"{name}\" has {width} x {height} pixels, but at most {} million are read; scale it down to {}. {TAKEN}",
         MAX_PIXELS / 1_000_000, fitting(*width, *height)
     )]
     TooManyPixels {
@@ -51,7 +51,7 @@ pub enum MapError {
         height: usize,
     },
     /// The file ends prematurely.
-    #[error("\"{name}\" is cut off: its {part} ends too early; copy or export the file again")]
+    #[error("\"{name}\" is cut off: its {part} ends too early; copy or export the file again. {TAKEN}")]
     Truncated {
         /// The file.
         name: String,
@@ -59,7 +59,7 @@ pub enum MapError {
         part: &'static str,
     },
     /// An image can't be decoded.
-    #[error("\"{name}\" is damaged: {cause}; save the image again, best as PNG")]
+    #[error("\"{name}\" is damaged: {cause}; save the image again, best as PNG. {TAKEN}")]
     BadImage {
         /// The file.
         name: String,
@@ -182,7 +182,8 @@ pub enum MapError {
     },
     /// JSON that isn't a scenario.
     #[error(
-        "\"{name}\" is JSON but not a scenario (no \"format\": \"robovac-scenario\"); choose a file that was saved here"
+        "\"{name}\" is JSON but not a scenario (no \"format\": \"robovac-scenario\"); choose a file that was saved here. \
+         {TAKEN}"
     )]
     NotAScenario {
         /// The file.

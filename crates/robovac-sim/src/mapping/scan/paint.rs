@@ -13,10 +13,11 @@ use robovac_core::{
     robot::{Body, RobotModel},
 };
 
-/// Log odds of a cell under the body, along a beam, and at its end from near and from afar.
+/// Log odds of a cell under the body, along a beam, and at its end from near and from afar: two beams that end in a cell at any
+/// distance make it occupied, as the robot may never look there again.
 const UNDER_BODY: f64 = -0.4;
 const ALONG: f64 = -0.12;
-const END: (f64, f64) = (0.9, 0.3);
+const END: (f64, f64) = (0.9, 0.45);
 /// Distances at which an end counts as near and as far, m.
 const NEAR: f64 = 2.0;
 const FAR: f64 = 5.0;
