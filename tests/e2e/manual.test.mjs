@@ -52,7 +52,6 @@ test("arrow keys and letters drive while they are held, on the floor", async (t)
   const { distance } = await app.numbers();
   await page.locator("#tab-explore").focus();
   await page.keyboard.down("KeyW");
-  await page.keyboard.down("KeyW");
   await app.numbersThat((now, then) => now.distance > then + 0.1, distance);
   await page.keyboard.up("KeyW");
 });

@@ -50,6 +50,7 @@ export async function startManual(app) {
     floor.focus();
     event.preventDefault();
     event.stopPropagation();
+    floor.dispatchEvent(new KeyboardEvent("keydown", { key, code: event.code, cancelable: true }));
   };
   document.addEventListener("keydown", focus, { capture: true });
 
