@@ -35,8 +35,11 @@ if (files.length < all.length) console.log(`${all.length - files.length} of ${al
 
 /** Where a robot's stop is due soon, the machine has nothing heavy to do besides. */
 const isUrgent = (file) => /^connection(-bridge|-fake|-motors|-program|-serial|-stop|-usb|-window)?\.test/.test(path.basename(file));
-/** That a robot stops in time is measured there: beside nothing else. Another browser's start delays a stop by 0.1 s. */
-const isStop = (file) => /^connection-(bridge|stop|window)\.test/.test(path.basename(file));
+/**
+ * That a robot stops in time is measured there, or it rides as long as a page may not be busy: beside nothing else. Another browser's
+ * start delays a stop by 0.1 s.
+ */
+const isStop = (file) => /^connection-(bridge|motors|stop|window)\.test/.test(path.basename(file));
 const isEngine = (/** @type {string} */ file) => /^(firefox|webkit)\.test/.test(path.basename(file));
 /** That a robot stops in time has to hold at the first try. */
 const hasOneTry = (file) => /^connection-(bridge|stop)\.test/.test(path.basename(file));
