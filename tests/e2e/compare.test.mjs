@@ -346,7 +346,7 @@ test("a link with an algorithm that isn't there says which was meant", async (t)
   await page.locator("#message").waitFor();
   await app.says(/^There is no planner "snale"; did you mean "snake"\?/);
   const head = await page.locator(".arena-head").boundingBox();
-  assert.ok((await page.locator("#message").boundingBox()).y >= head.y + head.height, "it covers no button");
+  await app.poll(() => page.locator("#message").boundingBox(), ({ y }) => y >= head.y + head.height).catch(() => assert.fail("it covers a button"));
   await page.getByRole("button", { name: "Dismiss" }).click();
   await page.locator("#message").waitFor({ state: "hidden" });
   await lanes(page, 4);

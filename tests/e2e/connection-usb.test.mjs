@@ -63,7 +63,7 @@ for (const [kind, Chip] of Object.entries(CHIPS)) {
     assert.equal(back.mode, "Passive");
     const heard = robot.heard();
     // Zeros before it fill up a command that was cut.
-    assert.ok(stops(heard.find(({ opcode }) => opcode !== 0)), "the first thing said was no stop");
+    assert.ok(stops(heard.find(({ opcode }) => opcode !== 0)), `the first thing said was no stop: ${JSON.stringify(heard.slice(0, 5))}`);
     assert.deepEqual(heard.filter(moves), []);
 
     await desk.letGo();
