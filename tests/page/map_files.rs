@@ -316,6 +316,11 @@ mod formats {
     }
 
     #[test]
+    fn the_page_names_the_same_formats_where_the_browser_decodes() {
+        assert!(include_str!("../../www/shared/pictures.js").contains(&format!("\"{TAKEN}.\"")));
+    }
+
+    #[test]
     fn files_that_are_no_floor_plan_are_told_with_all_formats() {
         let cases: [(&str, &[u8]); 9] = [
             ("a.json", b"{}"),

@@ -1,7 +1,10 @@
 //! Walls drawn as two lines, with paper or a light colour between them. What lies between is no floor, and what looks for
 //! doors, words and dimension lines has to know how thick walls are.
 
-use super::thickness::{ReducedPicture, opened, usual_thickness};
+use super::{
+    marks::area,
+    thickness::{ReducedPicture, opened, usual_thickness},
+};
 use robovac_core::grid::{Cell, Grid, chessboard};
 
 /// What is wider than so many times the usual inside of a wall is floor.
@@ -116,23 +119,6 @@ fn strips(walls: &Grid<bool>, floor: &Grid<bool>) -> Vec<Strip> {
         strips.push(Strip { cells, is_long });
     }
     strips
-}
-
-/// All that steps connect to a cell without one that was seen.
-fn area(start: Cell, seen: &mut Grid<bool>) -> Vec<Cell> {
-    seen[start] = true;
-    let mut cells = vec![start];
-    let mut next = 0;
-    while let Some(&cell) = cells.get(next) {
-        next += 1;
-        for beside in cell.neighbours() {
-            if seen.get(beside) == Some(&false) {
-                seen[beside] = true;
-                cells.push(beside);
-            }
-        }
-    }
-    cells
 }
 
 /// A grid like another one, in which these cells are set.

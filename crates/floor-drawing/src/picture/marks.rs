@@ -1,4 +1,4 @@
-//! Marks: dark pixels that are connected, in any of 8 directions.
+//! Marks: dark pixels that are connected, in any of 8 directions; and areas, connected by steps.
 
 use robovac_core::grid::{Cell, Grid};
 
@@ -45,6 +45,23 @@ pub(super) fn marks(walls: &Grid<bool>, is_meant: impl Fn(&PixelMark) -> bool) -
         }
     }
     found
+}
+
+/// All that steps connect to a cell without one that was seen; it is seen then.
+pub(super) fn area(start: Cell, seen: &mut Grid<bool>) -> Vec<Cell> {
+    seen[start] = true;
+    let mut cells = vec![start];
+    let mut next = 0;
+    while let Some(&cell) = cells.get(next) {
+        next += 1;
+        for beside in cell.neighbours() {
+            if seen.get(beside) == Some(&false) {
+                seen[beside] = true;
+                cells.push(beside);
+            }
+        }
+    }
+    cells
 }
 
 /// Removes marks.

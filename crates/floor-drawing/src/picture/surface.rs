@@ -3,7 +3,7 @@
 
 use super::{
     local,
-    marks::{erase, marks},
+    marks::{area, erase, marks},
 };
 use robovac_core::grid::{Cell, Grid};
 
@@ -64,13 +64,13 @@ fn surface(shades: &Grid<u8>) -> Option<Grid<bool>> {
     let dark = local::darker(shades, CONTRAST, false);
     let half = local::half(shades);
     let mut surface = dark.map(|_| false);
-    let mut seen = dark.map(|_| false);
+    let mut seen = dark.clone();
     let mut from = Vec::new();
     for start in edge(&dark) {
-        if dark[start] || seen[start] {
+        if seen[start] {
             continue;
         }
-        let area = light_area(&dark, &mut seen, start);
+        let area = area(start, &mut seen);
         if area.len() as f64 >= LARGE * dark.len() as f64 && is_surface(&dark, shades, &area, half) {
             from.extend(area);
         }
@@ -131,22 +131,6 @@ fn reach(dark: &Grid<bool>, from: Vec<Cell>, moves: usize) -> (Vec<Cell>, Vec<Ce
         front = next;
     }
     (reached, beyond)
-}
-
-/// The light pixels that are connected with one.
-fn light_area(dark: &Grid<bool>, seen: &mut Grid<bool>, start: Cell) -> Vec<Cell> {
-    seen[start] = true;
-    let (mut area, mut next) = (vec![start], 0);
-    while let Some(&cell) = area.get(next) {
-        next += 1;
-        for beside in cell.neighbours() {
-            if dark.get(beside) == Some(&false) && !seen[beside] {
-                seen[beside] = true;
-                area.push(beside);
-            }
-        }
-    }
-    area
 }
 
 /// The pixels at the edge of the picture.

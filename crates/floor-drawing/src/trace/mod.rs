@@ -526,17 +526,6 @@ impl<'a> RoomTracer<'a> {
         let inside = |end: &Point| (0.0..=plan.width_m()).contains(&end.x) && (0.0..=plan.height_m()).contains(&end.y);
         let in_room = self.bridges.iter().map(|ends| ends.map(|end| frame.cells(end) * self.how.resolution));
         let gaps = in_room.filter(|ends| ends.iter().all(inside)).collect();
-        Ok(Traced {
-            plan,
-            corner: frame.low.coords,
-            turn: 0.0,
-            metre,
-            gaps,
-            around_m2: 0.0,
-            leak: None,
-            free_standing: None,
-            goes_out: false,
-            is_open: false,
-        })
+        Ok(Traced { corner: frame.low.coords, gaps, ..Traced::of_map(plan, metre) })
     }
 }
