@@ -5,12 +5,15 @@
  * @typedef {import("./worker-types").FromWorker} FromWorker
  * @typedef {import("./worker-types").Proof | undefined} Proof
  * @typedef {object} Listeners
- * @property {(id: number, done: number, cells: import("./worker-types").WirePath, proof: Proof, film: unknown[]) => void} progress
- * @property {(id: number, cells: import("./worker-types").WirePath, seconds: number, trace: unknown, proof: Proof, knots: import("./worker-types").Knots) => void} finished
+ * @property {(id: number, done: number, cells: import("./worker-types").WirePath, proof: Proof) => void} progress
+ * @property {(id: number, cells: import("./worker-types").WirePath, seconds: number, trace: unknown, proof: Proof, knots: import("./worker-types").Knots, film: import("./worker-types").FilmPictures) => void} finished
+ * @property {(id: number, film: unknown[]) => void} [filmed] Receives the film of a plan that was kept.
  * @property {(id: number, knots: Float64Array) => void} [smoothed] Receives the rounded corners of a plan that was kept.
  * @property {(id: number, proof: Proof, least: Float64Array | undefined) => void} [proven] Receives what is proven of a plan already received.
  * @property {(id: number, message: string) => void} failed
  */
+
+const nothing = () => ({ cells: new Uint32Array(), proof: undefined, frames: [] });
 
 export class Planning {
   /** @type {Listeners} */
@@ -21,8 +24,8 @@ export class Planning {
   #busy;
   /** The last request. @type {import("./worker-types").PlanRequest | undefined} */
   #request;
-  /** Its best path so far. @type {import("./worker-types").WirePath} */
-  #best = new Uint32Array();
+  /** Its best path so far, its proof, and the frames of its film. @type {{ cells: import("./worker-types").WirePath; proof: Proof; frames: unknown[] }} */
+  #best = nothing();
   /** Id of the request that the worker is busy with, if any: the proof comes after the plan. */
   #sent = false;
   #proving = NaN;
@@ -38,7 +41,7 @@ export class Planning {
     this.cancel();
     this.#busy = request.id;
     this.#request = request;
-    this.#best = new Uint32Array();
+    this.#best = nothing();
     const hired = (this.#worker ??= this.#hire());
     hired.then(
       (worker) => {
@@ -72,18 +75,21 @@ export class Planning {
 
   /** Ends the search, whose best walk so far is to be kept: another worker proves how good that is. @returns {number} Seconds since it began. */
   keep() {
-    const [seconds, request, cells] = [this.cancel(), this.#request, this.#best];
-    if (request) this.prove(request, cells);
+    const [seconds, request, { cells, proof, frames }] = [this.cancel(), this.#request, this.#best];
+    if (request) this.prove(request, cells, proof, frames);
     return seconds;
   }
 
-  /** Rounds the corners of a plan, and proves how good it is. @param {import("./worker-types").PlanRequest} request @param {import("./worker-types").WirePath} cells */
-  prove(request, cells) {
+  /**
+   * Rounds the corners of a plan, makes its film, and proves how good it is.
+   * @param {import("./worker-types").PlanRequest} request @param {import("./worker-types").WirePath} cells @param {Proof} [proof] @param {unknown[]} [frames]
+   */
+  prove(request, cells, proof, frames = []) {
     this.#proving = request.id;
     void (this.#worker ??= this.#hire()).then((worker) => {
       if (this.#proving !== request.id) return;
       this.#sent = true;
-      worker.postMessage({ type: "prove", request, cells });
+      worker.postMessage({ type: "prove", request, cells, proof, frames });
     });
   }
 
@@ -113,6 +119,7 @@ export class Planning {
   #hear(message) {
     const { id } = message;
     if (message.type === "smoothed" && message.knots && id === this.#proving) this.#listeners.smoothed?.(id, message.knots);
+    if (message.type === "filmed" && message.film && id === this.#proving) this.#listeners.filmed?.(id, message.film);
     if (message.type === "proven" && id === this.#proving) {
       this.#proving = NaN;
       this.#sent = false;
@@ -120,14 +127,16 @@ export class Planning {
     }
     if (id !== this.#busy) return;
     if (message.type === "progress") {
-      this.#best = message.cells;
-      this.#listeners.progress(id, message.done, message.cells, message.proof, message.film ?? []);
+      const { done, cells, proof, frames } = message;
+      this.#best.frames.push(...frames);
+      Object.assign(this.#best, { cells, proof });
+      this.#listeners.progress(id, done, cells, proof);
       return;
     }
     this.#busy = undefined;
     this.#sent = message.type === "finished";
     if (this.#sent) this.#proving = id;
-    if (message.type === "finished") this.#listeners.finished(id, message.cells, message.seconds, message.trace, message.proof, message.knots);
+    if (message.type === "finished") this.#listeners.finished(id, message.cells, message.seconds, message.trace, message.proof, message.knots, message.film);
     else if (message.type === "failed") this.#listeners.failed(id, message.message);
   }
 }

@@ -16,11 +16,13 @@ export function startPlanning(playground, guard) {
   let wanted = NaN;
   /** @type {import("./planning.js").Listeners} */
   const listeners = {
-    progress: (id, done, cells, proof, film) => guard(() => playground.plan_progress(id, done, cells, proof, film)),
-    finished: (id, cells, seconds, trace, proof, knots) => {
+    progress: (id, done, cells, proof) => guard(() => playground.plan_progress(id, done, cells, proof)),
+    finished: (id, cells, seconds, trace, proof, knots, film) => {
       guard(() => playground.plan_finished(id, cells, seconds, trace, proof));
       if (knots) guard(() => playground.plan_smoothed(id, knots));
+      if (film) listeners.filmed?.(id, film);
     },
+    filmed: (id, film) => guard(() => playground.plan_filmed(id, film)),
     smoothed: (id, knots) => guard(() => playground.plan_smoothed(id, knots)),
     proven: (id, proof, least) => guard(() => playground.plan_proven(id, proof, least)),
     failed: (id, message) => guard(() => playground.plan_failed(id, message)),

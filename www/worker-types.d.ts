@@ -13,11 +13,14 @@ export type WirePath = Uint32Array | Float64Array;
 /** A trajectory with rounded corners, if there is one. */
 export type Knots = Float64Array | undefined;
 
+/** Pictures of a film, the argument of `plan_filmed`. */
+export type FilmPictures = unknown[] | undefined;
+
 /** Messages to and from the planning worker. */
 export type ToWorker =
   | { type: "init"; module: WebAssembly.Module }
   | { type: "plan"; request: PlanRequest }
-  | { type: "prove"; request: PlanRequest; cells: WirePath }
+  | { type: "prove"; request: PlanRequest; cells: WirePath; proof: Proof | undefined; frames: unknown[] }
   | { type: "trial"; request: { id: number } }
   | { type: "runs"; request: { id: number } }
   | { type: "fit"; request: { id: number; snapshot: import("./types").SessionSnapshot; percent: number } }
@@ -27,11 +30,12 @@ export type ToWorker =
 /** Cost of a plan, and its lower bound. */
 export type Proof = Float64Array;
 export type FromWorker =
-  | { type: "progress"; id: number; done: number; cells: WirePath; proof: Proof | undefined; film: unknown[] | undefined }
+  | { type: "progress"; id: number; done: number; cells: WirePath; proof: Proof | undefined; frames: unknown[] }
   /** The planner's own proof; the proof in the weights of comparisons comes later. */
-  | { type: "finished"; id: number; cells: WirePath; seconds: number; trace: unknown; proof: Proof | undefined; knots: Knots }
-  /** What was rounded of a plan that was kept. */
+  | { type: "finished"; id: number; cells: WirePath; seconds: number; trace: unknown; proof: Proof | undefined; knots: Knots; film: FilmPictures }
+  /** What was rounded of a plan that was kept, and its film. */
   | { type: "smoothed"; id: number; knots: Knots }
+  | { type: "filmed"; id: number; film: FilmPictures }
   /** `least`: length and time of any path that sweeps as much. */
   | { type: "proven"; id: number; proof: Proof | undefined; least: Float64Array | undefined }
   | { type: "failed"; id: number; message: string };

@@ -1,6 +1,6 @@
 // @ts-check
 // Plans and reads maps away from the page, which stays responsive; to cancel, the page ends this worker.
-import init, { Runner, TrialRunner, fit_cells, flat, least, map_bag, plan, prove, read_map, run_bag, smooth } from "../workshop.js";
+import init, { Runner, TrialRunner, film, fit_cells, flat, least, map_bag, plan, prove, read_map, run_bag, smooth } from "../workshop.js";
 
 /** @typedef {import("./worker-types").FromWorker | import("./worker-types").FromTrial | import("./worker-types").FromRuns | import("./worker-types").FromReader | import("./worker-types").FromFit | import("./worker-types").FromBag} Answer */
 
@@ -31,15 +31,21 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
   }
   await ready;
   const { id } = message.request;
-  /** @param {number} done @param {import("./worker-types").WirePath} cells @param {import("./worker-types").Proof | undefined} proof @param {unknown[] | undefined} film */
-  const report = (done, cells, proof, film) => answer({ type: "progress", id, done, cells, proof, film }, [cells.buffer]);
+  /** @type {unknown[]} */
+  const frames = [];
+  /** @param {number} done @param {import("./worker-types").WirePath} cells @param {import("./worker-types").Proof | undefined} proof @param {unknown[] | undefined} more */
+  const report = (done, cells, proof, more = []) => {
+    frames.push(...more);
+    answer({ type: "progress", id, done, cells, proof, frames: more }, [cells.buffer]);
+  };
   try {
     if (message.type === "plan") {
       const { cells, seconds, trace, proof } = plan(message.request, report);
-      answer({ type: "finished", id, cells, seconds, trace, proof, knots: smooth(message.request, cells) });
+      answer({ type: "finished", id, cells, seconds, trace, proof, knots: smooth(message.request, cells), film: film(message.request, frames, cells, proof) });
       tellProof(message.request, cells);
     } else if (message.type === "prove") {
       answer({ type: "smoothed", id, knots: smooth(message.request, message.cells) });
+      answer({ type: "filmed", id, film: film(message.request, message.frames, message.cells, message.proof) });
       tellProof(message.request, message.cells);
     } else if (message.type === "read" || message.type === "flat") {
       const map = message.type === "read" ? read_map(message.request.files) : flat(message.request.flat);

@@ -19,7 +19,7 @@ pub fn draw(context: &OffscreenCanvasRenderingContext2d, film: &FilmScene<'_>, v
     context.fill();
     for (ink, points) in &film.picture.lines {
         let (colour, width) = match ink {
-            FilmInk::Walk => (palette.preview, 1.75),
+            FilmInk::Path => (palette.preview, 1.75),
             FilmInk::Part(number) => (palette.parts[number % palette.parts.len()], 3.0),
             FilmInk::New => (palette.link, 3.0),
         };

@@ -3,6 +3,7 @@
 pub mod benchmark;
 pub mod frames;
 pub mod map_file;
+pub mod pictures;
 pub mod proof;
 pub mod request;
 pub mod trajectory;

@@ -1,14 +1,16 @@
 //! Planning in a worker.
 
 use coverage_planners::{
-    Bounds, Film, ProgressReport, Proof,
+    Bounds, CoveragePath, Film, ProgressReport, Proof,
     metrics::{DriveMetrics, MetricExcess, WalkMetrics},
 };
-use js_sys::{Float64Array, Function, Object, Reflect};
+use js_sys::{Array, Float64Array, Function, Object, Reflect};
+use robovac_app::explore::pictures;
 use robovac_playground::wire::{
     clock,
-    frames::frames_to_js,
-    proof::proof_to_js,
+    frames::{frames_from_js, frames_to_js},
+    pictures::pictures_to_js,
+    proof::{proof_from_js, proof_to_js},
     request::{laid_out, request_from_js},
     trajectory::trajectory_to_js,
     walk::{path_from_js, path_to_js},
@@ -34,12 +36,11 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     let mut observe = reporter(on_progress, &mut film, || request.film());
     let answer = request.serve(|| clock() / 1000.0, Some(&mut observe)).map_err(|e| e.to_string())?;
     drop(observe);
-    if let Some(mut film) = film.or_else(|| request.film()) {
-        tell(
-            on_progress,
-            &ProgressReport { done: 1.0, walk: &answer.path.cells, line: &answer.path.line, proof: answer.proof },
-            Some(&mut film),
-        );
+    let CoveragePath { cells, line } = &answer.path;
+    if let Some(film) = &mut film {
+        let last = ProgressReport { done: 1.0, walk: cells, line, proof: answer.proof };
+        film.take(&last);
+        tell(on_progress, &last, Some(film));
     }
     let result = Object::new();
     Reflect::set(&result, &"cells".into(), &path_to_js(&answer.path.cells, &answer.path.line))?;
@@ -47,6 +48,18 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     Reflect::set(&result, &"trace".into(), &robovac_playground::wire::to_js(&answer.trace)?)?;
     Reflect::set(&result, &"proof".into(), &proof_to_js(answer.proof))?;
     Ok(result.into())
+}
+
+/// The pictures of a request's film, see [`pictures_to_js`]: `frames` are all that its planning reported, `path` is the plan, with
+/// its proof; `undefined` if the search isn't filmed.
+#[wasm_bindgen]
+pub fn film(request: &JsValue, frames: &Array, path: &JsValue, proof: Option<Vec<f64>>) -> Result<JsValue, JsValue> {
+    let Some((room, _)) = laid_out(request)? else { return Ok(JsValue::UNDEFINED) };
+    let Some(film) = request_from_js(request)?.film_with(frames_from_js(frames)?) else {
+        return Ok(JsValue::UNDEFINED);
+    };
+    let frames = film.ended(&path_from_js(path), proof_from_js(proof));
+    Ok(pictures_to_js(&pictures(&frames, &room.planning_grid)).into())
 }
 
 /// The proof of a planner's walk for that request, in steps + 2 x quarter turns; `undefined` if it misses cells, as the

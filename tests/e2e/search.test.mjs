@@ -42,14 +42,30 @@ test("the snake's decisions follow steps and scrubs, in words and on the floor",
   await app.press("Back to the start");
   await app.until("ready");
   await app.poll(() => note.textContent(), (text) => /straight on\.$/.test(text));
-  // Others tell what they weigh, too; one plans in metres, and a behaviour plans nothing.
+  // Others tell what they weigh, too; a behaviour plans nothing.
   await app.choose("algorithm", "wavefront_distance");
   await app.poll(() => note.textContent(), (text) => /^Farthest from the goal: .*\.$/.test(text));
-  await app.choose("algorithm", "lanes");
-  assert.match(await page.locator("#search-refusal").textContent(), /metres/);
-  assert.ok((await toggle.isDisabled()) && (await page.locator("#search-small:visible").count()) === 0);
   await app.choose("algorithm", "random_walk");
   assert.ok((await toggle.isHidden()) && (await note.isHidden()), "a behaviour has no search");
+});
+
+test("a search in metres is a film, of a plan that was kept early, too", async (t) => {
+  const { page, app, screenshot } = await openApp(t, { ...LAPTOP, address: "#room=bedroom&planner=lanes&p.effort=0.2&search=1&speed=0" });
+  const note = page.locator("#search-note");
+  await app.poll(() => note.textContent(), (text) => /^First path: Lanes in metres needs \d+:\d\d min/.test(text));
+  const next = page.getByRole("button", { name: "Next frame" });
+  for (let i = 0; i < 20 && !/rejoined, .* saved; now \d+:\d\d min\.$/.test(await note.textContent()); i++) {
+    await next.click();
+    await app.frames(2);
+  }
+  await screenshot("search-in-metres");
+  await page.evaluate(() => {
+    const keep = document.getElementById("planning-keep");
+    new MutationObserver(() => keep.hidden || keep.click()).observe(keep, { attributeFilter: ["hidden"] });
+    location.hash = "room=bedroom&planner=lanes&p.effort=100&search=1&speed=0";
+  });
+  await app.poll(() => app.metric("Kept early"), ({ plan }) => /after/.test(plan));
+  await app.poll(() => note.textContent(), (text) => /^First path: Lanes in metres/.test(text));
 });
 
 test("at the end of a run with a film the floor and what was reached are shown", async (t) => {

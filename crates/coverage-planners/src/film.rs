@@ -1,21 +1,23 @@
-//! Recording of a film: the walks of a planner, each better than the one before.
+//! Recording of a film: the paths of a planner, each better than the one before.
 
-use crate::{Bounds, CoverageJob, CoveragePath, PlanContext, PlannerInfo, ProgressReport, Proof, metrics::WalkMetrics};
-use robovac_core::{grid::Cell, registry::Params};
+use crate::{
+    Bounds, CoverageJob, CoveragePath, PlanContext, PlannerInfo, ProgressReport, Proof,
+    metrics::{WalkMetrics, line_seconds},
+};
+use robovac_core::registry::Params;
 
-/// Most free cells of a filmed room: in larger ones single improvements can't be seen.
-pub const MOST_FILMED_CELLS: usize = 2_000;
 /// Most walks that are kept; beyond them the smallest improvements are merged.
 const MOST_FRAMES: usize = 120;
 
-/// The best walk at one moment of the search.
+/// The best path at one moment of the search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilmFrame {
-    /// The walk.
-    pub walk: Vec<Cell>,
-    /// Its proof; `None` for a walk that the search could start from.
+    /// The walk, or the path in metres.
+    pub path: CoveragePath,
+    /// Its proof; for a path in metres its time in milliseconds, with a stop at each corner, and no bound. `None` for a path that
+    /// the search could start from.
     pub proof: Option<Proof>,
-    /// The planner that made such a starting walk; empty for others.
+    /// The planner that made such a first path; empty for others.
     pub planner: String,
     /// How many improvements had been made.
     pub number: u32,
@@ -27,23 +29,34 @@ pub struct Film {
     frames: Vec<FilmFrame>,
     /// The latest walk of the search.
     last: Option<FilmFrame>,
-    /// Proves walks of a planner that doesn't.
+    /// Proves paths of a planner that doesn't.
     prover: Option<Prover>,
 }
 
-/// What it takes to compare walks with the bound.
+/// What it takes to compare paths with each other, and walks with the bound.
 #[derive(Debug)]
 struct Prover {
     job: CoverageJob,
+    /// 0 for paths in metres.
     bound: u64,
     /// Title of the planner.
     planner: &'static str,
 }
 
 impl Prover {
-    /// The proof of a walk; `None` for one that isn't complete yet.
-    fn proof(&self, walk: &[Cell]) -> Option<Proof> {
-        let metrics = WalkMetrics::of(&self.job, &CoveragePath::walk(walk.to_vec()));
+    fn new(planner: &PlannerInfo, job: &CoverageJob) -> Self {
+        let bound = if planner.claims.in_metres { 0 } else { Bounds::of(job).cost as u64 };
+        Self { job: job.clone(), bound, planner: planner.title }
+    }
+
+    /// The proof of a path; `None` for a walk that isn't complete yet.
+    fn proof(&self, path: &CoveragePath) -> Option<Proof> {
+        if path.is_in_metres() {
+            let place = self.job.place.as_ref()?;
+            let seconds = line_seconds(&place.robot, &path.line, place.floor.start.heading);
+            return Some(Proof { cost: (1000.0 * seconds) as u64, bound: self.bound });
+        }
+        let metrics = WalkMetrics::of(&self.job, path);
         let is_complete = metrics.visited_cells == metrics.reachable_cells;
         is_complete.then(|| Proof { cost: metrics.cost() as u64, bound: self.bound })
     }
@@ -52,33 +65,42 @@ impl Prover {
 impl Film {
     /// Begins with the walks that `planner` can start from.
     pub fn of(planner: &PlannerInfo, params: &Params, job: &CoverageJob) -> Self {
-        let mut film = Self::default();
-        if !planner.is_anytime() {
-            let (job, bound) = (job.clone(), Bounds::of(job).cost as u64);
-            film.prover = Some(Prover { job, bound, planner: planner.title });
-        }
+        let mut film = Self::with(planner, job, Vec::new());
         let (job, planners) = planner.build(params).begins_with(job);
         for first in planners {
             let plan = first.build(&Params::defaults(first.params)).plan(&job, &mut PlanContext::new(0));
             if let Ok(path) = plan {
-                film.add(FilmFrame { walk: path.cells, proof: None, planner: first.title.to_owned(), number: 0 });
+                film.add(FilmFrame { path, proof: None, planner: first.title.to_owned(), number: 0 });
             }
         }
         film
     }
 
-    /// Takes a report. Only a better walk, or a better proof of it, counts.
+    /// Goes on from recorded frames.
+    pub fn with(planner: &PlannerInfo, job: &CoverageJob, frames: Vec<FilmFrame>) -> Self {
+        let prover = (!planner.is_anytime()).then(|| Prover::new(planner, job));
+        let mut film = Self { prover, ..Self::default() };
+        for frame in frames {
+            film.add(frame);
+        }
+        film
+    }
+
+    /// Takes a report. Only a better path, or a better proof of it, counts.
     pub fn take(&mut self, report: &ProgressReport<'_>) {
-        let is_known = self.last.as_ref().is_some_and(|last| last.walk == report.walk);
-        let prover = self.prover.as_ref().filter(|_| !is_known && !report.walk.is_empty());
-        let Some(proof) = report.proof.or_else(|| prover?.proof(report.walk)) else { return };
+        let is_known =
+            self.last.as_ref().is_some_and(|last| last.path.cells == report.walk && last.path.line == report.line);
+        let path = || CoveragePath { cells: report.walk.to_vec(), line: report.line.to_vec() };
+        let is_path = !(report.walk.is_empty() && report.line.is_empty());
+        let prover = self.prover.as_ref().filter(|_| !is_known && is_path);
+        let Some(proof) = report.proof.or_else(|| prover?.proof(&path())) else { return };
         if let (Some(prover), None) = (prover, &self.last) {
-            let (walk, planner) = (report.walk.to_vec(), prover.planner.to_owned());
-            self.frames.push(FilmFrame { walk, proof: None, planner, number: 0 });
+            let planner = prover.planner.to_owned();
+            self.frames.push(FilmFrame { path: path(), proof: None, planner, number: 0 });
         }
         let number = match &self.last {
             None => 0,
-            Some(last) if last.walk == report.walk => last.number,
+            Some(last) if is_known => last.number,
             // What is chosen in the end is shown, even if the planner compares otherwise.
             Some(FilmFrame { proof: Some(known), .. }) if proof.cost >= known.cost && report.done < 1.0 => return,
             Some(last) => last.number + 1,
@@ -86,7 +108,7 @@ impl Film {
         if self.last.as_ref().is_some_and(|last| last.number == number && last.proof == Some(proof)) {
             return;
         }
-        self.add(FilmFrame { walk: report.walk.to_vec(), proof: Some(proof), planner: String::new(), number });
+        self.add(FilmFrame { path: path(), proof: Some(proof), planner: String::new(), number });
     }
 
     /// Appends the next frame.
@@ -115,6 +137,12 @@ impl Film {
         }
     }
 
+    /// All frames, once the search has ended with a path.
+    pub fn ended(mut self, path: &CoveragePath, proof: Option<Proof>) -> Vec<FilmFrame> {
+        self.take(&ProgressReport { done: 1.0, walk: &path.cells, line: &path.line, proof });
+        self.frames
+    }
+
     /// The frames since the last call.
     pub fn take_frames(&mut self) -> Vec<FilmFrame> {
         std::mem::take(&mut self.frames)
@@ -124,6 +152,7 @@ impl Film {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use robovac_core::grid::Cell;
 
     fn frames(improvements: i32, won: impl Fn(i32) -> u64) -> Vec<FilmFrame> {
         let mut film = Film::default();
@@ -143,12 +172,13 @@ mod tests {
     #[test]
     fn films_of_any_length_keep_beginning_order_and_the_largest_improvements() {
         let large = [17, 400, 777];
+        let x = |frame: &FilmFrame| frame.path.cells[0].x;
         let frames = frames(1000, |i| if large.contains(&i) { 500 } else { 1 });
         assert_eq!(frames.len(), MOST_FRAMES);
-        assert_eq!((frames[0].walk[0].x, frames[frames.len() - 1].walk[0].x), (0, 999));
+        assert_eq!((x(&frames[0]), x(&frames[frames.len() - 1])), (0, 999));
         assert!(frames.windows(2).all(|pair| pair[0].number < pair[1].number));
         for i in large {
-            let alone = frames.windows(2).any(|pair| pair[1].walk[0].x == i && pair[0].walk[0].x == i - 1);
+            let alone = frames.windows(2).any(|pair| x(&pair[1]) == i && x(&pair[0]) == i - 1);
             assert!(alone, "improvement {i} isn't told by itself");
         }
     }

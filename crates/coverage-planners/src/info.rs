@@ -58,22 +58,22 @@ pub enum Search {
 pub enum ShownSearch {
     /// What it considers and decides at each step, by [`PlanContext::trace`](super::PlanContext::trace).
     Decisions,
-    /// Its walks, each better than the one before, in a [`Film`](super::Film).
+    /// Its paths, each better than the one before, in a [`Film`](super::Film).
     Film,
-    /// Nothing, with the reason.
-    Nothing(&'static str),
 }
 
 impl PlannerInfo {
     /// What it shows of its search.
     pub fn shown_search(&self) -> ShownSearch {
         match self.claims.search {
-            _ if self.claims.in_metres => {
-                ShownSearch::Nothing("This planner works in metres: there are no cells to show its search on.")
-            }
             Search::None => ShownSearch::Decisions,
             Search::Limited { .. } | Search::Anytime { .. } => ShownSearch::Film,
         }
+    }
+
+    /// Most planning cells of a room in which it is filmed: in larger ones, changes by single cells can't be seen.
+    pub fn most_filmed_cells(&self) -> usize {
+        if self.claims.in_metres { 20_000 } else { 2_000 }
     }
 
     /// Whether its search can be stopped at any time.

@@ -63,7 +63,7 @@ pub mod sweep;
 
 pub use bounds::{Bounds, Relaxation, TURN_STEPS};
 pub use context::{Observer, PlanContext, PlanError, ProgressReport, StepTracer};
-pub use film::{Film, FilmFrame, MOST_FILMED_CELLS};
+pub use film::{Film, FilmFrame};
 pub use info::{PlannerClaims, PlannerInfo, SLOW_CELLS, Search, ShownSearch};
 pub use job::{CoverageJob, JobPlace};
 pub use objective::{Finish, Objective, Proof};

@@ -4,7 +4,7 @@ use super::Playground;
 use coverage_planners::{ProgressReport, TraceStep, metrics::SweepBound};
 use js_sys::Array;
 use robovac_playground::wire::{
-    frames::frames_from_js, proof::proof_from_js, request, trajectory::trajectory_from_js, walk,
+    pictures::pictures_from_js, proof::proof_from_js, request, trajectory::trajectory_from_js, walk,
 };
 use robovac_sim::experiment::planning::PlanAnswer;
 use wasm_bindgen::prelude::*;
@@ -25,21 +25,16 @@ impl Playground {
         request.map_or(Ok(JsValue::UNDEFINED), |request| request::request_to_js(&request))
     }
 
-    /// Progress of the worker: the share done, its best path so far, the path's proof (cost and bound), and new film
-    /// frames.
-    pub fn plan_progress(
-        &mut self,
-        id: u32,
-        done: f64,
-        path: &JsValue,
-        proof: Option<Vec<f64>>,
-        film: &Array,
-    ) -> Result<(), JsValue> {
+    /// Progress of the worker: the share done, its best path so far, and the path's proof (cost and bound).
+    pub fn plan_progress(&mut self, id: u32, done: f64, path: &JsValue, proof: Option<Vec<f64>>) {
         let proof = proof_from_js(proof);
-        self.session.plan_filmed(id, frames_from_js(film)?);
         let path = walk::path_from_js(path);
         self.session.plan_progress(id, ProgressReport { done, walk: &path.cells, line: &path.line, proof });
-        Ok(())
+    }
+
+    /// The film of a plan that was found or kept; see `film`.
+    pub fn plan_filmed(&mut self, id: u32, pictures: &Array) {
+        self.session.plan_filmed(id, pictures_from_js(pictures));
     }
 
     /// The worker has finished.

@@ -1,8 +1,8 @@
 //! Films of improvements, and the decisions of planners.
 
 use super::{finish, opened};
-use coverage_planners::ProgressReport;
-use robovac_app::explore::{Session, SessionState};
+use coverage_planners::{CoveragePath, ProgressReport};
+use robovac_app::explore::{Session, SessionState, pictures};
 use std::ops::ControlFlow;
 
 /// Lets a film run to its end, and collects what is said meanwhile.
@@ -52,6 +52,20 @@ fn search_of_a_small_room_is_a_film() {
     assert_eq!(session.view().search.text, "");
     session.show_search(true);
     assert_eq!(session.view().search.text, told[0]);
+}
+
+#[test]
+fn search_in_metres_is_a_film() {
+    let mut session = Session::new();
+    session.restore("room=lshape&planner=lanes&p.effort=0.1").unwrap();
+    session.show_search(true);
+    session.plan_now(|| 0.0);
+    assert_eq!(session.state(), SessionState::Ready, "the robot waits");
+    let told = watched(&mut session);
+    assert!(told[0].starts_with("First path: Lanes in metres needs "), "{told:?}");
+    let last = &told[told.len() - 2];
+    assert!(last.starts_with("Improvement") && last.contains(": rejoined, ") && last.contains("; now "), "{told:?}");
+    assert_eq!(told[told.len() - 1], "Search finished.");
 }
 
 #[test]
@@ -144,9 +158,12 @@ fn plan_that_is_kept_early_has_a_film_and_says_so() {
     };
     assert!(request.serve(|| 0.0, Some(&mut watch)).is_err());
     let (done, walk, proof) = last.unwrap();
-    session.plan_filmed(request.id, film.take_frames());
-    session.plan_progress(request.id, ProgressReport { done, walk: &walk, line: &[], proof: Some(proof) });
+    let (id, frames) = (request.id, film.take_frames());
+    session.plan_progress(id, ProgressReport { done, walk: &walk, line: &[], proof: Some(proof) });
     session.keep_plan(1.5);
+    let film = request.film_with(frames).unwrap();
+    let frames = film.ended(&CoveragePath::walk(walk), Some(proof));
+    session.plan_filmed(id, pictures(&frames, &session.planning_room().unwrap().planning_grid));
     let plan = session.view().plan.unwrap();
     assert_eq!((plan.kept_at, plan.planning_s), (Some(done), Some(1.5)));
     session.show_search(true);
@@ -230,12 +247,10 @@ fn search_is_only_shown_where_there_is_one() {
     session.restore("room=living&behaviour=random_walk").unwrap();
     let search = session.view().search;
     assert!(search.on && !search.offered && search.text.is_empty(), "a behaviour has no search");
-    session.restore("room=living&planner=lanes").unwrap();
-    let search = session.view().search;
-    assert!(search.offered && !search.on && !search.fits_small && search.refusal.contains("in metres"), "{search:?}");
     for (planner, refusal) in [
         ("snake", "shown only in rooms of up to 20,000 planning cells"),
         ("near_optimal", "filmed only in rooms of up to 2,000 planning cells"),
+        ("lanes", "filmed only in rooms of up to 20,000 planning cells"),
     ] {
         session.restore(&format!("room=hall20&planner={planner}")).unwrap();
         let search = session.view().search;

@@ -68,6 +68,12 @@ impl DriveMetrics {
     }
 }
 
+/// Time of a robot that looks along `heading`, rad, and drives `line` (corners, m) from rest to rest, s.
+pub fn line_seconds(robot: &RobotModel, line: &[Point], heading: f64) -> f64 {
+    let LineDrive { straight_s, turning_s, .. } = LineDrive::along(line, heading, robot);
+    straight_s + turning_s
+}
+
 /// The floor swept along a line.
 fn swept(floor: &ReachableFloor, line: &[Point]) -> CoverageTracker {
     let mut tracker = CoverageTracker::new(floor);

@@ -9,7 +9,7 @@ mod list;
 mod walk;
 
 pub use crate::{Bounds, TURN_STEPS};
-pub use drive::DriveMetrics;
+pub use drive::{DriveMetrics, line_seconds};
 pub use excess::{MetricExcess, SweepBound, sweeps_as_disc};
 pub use list::{Better, METRICS, MetricInfo, PlanNumbers, RoundingMode};
 pub use walk::WalkMetrics;

@@ -17,7 +17,7 @@ mod view;
 pub use catalogue::{Catalogue, RobotEntry};
 pub use diary::{DiaryEntry, diary, diary_version};
 pub use editor::{Brush, Editor};
-pub use film::{FilmInk, FilmPicture, Showing};
+pub use film::{FilmInk, FilmPicture, Showing, pictures};
 pub use object_tool::ObjectTool;
 pub use objects::{PlaceableKind, handles, in_words};
 pub use program_job::{JobError, LaidOutJob, ProgramJob};

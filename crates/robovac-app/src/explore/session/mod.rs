@@ -16,7 +16,7 @@ pub(super) use self::saved::known_room;
 use crate::explore::{Action, Editor, PlanSearch, SessionState, Showing};
 use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
 use crate::program_run::LoggedProgram;
-use coverage_planners::{CoveragePath, Film, Proof};
+use coverage_planners::{CoveragePath, Proof};
 use robovac_core::{
     floor_plan::{self, FloorPlan},
     geometry::{Point, Pose},
@@ -87,8 +87,6 @@ struct Planning {
     preview: Vec<Point>,
     /// Its proof.
     proof: Option<Proof>,
-    /// The walks so far.
-    film: Film,
 }
 
 /// A message for the user.

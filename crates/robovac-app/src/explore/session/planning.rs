@@ -1,10 +1,9 @@
 //! Planning in a session: requests, results and messages.
 
 use super::{Planning, Session, sentence};
-use crate::explore::{PlanSearch, SessionState, Showing, opening};
+use crate::explore::{FilmPicture, PlanSearch, SessionState, Showing, opening, pictures};
 use coverage_planners::{
-    CoveragePath, Film, FilmFrame, PlanError, PlannerInfo, ProgressReport, Proof, metrics::SweepBound,
-    smooth::SmoothSetup,
+    CoveragePath, PlanError, PlannerInfo, ProgressReport, Proof, metrics::SweepBound, smooth::SmoothSetup,
 };
 use robovac_core::{coverage::FloorError, floor_plan, geometry::Point, trajectory::Trajectory};
 use robovac_sim::{
@@ -47,8 +46,10 @@ impl Session {
         };
         match request.serve(clock, Some(&mut watch)) {
             Ok(answer) => {
-                self.plan_filmed(request.id, film.map_or(Vec::new(), |mut film| film.take_frames()));
+                let frames = film.map_or_else(Vec::new, |film| film.ended(&answer.path, answer.proof));
+                let pictures = self.prepared.as_ref().map(|prepared| pictures(&frames, &prepared.planning_grid));
                 self.plan_finished(request.id, answer);
+                self.plan_filmed(request.id, pictures.unwrap_or_default());
                 self.smooth_now(request.id, &request.smooth_setup());
             }
             Err(PlanError::Cancelled) => self.cancel_plan(),
@@ -92,12 +93,11 @@ impl Session {
         }
     }
 
-    /// New frames of a planner's film since the last call.
-    pub fn plan_filmed(&mut self, id: u32, frames: Vec<FilmFrame>) {
-        if let Some(planning) = self.planning.as_mut().filter(|p| p.id == id) {
-            for frame in frames {
-                planning.film.add(frame);
-            }
+    /// The film of a plan that was found or kept. If it is to be shown, time pauses.
+    pub fn plan_filmed(&mut self, id: u32, pictures: Vec<FilmPicture>) {
+        if id == self.requests && self.planned.is_some() {
+            self.film = Showing::new(pictures, self.holds_films);
+            self.begin_film();
         }
     }
 
@@ -134,7 +134,9 @@ impl Session {
 
     /// A planner has finished.
     pub fn plan_finished(&mut self, id: u32, answer: PlanAnswer) {
-        let Some(mut planning) = self.planning.take_if(|p| p.id == id) else { return };
+        if self.planning.take_if(|p| p.id == id).is_none() {
+            return;
+        }
         self.previews += 1;
         let mut missed = None;
         if self.settings.algorithm.is_program() {
@@ -147,9 +149,7 @@ impl Session {
         let Some(prepared) = &self.prepared else { return };
         match Planned::new(prepared, &answer) {
             Ok(planned) => {
-                let PlanAnswer { path, trace, proof, .. } = answer;
-                planning.film.take(&ProgressReport { done: 1.0, walk: &path.cells, line: &[], proof });
-                self.film = Showing::new(&planning.film.take_frames(), &prepared.planning_grid, self.holds_films);
+                let PlanAnswer { path, trace, .. } = answer;
                 self.search = (!trace.is_empty()).then(|| PlanSearch::new(prepared, &planned, &path.cells, trace));
                 let coverage = planned.drive.coverage;
                 self.planned = Some(planned);
@@ -158,7 +158,6 @@ impl Session {
                 }
                 self.tell_missed(missed);
                 self.warn_of_coarse_cells(coverage);
-                self.begin_film();
             }
             Err(error) => self.planner_failed(&error.to_string()),
         }
@@ -326,15 +325,7 @@ impl Session {
                         let request = Some(PlanRequest { id: self.requests, planner, params, seed, job });
                         let (path, preview) = (CoveragePath::default(), Vec::new());
                         let id = self.requests;
-                        self.planning = Some(Planning {
-                            request,
-                            id,
-                            progress: 0.0,
-                            path,
-                            preview,
-                            proof: None,
-                            film: Film::default(),
-                        });
+                        self.planning = Some(Planning { request, id, progress: 0.0, path, preview, proof: None });
                     }
                     // No planning: a behaviour doesn't know the room.
                     Algorithm::Behaviour(_) => {}

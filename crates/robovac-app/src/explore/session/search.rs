@@ -8,7 +8,7 @@ use crate::{
         view::{FilmView, SearchView},
     },
 };
-use coverage_planners::{MOST_FILMED_CELLS, PlannerInfo, ShownSearch, TraceStep};
+use coverage_planners::{PlannerInfo, ShownSearch, TraceStep};
 use robovac_sim::experiment::planning::MOST_SEARCH_CELLS;
 
 impl Session {
@@ -16,7 +16,7 @@ impl Session {
     pub fn show_search(&mut self, on: bool) {
         self.shows_search = on;
         // Nobody reads decisions in haste.
-        if on && self.shown_search() == Some(ShownSearch::Decisions) {
+        if on && self.searcher().map(PlannerInfo::shown_search) == Some(ShownSearch::Decisions) {
             self.settings.speed = 1.0;
         }
         if let Some(film) = &mut self.film {
@@ -101,27 +101,26 @@ impl Session {
         matches!(self.state(), SessionState::Playing | SessionState::Seeking)
     }
 
-    /// What the planner shows of its search; `None` without one of ours.
-    fn shown_search(&self) -> Option<ShownSearch> {
+    /// The planner that plans, if it is one of ours.
+    fn searcher(&self) -> Option<&'static PlannerInfo> {
         let algorithm = self.settings.algorithm;
-        let planner = algorithm.planner().filter(|_| self.settings.path.is_none() && !algorithm.is_program());
-        planner.map(PlannerInfo::shown_search)
+        algorithm.planner().filter(|_| self.settings.path.is_none() && !algorithm.is_program())
     }
 
     /// Whether there is a search to show.
     pub fn offers_search(&self) -> bool {
-        self.shown_search().is_some()
+        self.searcher().is_some()
     }
 
     /// Why the search can't be shown, and whether it could in a smaller room; empty if it can.
     fn search_refusal(&self) -> (String, bool) {
-        let (most, shown) = match self.shown_search() {
-            Some(ShownSearch::Nothing(why)) => return (why.to_owned(), false),
-            Some(ShownSearch::Film) => (MOST_FILMED_CELLS, "filmed"),
-            _ => (MOST_SEARCH_CELLS, "shown"),
+        let Some(planner) = self.searcher() else { return (String::new(), false) };
+        let (most, shown) = match planner.shown_search() {
+            ShownSearch::Film => (planner.most_filmed_cells(), "filmed"),
+            ShownSearch::Decisions => (MOST_SEARCH_CELLS, "shown"),
         };
         let cells = self.prepared.as_ref().map_or(0, |prepared| prepared.job.cells());
-        if !self.offers_search() || cells <= most {
+        if cells <= most {
             return (String::new(), false);
         }
         let [most, cells] = [most, cells].map(grouped);

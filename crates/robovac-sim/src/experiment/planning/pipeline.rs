@@ -5,8 +5,8 @@ use crate::{
     controller::{self, BehaviourInfo, Behaviours, FollowPath, FollowSmoothly, Follower, Recharge, Setup, safe_speed},
 };
 use coverage_planners::{
-    Bounds, CoverageJob, CoveragePath, Film, MOST_FILMED_CELLS, Observer, PathError, PlanContext, PlanError,
-    PlannerInfo, Proof, ShownSearch, TraceStep,
+    Bounds, CoverageJob, CoveragePath, Film, FilmFrame, Observer, PathError, PlanContext, PlanError, PlannerInfo,
+    Proof, ShownSearch, TraceStep,
     metrics::{DriveMetrics, MetricExcess, PlanNumbers, SweepBound, WalkMetrics},
     smooth::{SmoothError, SmoothPath, SmoothSetup, limits_of, smooth},
 };
@@ -247,10 +247,22 @@ impl PlanRequest {
         SmoothSetup { least: asked.unwrap_or(1.0), ..SmoothSetup::default() }
     }
 
-    /// A film of the search, which takes the planner's reports; `None` for planners that aren't filmed, and for rooms of more than [`MOST_FILMED_CELLS`].
+    /// A film of the search, which takes the planner's reports; `None` for planners that aren't filmed, and in rooms of more than
+    /// [`PlannerInfo::most_filmed_cells`].
     pub fn film(&self) -> Option<Film> {
-        let is_filmed = self.planner.shown_search() == ShownSearch::Film && self.job.cells() <= MOST_FILMED_CELLS;
-        is_filmed.then(|| Film::of(self.planner, &self.params, &self.job))
+        self.is_filmed().then(|| Film::of(self.planner, &self.params, &self.job))
+    }
+
+    /// The same film once it has recorded `frames`; at its beginning without any.
+    pub fn film_with(&self, frames: Vec<FilmFrame>) -> Option<Film> {
+        if frames.is_empty() {
+            return self.film();
+        }
+        self.is_filmed().then(|| Film::with(self.planner, &self.job, frames))
+    }
+
+    fn is_filmed(&self) -> bool {
+        self.planner.shown_search() == ShownSearch::Film && self.job.cells() <= self.planner.most_filmed_cells()
     }
 
     /// Plans synchronously. `clock` returns seconds since any moment, as the core has no clock of its own.

@@ -33,7 +33,7 @@ impl WalkDiff {
     }
 }
 
-/// A multiset. Trees of several types would be more code in the page than the rest of the film.
+/// A multiset, sorted.
 struct Multiset(Vec<(u64, usize)>);
 
 impl Multiset {
