@@ -16,6 +16,7 @@ use robovac_app::{
     export::RunBag,
 };
 use robovac_core::{floor_plan::Object, geometry::Vector, grid::Cell};
+use robovac_playground::frame_clock::FrameClock;
 use robovac_playground::{
     canvas::Canvas,
     wire::{clock, to_js},
@@ -24,9 +25,6 @@ use robovac_sim::controller;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
-
-/// Time for simulation in a frame, ms; the rest of 16.7 ms is for drawing and the browser.
-const FRAME_BUDGET_MS: f64 = 8.0;
 
 /// A session shown on a canvas.
 #[wasm_bindgen]
@@ -43,7 +41,7 @@ pub struct Playground {
     carried: Option<Carried>,
     /// Cell of the keyboard cursor.
     cursor: Option<Cell>,
-    last_frame_ms: Option<f64>,
+    frame_clock: FrameClock,
     dark: bool,
     /// Start of a press of the view tool while it can be a click, CSS pixels.
     pressed: Option<(f64, f64)>,
@@ -66,7 +64,7 @@ impl Playground {
             gesture: None,
             carried: None,
             cursor: None,
-            last_frame_ms: None,
+            frame_clock: FrameClock::default(),
             dark: false,
             pressed: None,
             fitted: Default::default(),
@@ -112,8 +110,7 @@ impl Playground {
 
     /// Advances by the time since the last call, and draws.
     pub fn frame(&mut self, now_ms: f64) -> Result<(), JsValue> {
-        let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
-        let deadline = clock() + FRAME_BUDGET_MS;
+        let (elapsed_s, deadline) = self.frame_clock.frame(now_ms);
         self.session.frame(elapsed_s, &mut || clock() < deadline);
         // Another run, or another time of it, in which the robot isn't lifted.
         self.carried = self.carried.filter(|_| self.session.is_lifted());

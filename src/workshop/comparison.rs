@@ -7,6 +7,7 @@ use robovac_app::{
     Scene, Viewport,
     compare::{self, ComparisonView, MOST_LANES, RoomChoice, TableView},
 };
+use robovac_playground::frame_clock::FrameClock;
 use robovac_playground::wire::message;
 use robovac_playground::{
     canvas::Canvas,
@@ -17,15 +18,12 @@ use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-/// Time for simulation in a frame, ms; the rest of 16.7 ms is for drawing up to nine pictures.
-const FRAME_BUDGET_MS: f64 = 6.0;
-
 /// A comparison of planners in the playground's room.
 #[wasm_bindgen]
 pub struct Comparison {
     state: compare::Comparison,
     panes: Vec<Pane>,
-    last_frame_ms: Option<f64>,
+    frame_clock: FrameClock,
     dark: bool,
 }
 
@@ -56,7 +54,7 @@ impl Comparison {
     /// A comparison of some planners.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
-        Self { state: compare::Comparison::new(), panes: Vec::new(), last_frame_ms: None, dark: false }
+        Self { state: compare::Comparison::new(), panes: Vec::new(), frame_clock: FrameClock::default(), dark: false }
     }
 
     /// Takes over room, robot, start and seed from the mirror of the playground; cheap if unchanged.
@@ -205,8 +203,7 @@ impl Comparison {
 
     /// Advances by the time since the last call, and draws.
     pub fn frame(&mut self, now_ms: f64) -> Result<(), JsValue> {
-        let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
-        let deadline = clock() + FRAME_BUDGET_MS;
+        let (elapsed_s, deadline) = self.frame_clock.frame(now_ms);
         let Some(race) = self.state.race_mut() else { return Ok(()) };
         race.frame(elapsed_s, &mut || clock() < deadline);
         for (index, pane) in self.panes.iter_mut().enumerate() {

@@ -16,6 +16,7 @@ use robovac_app::{
 };
 use robovac_core::floor_plan::{FloorPlan, MapImage, OccupancyMode, to_ros_map};
 use robovac_core::geometry::Vector;
+use robovac_playground::frame_clock::FrameClock;
 use robovac_playground::wire::message;
 use robovac_playground::wire::{clock, map_file, to_js};
 use robovac_sim::experiment::Algorithm;
@@ -23,9 +24,7 @@ use robovac_sim::mapping::close_gaps;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-/// Time for simulation in a frame, ms; the rest of 16.7 ms is for drawing and the browser.
-const FRAME_BUDGET_MS: f64 = 8.0;
-/// The same while a stored run is restored, when only its progress changes on the page.
+/// Time for simulation in a frame while a stored run is restored, when only its progress changes on the page.
 const RETURN_BUDGET_MS: f64 = 40.0;
 
 /// A robot that makes a map of the playground's room.
@@ -35,7 +34,7 @@ pub struct MapSession {
     painter: MapPainter,
     viewport: Viewport,
     hand: RobotHand,
-    last_frame_ms: Option<f64>,
+    frame_clock: FrameClock,
     dark: bool,
     /// Size of the room that the viewport was fitted to, m.
     fitted: (f64, f64),
@@ -51,7 +50,7 @@ impl MapSession {
             painter: MapPainter::new(canvas)?,
             viewport: Viewport::new(1.0, 1.0, 1.0, 1.0, 1.0),
             hand: RobotHand::default(),
-            last_frame_ms: None,
+            frame_clock: FrameClock::default(),
             dark: false,
             fitted: (0.0, 0.0),
         })
@@ -105,9 +104,8 @@ impl MapSession {
 
     /// Advances by the time since the last call, and draws.
     pub fn frame(&mut self, now_ms: f64) -> Result<(), JsValue> {
-        let elapsed_s = self.last_frame_ms.replace(now_ms).map_or(0.0, |last| (now_ms - last) / 1000.0);
-        let is_returning = self.state.returned().is_some();
-        let deadline = clock() + if is_returning { RETURN_BUDGET_MS } else { FRAME_BUDGET_MS };
+        let (elapsed_s, deadline) = self.frame_clock.frame(now_ms);
+        let deadline = if self.state.returned().is_some() { clock() + RETURN_BUDGET_MS } else { deadline };
         self.state.frame(elapsed_s, &mut || clock() < deadline);
         self.hand.keep(&self.state);
         self.draw()
@@ -115,7 +113,7 @@ impl MapSession {
 
     /// Drops the time since the last call, while the tab isn't shown.
     pub fn rest(&mut self) {
-        self.last_frame_ms = None;
+        self.frame_clock.rest();
     }
 
     /// Starts or continues.

@@ -13,6 +13,8 @@ const NOTE = 48;
 export function startClear(app) {
   const stage = byId("stage");
   const isNarrow = matchMedia("(max-width: 900px)");
+  /** Where the bar of a selected object takes the place of the legend; as in placing.css. */
+  const isLow = matchMedia("(max-width: 900px) and (max-height: 540px)");
   /** The lower end of the text about a search, which never moves up, so that the pictures of its film stay in place. */
   let told = 0;
   /** That of the palette and the bar of a selected object: the room moves once, and not whenever something else is selected. */
@@ -41,16 +43,17 @@ export function startClear(app) {
 
   const isSmallFrame = () => [byId("legend"), byId("tools")].every((node) => !node.checkVisibility());
 
-  /** Width and height of the lower left corner that the legend takes. @returns {[number, number]} */
+  /** Width and height of the lower left corner that the legend takes, or what is in its place. @returns {[number, number]} */
   const legendCorner = () => {
-    const legend = byId("legend");
-    return legend.checkVisibility() ? [legend.getBoundingClientRect().right - stage.getBoundingClientRect().left + GAP, above(legend)] : [0, 0];
+    const bar = isLow.matches && document.getElementById("selection");
+    const there = bar && bar.checkVisibility() ? bar : byId("legend");
+    return there.checkVisibility() ? [there.getBoundingClientRect().right - stage.getBoundingClientRect().left + GAP, above(there)] : [0, 0];
   };
 
   return ({ search: { film, text } }) => {
     told = film === null && !text ? 0 : Math.max(told, below("#search-box"));
     // Nor under the pointer; what is placed is selected, and its bar is below the palette.
-    const bars = Math.max(below("#kinds", GAP + BAR), below("#selection"));
+    const bars = isLow.matches ? below("#kinds") : Math.max(below("#kinds", GAP + BAR), below("#selection"));
     if (!isPressed) carried = below("#carry-note");
     // On a phone the floor needs the room again.
     if (!isPressed) palette = isNarrow.matches || (bars === 0 && stage.dataset.tool === "view") ? bars : Math.max(palette, bars);
