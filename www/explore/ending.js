@@ -38,12 +38,14 @@ export async function startEnding(app) {
     shown = view.state === "finished" ? reached(app, view) : "";
     if (shown === "") dismissed = "";
     const more = `${missed(view)}${bound(view)}`;
+    const above = aboveMinimum(view);
+    const inShort = above === null ? "" : above <= 0 ? " Proven optimal." : ` ${shareAbove(above)} above the minimum.`;
     const text = shown && `${shown}${more}`;
     setHidden(card, shown === "" || shown === dismissed || view.search.film !== null && view.search.film.at < view.search.film.pictures);
     if (text === "" || !changed(card, "text", text)) return;
     const far = driven(view);
     const start = shown.slice(0, shown.length - far.length - 1);
-    words.replaceChildren(start, make("span", { className: "ending-distance" }, far), ".", make("span", { className: "ending-bound" }, more));
+    words.replaceChildren(start, make("span", { className: "ending-distance" }, far), ".", make("span", { className: "ending-bound" }, more), make("span", { className: "ending-short" }, inShort));
     const ways = suggestions(app, view);
     const before = (/** @type {number} */ i) => (i === 0 ? "" : i === ways.length - 1 ? " or " : ", ");
     next.replaceChildren("Try next: ", ...ways.map((way, i) => make("span", {}, before(i), way)), ".");
@@ -71,9 +73,12 @@ function missed({ plan, coverage, swept_before, smooth, can_smooth, slip, bumps 
   return why && ` Planned: ${percent(plan?.coverage ?? 0)} % (${why}).`;
 }
 
+/** @param {View} view */
+const aboveMinimum = ({ kind, plan }) => (kind === "behaviour" ? null : (plan?.above_bound ?? null));
+
 /** How far the plan is from the minimum, once that is known. @param {View} view */
-function bound({ kind, plan }) {
-  const above = kind === "behaviour" ? null : (plan?.above_bound ?? null);
+function bound(view) {
+  const above = aboveMinimum(view);
   if (above === null) return "";
   return above <= 0 ? " No plan can need fewer steps and turns: this one is proven optimal." : ` The plan is ${shareAbove(above)} above the minimum of steps and turns.`;
 }

@@ -77,6 +77,9 @@ export function startSetup(it) {
     setHidden(byId("map-expected"), !view.expectation);
     setText(byId("map-expected"), view.expectation);
     setText(byId("map-seed"), String(it.app.view.seed));
-    setText(byId("map-robot"), it.app.catalogue.robots.find(({ id }) => id === it.app.view.robot)?.title ?? "");
+    const robot = it.app.catalogue.robots.find(({ id }) => id === it.app.view.robot)?.title ?? "";
+    setText(byId("map-robot"), robot);
+    // Where the setup is in a sheet.
+    setText(byId("map-now"), `${select("map-explorer").selectedOptions[0]?.textContent ?? ""}, ${robot}`);
   };
 }

@@ -3,7 +3,7 @@
 
 use super::{
     marks::area,
-    thickness::{ReducedPicture, opened, usual_thickness},
+    thickness::{ReducedPicture, longest_thickness, opened, usual_thickness},
 };
 use robovac_core::grid::{Cell, Grid, chessboard};
 
@@ -14,6 +14,10 @@ const LONG: f64 = 10.0;
 /// All strips have at least this share of the lines' area, and extend over this share of the drawing: a shelf doesn't.
 const LARGE: f64 = 0.5;
 const EXTENT: f64 = 0.5;
+/// They are at most this share of the plan: pockets between lines everywhere aren't walls.
+const MOST_OF_PLAN: f64 = 0.3;
+/// Share of the dark pixels beyond each end of the drawing that may be none of it.
+const STRAY: f64 = 0.05;
 /// Lines are at most this share of it thick: solid walls aren't.
 const LINES: f64 = 0.3;
 /// Half of the floor is so far from lines, in widths of strips: rooms beside corridors aren't as wide.
@@ -34,16 +38,10 @@ pub(super) fn fill(walls: &mut Grid<bool>, shades: Option<&Grid<u8>>) {
     let inverse = |cells: &Grid<bool>| cells.map(|&is_dark| !is_dark);
     let reduced = ReducedPicture::by(walls, |cells| usual_thickness(&inverse(cells)));
     let Some(ReducedPicture { by, cells, usual }) = reduced else { return };
-    let floor = |usual: f64| opened(&inverse(&cells), (WIDEST * usual).ceil() as u16 + 1);
-    // Gaps beside furniture are among what is narrow, but hardly any of them is long.
-    let long = strips(&cells, &floor(usual)).into_iter().filter(|strip| strip.is_long);
-    let Some(usual) = usual_thickness(&marked(&cells, long.flat_map(|strip| strip.cells))) else { return };
-    let floor = floor(usual);
-    let (mut inside, short): (Vec<Strip>, Vec<Strip>) =
-        strips(&cells, &floor).into_iter().partition(|strip| strip.is_long);
-    if !are_walls(&cells, &inside, &floor, usual) {
-        return;
-    }
+    // By area what is narrow can be mostly the strip along a dimension line, or rooms.
+    let usual_by_length = longest_thickness(&inverse(&cells));
+    let found = [Some(usual), usual_by_length].into_iter().flatten().find_map(|usual| HollowWalls::find(&cells, usual));
+    let Some(HollowWalls { mut inside, short, floor }) = found else { return };
     if let Some(shades) = shades {
         let shade = |cell: Cell| shades[Cell::new(cell.x * by as i32, cell.y * by as i32)];
         inside.extend(of_their_colour(&inside, short, &floor, shade));
@@ -58,6 +56,28 @@ pub(super) fn fill(walls: &mut Grid<bool>, shades: Option<&Grid<u8>>) {
     }
 }
 
+/// Strips that are the insides of walls, short ones that may be, and the floor.
+struct HollowWalls {
+    inside: Vec<Strip>,
+    short: Vec<Strip>,
+    floor: Grid<bool>,
+}
+
+impl HollowWalls {
+    /// Those about as wide as `usual`.
+    fn find(cells: &Grid<bool>, usual: f64) -> Option<Self> {
+        let light = cells.map(|&is_dark| !is_dark);
+        let floor = |usual: f64| opened(&light, (WIDEST * usual).ceil() as u16 + 1);
+        // Gaps beside furniture are among what is narrow, but hardly any of them is long.
+        let long = strips(cells, &floor(usual)).into_iter().filter(|strip| strip.is_long);
+        let usual = usual_thickness(&marked(cells, long.flat_map(|strip| strip.cells)))?;
+        let floor = floor(usual);
+        let (inside, short): (Vec<Strip>, Vec<Strip>) =
+            strips(cells, &floor).into_iter().partition(|strip| strip.is_long);
+        are_walls(cells, &inside, &floor, usual).then_some(Self { inside, short, floor })
+    }
+}
+
 /// Whether strips of this usual width are the insides of walls, not corridors or gaps beside solid walls.
 fn are_walls(cells: &Grid<bool>, strips: &[Strip], floor: &Grid<bool>, usual: f64) -> bool {
     let area = strips.iter().map(|strip| strip.cells.len()).sum::<usize>() as f64;
@@ -65,9 +85,12 @@ fn are_walls(cells: &Grid<bool>, strips: &[Strip], floor: &Grid<bool>, usual: f6
         return false;
     }
     let [low, high] = ends(strips.iter().flat_map(|strip| strip.cells.iter().copied()));
-    let [all_low, all_high] = ends(set(cells));
     let share = |own: i32, all: i32| f64::from(own) >= EXTENT * f64::from(all);
-    if !share(high.x - low.x, all_high.x - all_low.x) || !share(high.y - low.y, all_high.y - all_low.y) {
+    let [across, up] = [extent(set(cells).map(|cell| cell.x)), extent(set(cells).map(|cell| cell.y))];
+    if !share(high.x - low.x, across) || !share(high.y - low.y, up) {
+        return false;
+    }
+    if area > MOST_OF_PLAN * f64::from((high.x - low.x) * (high.y - low.y)) {
         return false;
     }
     let depth = chessboard(cells);
@@ -135,6 +158,14 @@ fn median(mut values: Vec<u8>) -> Option<u8> {
     (!values.is_empty()).then(|| *values.select_nth_unstable(middle).1)
 }
 
+/// How far most of these places lie apart: marks of a table under the sheet can be anywhere.
+fn extent(places: impl Iterator<Item = i32>) -> i32 {
+    let mut places: Vec<i32> = places.collect();
+    places.sort_unstable();
+    let apart = (STRAY * places.len() as f64) as usize;
+    places.len().checked_sub(apart + 1).map_or(0, |last| places[last] - places[apart])
+}
+
 /// The lower left and the upper right corner of cells; the origin twice if there are none.
 fn ends(cells: impl Iterator<Item = Cell>) -> [Cell; 2] {
     let ends = cells.fold(None, |ends: Option<[Cell; 2]>, cell| {
@@ -200,6 +231,12 @@ mod tests {
             // A short piece of wall could be a threshold, unless it has another colour.
             assert_eq!(walls[Cell::new(258, 305)], wall != PAPER, "{wall}");
         }
+    }
+
+    #[test]
+    fn marks_far_from_a_drawing_are_none_of_its_extent() {
+        assert_eq!(extent((100..=200).chain([0, 3, 900])), 93);
+        assert_eq!((extent(std::iter::empty()), extent([5].into_iter())), (0, 0));
     }
 
     #[test]

@@ -11,6 +11,8 @@ const LEAST: u16 = 4;
 const MOST: f64 = 0.07;
 /// Least share of the dark pixels that are walls. Otherwise walls are drawn as outlines.
 const WALLS: f64 = 0.3;
+/// A thickness is that of walls if at least this share of the greatest length has it.
+const MUCH: f64 = 0.9;
 
 /// A picture reduced to a size at which it still shows all of its strokes.
 pub(super) struct ReducedPicture {
@@ -85,8 +87,8 @@ pub(super) fn opened(dark: &Grid<bool>, side: u16) -> Grid<bool> {
     reach.map(|&reach| reach > 0)
 }
 
-/// The thickness of most of the walls, pixels; `None` if there are hardly any.
-pub(super) fn usual_thickness(dark: &Grid<bool>) -> Option<f64> {
+/// How many dark pixels there are of each thickness up to that of walls, and of all such.
+fn thicknesses(dark: &Grid<bool>) -> (Vec<usize>, u32) {
     let (width, height) = (dark.width() as i32, dark.height() as i32);
     let mut thickness = dark.map(|_| u16::MAX);
     let mut measure = |first: Cell, [dx, dy]: [i32; 2], count: i32| {
@@ -114,6 +116,12 @@ pub(super) fn usual_thickness(dark: &Grid<bool>) -> Option<f64> {
             counts[usize::from(thickness)] += usize::from(thickness >= LEAST);
         }
     }
+    (counts, all)
+}
+
+/// The thickness of most of the walls, pixels; `None` if there are hardly any.
+pub(super) fn usual_thickness(dark: &Grid<bool>) -> Option<f64> {
+    let (counts, all) = thicknesses(dark);
     let total: usize = counts.iter().sum();
     if (total as f64) < WALLS * f64::from(all) || total == 0 {
         return None;
@@ -126,4 +134,36 @@ pub(super) fn usual_thickness(dark: &Grid<bool>) -> Option<f64> {
             2 * below >= total
         })
         .map(|thickness| thickness as f64)
+}
+
+/// The largest thickness that much of the strokes' length has, pixels; `None` if there are none.
+pub(super) fn longest_thickness(dark: &Grid<bool>) -> Option<f64> {
+    let (counts, _) = thicknesses(dark);
+    let length = |thickness: usize| {
+        let alike = thickness - thickness / 5..=thickness + thickness / 5;
+        alike.filter_map(|t| Some(*counts.get(t)? as f64 / t as f64)).sum::<f64>()
+    };
+    let lengths: Vec<f64> = (1..counts.len()).map(length).collect();
+    let longest = lengths.iter().copied().fold(0.0, f64::max);
+    let index = lengths.iter().rposition(|&length| longest > 0.0 && length >= MUCH * longest)?;
+    Some((index + 1) as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn walls_are_the_longest_strokes_though_wider_ones_have_more_area() {
+        let mut dark = Grid::filled(600, 200, false);
+        let mut paint = |columns: std::ops::Range<i32>, rows: std::ops::Range<i32>| {
+            rows.for_each(|y| columns.clone().for_each(|x| dark[Cell::new(x, y)] = true));
+        };
+        paint(10..410, 5..11);
+        for left in [10, 130, 250] {
+            paint(left..left + 100, 50..80);
+        }
+        assert_eq!((usual_thickness(&dark), longest_thickness(&dark).map(f64::round)), (Some(30.0), Some(7.0)));
+        assert_eq!(longest_thickness(&dark.map(|_| false)), None);
+    }
 }

@@ -81,11 +81,14 @@ impl Showing {
         self.pictures.get(self.at)
     }
 
-    /// The caption; `end` is the proof of the final plan. One in metres has none.
-    pub fn text(&self, end: Option<Proof>) -> String {
+    /// The caption; `end` is the proof of the final plan, and whether comparisons weigh turns otherwise. One in metres has none.
+    pub fn text(&self, end: Option<(Proof, bool)>) -> String {
         match (self.picture(), end) {
             (Some(picture), _) => picture.text.clone(),
-            (None, Some(proof)) => format!("Search finished: a plan {}.", good(proof)),
+            (None, Some((proof, is_own))) => {
+                let by = if is_own { " by the planner's own weight of turns" } else { "" };
+                format!("Search finished: a plan {}{by}.", good(proof))
+            }
             (None, None) => "Search finished.".to_owned(),
         }
     }

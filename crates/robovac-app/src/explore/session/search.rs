@@ -8,7 +8,7 @@ use crate::{
         view::{FilmView, SearchView},
     },
 };
-use coverage_planners::{PlannerInfo, ShownSearch, TraceStep};
+use coverage_planners::{PlannerInfo, Proof, ShownSearch, TraceStep};
 use robovac_sim::experiment::planning::MOST_SEARCH_CELLS;
 
 impl Session {
@@ -147,7 +147,11 @@ impl Session {
                 "The film of the search is hidden while the robot drives. Pause to watch it.".to_owned()
             }
             (Some(_), _) if self.is_driving() => String::new(),
-            (Some(film), _) => film.text(planned.proof.or(planned.compared)),
+            (Some(film), _) => {
+                let is_other = |own: Proof| planned.compared.is_some_and(|other| other.gap() > own.gap());
+                let end = planned.proof.or(planned.compared);
+                film.text(end.map(|proof| (proof, is_other(proof))))
+            }
             (None, Some(step)) => format!("{}.", step.note),
             (None, None) if self.state() == SessionState::Finished => match &self.search {
                 Some(search) => search.ending().map_or_else(
