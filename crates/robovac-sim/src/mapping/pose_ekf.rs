@@ -174,6 +174,16 @@ impl PoseEkf {
         });
     }
 
+    /// How much a scan that fits like this contradicts the predicted pose: the squared innovation in standard deviations, which is 3
+    /// on average.
+    pub fn surprise(&self, fit: &ScanFit) -> f64 {
+        let covariance = self.covariance.fixed_view::<3, 3>(0, 0);
+        let information = &fit.information;
+        // The identity stands for directions of which the scan tells nothing.
+        let spread = information * covariance * information + information + Matrix3::identity();
+        spread.try_inverse().map_or(0.0, |inverse| (fit.gradient.transpose() * inverse * fit.gradient)[0])
+    }
+
     /// Corrects the state by a laser scan, matched to surfaces, and by the directions of its walls; returns how it fits then.
     ///
     /// Along a corridor the position is left to the wheels (Zhang, Kaess & Singh, On degeneracy of optimization-based state

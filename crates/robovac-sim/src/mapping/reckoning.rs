@@ -7,11 +7,12 @@
 //! estimate them while it drives. Random slip grows with the distance (Thrun, Burgard & Fox 2005, Probabilistic
 //! Robotics, section 5.4).
 
-use nalgebra::{Matrix3, Matrix3x2};
+use super::PoseCovariance;
+use nalgebra::{Matrix2, Matrix3, Matrix3x2};
 use robovac_core::{
     geometry::{Point, Pose},
     math,
-    robot::{OdometryModel, RobotModel, RollingScale, SensorReadings, advance, advance_sideways},
+    robot::{Body, OdometryModel, RobotModel, RollingScale, SensorReadings, advance, advance_sideways},
 };
 
 /// Standard deviation of each wheel's slip after one metre, m: a little more than at the simulator's typical level.
@@ -23,11 +24,16 @@ const SLIDE: ([f64; 2], f64) = ([0.3, 2.0], 0.05);
 const SLIDE_ON_WALLS: [f64; 2] = [0.2, 0.1];
 /// Distance and turn between two updates of the covariances, m and rad.
 const STRIDE: (f64, f64) = (0.02, 0.06);
-/// Errors that a laser corrects, as shares of the way and of the turn: driving freely, and in contact; and what there
-/// is at least, m and rad (ours: a short pile takes 4 % of the way).
+/// Errors that a laser corrects, as shares of the way and of the turn; and what there is at least, m and rad (ours: a short pile
+/// takes 4 % of the way).
 const DOUBT: [f64; 2] = [0.03, 0.03];
-const HELD: [f64; 2] = [0.5, 0.3];
 const DOUBT_LEAST: [f64; 2] = [0.0004, 0.0004];
+/// Errors of a motion in contact: of a round body, which is reckoned to slide along the obstacle already, as shares of the way and of
+/// the turn; and of another one across what it touches and along it, as shares of the motion (measured in the simulator).
+const ROUND: [f64; 2] = [0.5, 0.3];
+const HELD: [f64; 2] = [0.5, 0.05];
+/// Errors of a motion that was other than the wheels tell, as shares of the way, of what the body's rim turns, and of the turn.
+const WRONG: [f64; 3] = [0.5, 1.0, 0.5];
 /// Largest plausible distance of a reading, m; larger ones mean a lost connection, or another robot.
 const MOST_AT_ONCE: f64 = 0.5;
 
@@ -79,7 +85,11 @@ pub(super) struct Reckoning {
     /// Distance, m, and sum of all turning, rad.
     pub way: f64,
     pub turned: f64,
+    /// Way ahead and turn while something was touched, m and rad, if anything was.
+    touched: Option<[f64; 2]>,
     wheel_base: f64,
+    /// Distance from the middle at which a turn pushes the body off a wall, m: 0 for a round one.
+    lever: f64,
     slide: [f64; 2],
     model: OdometryModel,
     /// Pose at the last update of the covariances, and distances rolled since, m.
@@ -92,10 +102,11 @@ pub(super) struct Reckoning {
 impl Reckoning {
     pub fn new(robot: &RobotModel, model: OdometryModel, wheels: WheelErrors) -> Self {
         let slide = if robot.sensors.light_bumper.is_some() { SLIDE.0 } else { SLIDE_ON_WALLS };
-        Self::new_with(robot.wheel_base, slide, model, wheels)
+        let lever = if robot.body == Body::Round { 0.0 } else { robot.radius };
+        Self::new_with((robot.wheel_base, lever), slide, model, wheels)
     }
 
-    fn new_with(wheel_base: f64, slide: [f64; 2], model: OdometryModel, wheels: WheelErrors) -> Self {
+    fn new_with((wheel_base, lever): (f64, f64), slide: [f64; 2], model: OdometryModel, wheels: WheelErrors) -> Self {
         let here = Pose::new(0.0, 0.0, 0.0);
         Self {
             at: here,
@@ -105,7 +116,9 @@ impl Reckoning {
             wheels,
             way: 0.0,
             turned: 0.0,
+            touched: None,
             wheel_base,
+            lever,
             slide,
             model,
             since: here,
@@ -172,15 +185,35 @@ impl Reckoning {
         (self.since, self.rolled, self.rolled_either_way, self.slid) = (self.at, [0.0; 2], 0.0, 0.0);
     }
 
+    /// Notes that the body touched something during the last motion of the wheels: left, right, m.
+    pub fn touch(&mut self, [left, right]: [f64; 2]) {
+        let [way, turn] = self.touched.unwrap_or_default();
+        // Where it backs off, nothing holds it.
+        let ahead = (0.5 * (left + right)).max(0.0);
+        self.touched = Some([way + ahead, turn + ((right - left) / self.wheel_base).abs()]);
+    }
+
     /// Increases the covariance by errors proportional to the motion, which a robot with a laser allows for: carpets, and
-    /// obstacles that it pushes against or slides along.
-    pub fn doubt(&mut self, is_held: bool) {
-        let [position, heading] = if is_held { HELD } else { DOUBT };
+    /// obstacles that it pushes against or slides along. `holds` is how firmly these hold it in each direction, seen from the start.
+    pub fn doubt(&mut self, holds: &Matrix2<f64>) {
+        let is_round = self.lever == 0.0;
+        let [position, heading] = if is_round && self.touched.is_some() { ROUND } else { DOUBT };
         let position = DOUBT_LEAST[0] + position * self.way;
         let heading = DOUBT_LEAST[1] + heading * self.turned;
         for (i, deviation) in [position, position, heading].into_iter().enumerate() {
             self.noise[(i, i)] += deviation * deviation;
         }
+        let Some([way, turn]) = self.touched.filter(|_| !is_round) else { return };
+        let [across, along] = [HELD[0] * (way + self.lever * turn), HELD[1] * way];
+        let mut position = self.noise.fixed_view_mut::<2, 2>(0, 0);
+        position += holds * (across * across) + Matrix2::identity() * (along * along);
+    }
+
+    /// Further errors of a stretch in which the body was held or pushed without being noticed.
+    pub fn wrong(&self) -> PoseCovariance {
+        let deviation = WRONG[0] * self.way + WRONG[1] * self.lever * self.turned;
+        let square = deviation * deviation;
+        PoseCovariance { position: [square, 0.0, square], heading: WRONG[2] * self.turned }
     }
 
     /// Motion of the body if nothing holds it: ahead, and on the edge of the body by turning, m.
@@ -190,8 +223,8 @@ impl Reckoning {
 
     /// The same stretch of a robot whose wheels turned while its body was held.
     pub fn held(&self) -> Self {
-        let mut held = Self::new_with(self.wheel_base, self.slide, self.model, self.wheels);
-        (held.way, held.turned) = (self.way, self.turned);
+        let mut held = Self::new_with((self.wheel_base, self.lever), self.slide, self.model, self.wheels);
+        (held.way, held.turned, held.touched) = (self.way, self.turned, self.touched);
         for (i, deviation) in [self.way, self.way, self.turned].into_iter().enumerate() {
             held.noise[(i, i)] = deviation * deviation;
         }
@@ -234,6 +267,21 @@ mod tests {
                 assert!((change - predicted).abs() < 8e-6, "{row}, {column}: {change}, predicted {predicted}");
             }
         }
+    }
+
+    #[test]
+    fn contact_with_a_wall_leaves_the_way_along_it_known() {
+        let mut way = Reckoning::new(model("cbot").unwrap(), OdometryModel::Arc, WheelErrors::default());
+        way.roll([0.01, 0.01, 0.0], None);
+        let (mut free, mut held) = (way.clone(), way);
+        free.doubt(&Matrix2::identity());
+        held.touch([0.01, 0.01]);
+        held.doubt(&Matrix2::new(0.0, 0.0, 0.0, 1.0));
+        let [along, across, before] = [held.noise[(0, 0)], held.noise[(1, 1)], free.noise[(0, 0)]].map(f64::sqrt);
+        assert!(along < 1.5 * before && across > 6.0 * before, "{before} m free, {along} m and {across} m in contact");
+        // It backs off.
+        free.touch([-0.01, -0.01]);
+        assert_eq!(free.touched, Some([0.0; 2]));
     }
 
     #[test]

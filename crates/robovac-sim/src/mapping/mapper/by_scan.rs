@@ -7,13 +7,13 @@ use crate::{
     mapping::{
         Marks, OccupancyMap, PoseCovariance,
         locate::{Locator, LocatorSetup},
-        scan::{ScanMapper, paint_place},
+        scan::{Holds, ScanMapper, paint_place},
     },
 };
 use nalgebra::Vector3;
 use robovac_core::{
     geometry::{Pose, difference},
-    robot::{Laser, SensorReadings},
+    robot::{Body, Laser, SensorReadings},
 };
 use std::sync::Arc;
 
@@ -33,6 +33,8 @@ const SURE: u32 = 50;
 const TELLS: f64 = 0.008;
 const TELLING_ALONG: f64 = 2e4;
 const HELD: f64 = 0.4;
+/// Squared innovation from which a motion was other than the wheels tell: by chance it is more once in a thousand scans.
+const SURPRISING: f64 = 16.0;
 /// Window for a pose that fits better, m and rad, by how much it must, and its uncertainty.
 const WINDOW: [f64; 2] = [0.3, 0.35];
 const BETTER: f64 = 0.2;
@@ -42,8 +44,6 @@ const FOUND: [f64; 2] = [0.02, 0.02];
 #[derive(Debug, Clone)]
 pub(super) struct ByScan {
     laser: ScanMapper,
-    /// Whether the robot has been in contact since the last scan.
-    is_held: bool,
     /// Whether the body stood still between the last two scans although the wheels turned.
     is_blocked: bool,
     /// Scans in a row that contradict the map.
@@ -56,7 +56,7 @@ pub(super) struct ByScan {
 impl ByScan {
     pub fn new(laser: Laser) -> Self {
         let laser = ScanMapper::new(laser);
-        Self { laser, is_held: false, is_blocked: false, misfits: 0, finder: None, sure: 0 }
+        Self { laser, is_blocked: false, misfits: 0, finder: None, sure: 0 }
     }
 
     /// The same with an existing map.
@@ -80,9 +80,8 @@ impl ByScan {
 
 impl Mapper {
     /// Takes the scan of a reading, if it is a new one.
-    pub(super) fn take_scan(&mut self, sensed: &SensorReadings, is_contact: bool, is_stride: bool) {
-        let Some(ByScan { laser, is_held, .. }) = &mut self.by_scan else { return };
-        *is_held |= is_contact;
+    pub(super) fn take_scan(&mut self, sensed: &SensorReadings, is_stride: bool) {
+        let Some(ByScan { laser, .. }) = &mut self.by_scan else { return };
         if sensed.battery.on_dock && self.travelled + self.way.way < UNDOCKED {
             self.docked = Some(0.0);
         }
@@ -132,20 +131,23 @@ impl Mapper {
 
     /// Ends the stretch: corrects the pose by a scan, and adds it to the map.
     fn match_scan(&mut self, scan: &Arc<[f32]>) {
-        let Some(ByScan { laser, is_held, is_blocked, misfits, .. }) = &mut self.by_scan else { return };
+        let Some(ByScan { laser, is_blocked, misfits, .. }) = &mut self.by_scan else { return };
         let [ahead, turning] = self.way.motion();
-        let is_held = std::mem::take(is_held);
         if *is_blocked {
             self.way = self.way.held();
         }
         self.way.settle();
-        self.way.doubt(is_held);
+        let points = laser.points(scan);
+        self.way.doubt(&Holds::beside(&self.setup.robot, &points).before(self.way.at.heading));
         let before = self.ekf.pose();
         self.ekf.advance(&self.way);
         let is_first = laser.is_empty();
-        let points = laser.points(scan);
         let surfaces = laser.surfaces(self.ekf.pose());
         let walls = laser.walls(scan);
+        let pushes = self.setup.robot.body != Body::Round;
+        if pushes && !*is_blocked && self.ekf.surprise(&surfaces.compare(self.ekf.pose(), &points)) > SURPRISING {
+            self.ekf.loosen(&self.way.wrong());
+        }
         let mut fit = self.ekf.match_scan(&points, (&walls, laser.is_straight()), &surfaces);
         if fit.points >= TELLING
             && fit.share() < MISFIT

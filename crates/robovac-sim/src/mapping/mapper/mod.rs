@@ -221,7 +221,9 @@ impl Mapper {
         let corrects = self.setup.tracking == Tracking::Corrected;
         let mut rolled = self.rolling.take(sensed);
         let ahead = 0.5 * (rolled[0] + rolled[1]);
-        if corrects && sensed.laser.is_some() && ahead > 0.0 && !sensed.stasis {
+        // Turning on the spot, one wheel's count comes before the other's, which is no way ahead.
+        let is_ahead = ahead > 0.0 && (self.setup.robot.body == Body::Round || rolled[0].min(rolled[1]) > 0.0);
+        if corrects && sensed.laser.is_some() && is_ahead && !sensed.stasis {
             // The castor stands: the wheels spin.
             rolled = [rolled[0] - ahead, rolled[1] - ahead, rolled[2]];
         }
@@ -244,7 +246,10 @@ impl Mapper {
         let slides = corrects && (sensed.laser.is_none() || self.setup.robot.body == Body::Round);
         let is_stride = self.way.roll(rolled, contact.filter(|_| slides).map(|contact| contact.direction));
         if sensed.laser.is_some() && self.by_scan.is_some() {
-            self.take_scan(sensed, contact.is_some(), is_stride);
+            if contact.is_some() {
+                self.way.touch([rolled[0], rolled[1]]);
+            }
+            self.take_scan(sensed, is_stride);
             return;
         }
         if sensed.battery.on_dock && corrects {

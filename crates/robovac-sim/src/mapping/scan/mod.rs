@@ -11,6 +11,10 @@
 //! - *Searching.* Such a match finds the nearest minimum only. Where the pose is uncertain, all poses of a window are
 //!   compared on a grid (Olson, Real-time correlative scan matching, ICRA 2009) with branch and bound (Hess, Kohler,
 //!   Rapp & Andor, Real-time loop closure in 2D LIDAR SLAM, ICRA 2016), which can't miss the best.
+//! - *Contact.* What the wheels tell is wrong across the wall that a body slides along, and right along it ([`holds`]): where scans
+//!   tell little of the way, in corridors, contact costs nothing. A body that isn't round also pushes itself off walls that no switch
+//!   feels, when it turns; so where a scan contradicts the prediction (a test of the innovation; Bar-Shalom, Li & Kirubarajan,
+//!   Estimation with applications to tracking and navigation, 2001, section 5.4), the wheels count little.
 //! - *Reference.* A scan is matched to key frames within a few metres by the graph's edges, as in Karto (Konolige,
 //!   Grisetti, Kümmerle, Burgard, Limketkai & Vincent, Efficient sparse pose adjustment for 2D mapping, IROS 2010): these
 //!   agree with each other. Key frames that are near on the map but far by edges are candidates for a loop closure.
@@ -27,11 +31,13 @@ mod axes;
 mod correlation;
 mod frames;
 mod graph;
+mod holds;
 mod paint;
 mod points;
 mod surfaces;
 
 pub(super) use correlation::{CorrelationGrid, Match, SearchWindow};
 pub(super) use frames::{ScanMapper, boundary, paint_place};
+pub(super) use holds::Holds;
 pub(super) use points::{ScanPoint, ScanSensor};
 pub(super) use surfaces::{ScanFit, SurfaceMap};
