@@ -197,6 +197,27 @@ fn wheels_that_spin_while_the_body_is_wedged_do_not_turn_the_pose() {
     assert!(by_odometry > 6.0, "more than a full turn by the wheels");
 }
 
+#[test]
+fn counts_that_come_one_after_the_other_in_a_turn_on_the_spot_are_no_way() {
+    let robot = model("cbot").unwrap();
+    let mut mapper = mapper(robot, Pose::new(0.0, 0.0, 0.0));
+    let mut sensed = SensorReadings::default();
+    mapper.update(&sensed);
+    // No scan arrives, so the wheels alone tell the pose; four and a half turns, as errors of full turns cancel.
+    sensed.laser = Some([].into());
+    let steps = (4.5 * std::f64::consts::PI * robot.wheel_base * robot.counts_per_metre) as u32;
+    for step in 0..2 * steps {
+        if step.is_multiple_of(2) {
+            sensed.right_counts = sensed.right_counts.wrapping_add(1);
+        } else {
+            sensed.left_counts = sensed.left_counts.wrapping_sub(1);
+        }
+        mapper.update(&sensed);
+    }
+    let off = mapper.pose().position().coords.norm();
+    assert!(off < 0.005, "{off} m");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
