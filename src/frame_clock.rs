@@ -4,7 +4,8 @@ use crate::wire::clock;
 
 /// Time for simulation in a frame, ms: at least, and at most; the rest of 16.7 ms is for drawing and the browser.
 const BUDGET_MS: [f64; 2] = [3.0, 8.0];
-/// Frames further apart than the first of these, ms, come late; than the second, they aren't meant to come oftener.
+/// Frames further apart than the first of these, ms, come late. Those further apart than the second tell nothing: they may not be
+/// meant to come oftener.
 const LATE_MS: [f64; 2] = [18.0, 40.0];
 
 /// Paces frames: where drawing takes long, less is simulated in each, so that as many come as the screen shows.
