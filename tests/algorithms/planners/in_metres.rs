@@ -50,7 +50,7 @@ fn jobs() -> Vec<(String, CoverageJob)> {
 }
 
 /// Whether a path can be driven: from the start, and no piece touches anything.
-fn holds(path: &CoveragePath, job: &CoverageJob, what: &str) {
+pub(super) fn holds(path: &CoveragePath, job: &CoverageJob, what: &str) {
     path.check(job).unwrap_or_else(|error| panic!("{what}: {error}"));
     let floor = &place(job).floor;
     let space = FreeSpace::new(floor.limits(), 0.0);

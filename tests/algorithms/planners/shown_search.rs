@@ -1,6 +1,9 @@
 //! What planners show of their search.
 
-use super::support::{EIGHT, drawn};
+use super::{
+    in_metres::holds,
+    support::{EIGHT, drawn},
+};
 use coverage_planners::{CoverageJob, PLANNERS, PlanContext, PlannerInfo, ProgressReport, ShownSearch, TraceStep};
 use robovac_core::{
     floor_plan,
@@ -47,7 +50,7 @@ fn tells_its_decisions(info: &'static PlannerInfo) {
 
 /// For a planner that has to know the floor below the cells.
 fn in_room(planner: &'static PlannerInfo) -> PlanRequest {
-    let room = (floor_plan::room("lshape").expect("it is built in").build)();
+    let room = (floor_plan::room("living").expect("it is built in").build)();
     let room = RoomSetup::new(&room, model("roomba600").expect("it is known"), 0.12, None).expect("it fits");
     let params = Params::checked(planner.params, [("effort", ParamValue::Number(0.1))]).expect("they are valid");
     PlanRequest { id: 1, planner, params, seed: 1, job: room.job }
@@ -62,6 +65,9 @@ fn is_filmed(request: &PlanRequest) {
     };
     let answer = request.serve(|| 0.0, Some(&mut observe)).expect("nobody cancels");
     let frames = film.ended(&answer.path, answer.proof);
+    for frame in frames.iter().filter(|_| info.claims.in_metres) {
+        holds(&frame.path, &request.job, info.id);
+    }
     let (firsts, search): (Vec<_>, Vec<_>) = frames.iter().partition(|frame| frame.proof.is_none());
     assert!(firsts.iter().any(|first| !first.planner.is_empty()), "{}", info.id);
     assert!(search.len() > 1 || !info.claims.in_metres, "{}", info.id);
