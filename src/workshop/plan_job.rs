@@ -37,10 +37,9 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     let answer = request.serve(|| clock() / 1000.0, Some(&mut observe)).map_err(|e| e.to_string())?;
     drop(observe);
     let CoveragePath { cells, line } = &answer.path;
+    // The frames that are left.
     if let Some(film) = &mut film {
-        let last = ProgressReport { done: 1.0, walk: cells, line, proof: answer.proof };
-        film.take(&last);
-        tell(on_progress, &last, Some(film));
+        tell(on_progress, &ProgressReport { done: 1.0, walk: cells, line, proof: answer.proof }, Some(film));
     }
     let result = Object::new();
     Reflect::set(&result, &"cells".into(), &path_to_js(&answer.path.cells, &answer.path.line))?;

@@ -54,7 +54,7 @@ test("a search in metres is a film, of a plan that was kept early, too", async (
   const note = page.locator("#search-note");
   await app.poll(() => note.textContent(), (text) => /^First path: Lanes in metres needs \d+:\d\d min/.test(text));
   const next = page.getByRole("button", { name: "Next frame" });
-  for (let i = 0; i < 20 && !/rejoined, .* saved; now \d+:\d\d min\.$/.test(await note.textContent()); i++) {
+  for (let i = 0; i < 20 && !/(rejoined|every piece moved), .* saved; now \d+:\d\d min\.$/.test(await note.textContent()); i++) {
     await next.click();
     await app.frames(2);
   }

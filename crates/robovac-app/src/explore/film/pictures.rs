@@ -104,6 +104,7 @@ fn improved_line([former, latter]: [&FilmFrame; 2], which: &str) -> Vec<FilmPict
     let LineDiff { parts, links } = LineDiff::between(&former.path.line, &latter.path.line);
     let picture = |lines, text| FilmPicture { lines, tinted: Vec::new(), text };
     let mut pictures = Vec::new();
+    let how = if parts.is_empty() { "every piece moved" } else { "rejoined" };
     if !parts.is_empty() {
         let text = remaining(which, parts.len());
         let parts = parts.into_iter().enumerate().map(|(index, part)| (FilmInk::Part(index), part));
@@ -113,7 +114,7 @@ fn improved_line([former, latter]: [&FilmFrame; 2], which: &str) -> Vec<FilmPict
     merged.extend(links.into_iter().map(|link| (FilmInk::New, link)));
     let (before, now) = (seconds(former), seconds(latter));
     let saved = if before > now { format!("{} saved", time(before - now)) } else { "no time saved".to_owned() };
-    pictures.push(picture(merged, format!("{which}: rejoined, {saved}; now {}.", time(now))));
+    pictures.push(picture(merged, format!("{which}: {how}, {saved}; now {}.", time(now))));
     pictures
 }
 
