@@ -12,7 +12,7 @@ fn drawings(criterion: &mut Criterion) {
     let file = SourceFile { name: "office.dxf".to_owned(), bytes: office_drawing(100_000) };
     let Ok(drawing) = read(&file) else { return };
     let roles: Vec<Role> = drawing.layers.iter().map(|layer| layer.role).collect();
-    let how = Tracing { roles, metre: 0.001, gap: 0.1, resolution: 0.05, region: DrawingRegion::Whole };
+    let how = Tracing { roles, metre: 0.001, gap: 0.1, resolution: 0.05, region: DrawingRegion::WHOLE };
     let mut group = criterion.benchmark_group(format!("drawing of {} MB", file.bytes.len() / 1_000_000));
     group.sample_size(10).measurement_time(Duration::from_secs(5));
     group.bench_function("read", |b| b.iter(|| read(black_box(&file))));

@@ -132,8 +132,7 @@ async function start() {
   startTheme((dark) => guard(() => app.setDark(dark)));
   const links = await startLinks(app, tabs, (lesson) => void learn(lesson));
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-    playground.pause();
-    playground.hold_films();
+    playground.hold_motion();
   }
 
   startTabs((next) => void tabs.enter(next));

@@ -1,6 +1,7 @@
 // @ts-check
 // Beside "Copy link": other ways to send and to show what is on the floor. Loaded when a link is copied.
 import { button, byId, make } from "./dom.js";
+import { clock } from "./format.js";
 import { complain, textOf, toast } from "./messages.js";
 import { style } from "./parts.js";
 import { currentTab, isOnFloor } from "./tabs.js";
@@ -8,13 +9,24 @@ import { currentTab, isOnFloor } from "./tabs.js";
 /** Size of the frame in another page, px. */
 const [WIDTH, HEIGHT] = [720, 540];
 
-/** @type {Promise<(link: URL, done: string) => void> | undefined} */
+/** @type {Promise<(link: URL, done: string, moment?: string) => void> | undefined} */
 let made;
 
-/** @param {import("./main.js").App} app @param {URL} link @param {string} done What was done with it. */
-export async function showWays(app, link, done) {
+/** @param {import("./main.js").App} app @param {URL} link @param {string} done What was done with it. @param {string} [moment] */
+export async function showWays(app, link, done, moment) {
   made ??= build(app);
-  (await made)(link, done);
+  (await made)(link, done, moment);
+}
+
+/** Where a link leads in what goes on: some of it isn't in links. @param {string | undefined} moment Of the run in Explore. */
+function whereTo(moment) {
+  const tab = currentTab();
+  if (tab === "map") return "It opens with these settings. Mapping begins anew there.";
+  if (tab === "compare") return "It opens with these settings. Results are computed anew there.";
+  if (!isOnFloor()) return "";
+  if (moment === undefined) return "The run begins anew there: a link doesn't carry what was done by hand during a run, or by a program of yours.";
+  const time = /=([\d.]+)/.exec(moment)?.[1];
+  return time ? `It opens at ${clock(Number(time))}, as here.` : "";
 }
 
 /** The link of the floor and play bar alone. @param {URL} link */
@@ -51,11 +63,13 @@ async function build(app) {
     make("button", { type: "button", onclick: () => Promise.resolve(what()).catch((error) => complain(`This could not be loaded (${textOf(error)}). Check the connection, then try again.`)) }, label);
   const show = act("Picture or film…", save);
   const title = make("h2", { id: "ways-title", tabIndex: -1 });
+  const where = make("p", { className: "note" });
   const framed = make("div", { className: "framed" }, make("h3", {}, "In your own web page"), snippet, act("Copy HTML", copy));
   const node = make(
     "section",
     { id: "ways", className: "ways", role: "dialog", "aria-labelledby": "ways-title", hidden: true },
     title,
+    where,
     make("div", { className: "row" }, show, act("Print…", print)),
     framed,
   );
@@ -75,8 +89,10 @@ async function build(app) {
   });
   node.addEventListener("focusout", ({ relatedTarget }) => relatedTarget instanceof Node && !node.contains(relatedTarget) && close());
 
-  return (/** @type {URL} */ link, /** @type {string} */ done) => {
+  return (/** @type {URL} */ link, /** @type {string} */ done, /** @type {string | undefined} */ moment) => {
     title.textContent = done;
+    where.textContent = whereTo(moment);
+    where.hidden = where.textContent === "";
     // It is of the floor in Explore.
     show.hidden = !isOnFloor();
     // Other tabs are more than a floor and a play bar, and some show what only this browser has.

@@ -442,6 +442,8 @@ room: TracedRoomView | null,
 doors: Doors | null,
 /** The width up to which openings to the outside have to be closed, m, so that the one that the notice is about is. */
 closes: number | null,
+/** Whether the notice is about openings that were closed, and can be left open. */
+opens: boolean,
 /** What can be wrong with the room, in words; empty for nothing. */
 notice: string,
 /** Why there is no room; empty if there is one or the user has yet to choose. */

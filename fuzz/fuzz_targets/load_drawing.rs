@@ -9,7 +9,7 @@ fuzz_target!(|bytes: &[u8]| {
     let file = SourceFile { name: "a.dxf".into(), bytes: bytes.into() };
     let Ok(drawing) = read(&file) else { return };
     let corner = drawing.points[0];
-    for (role, region) in [(Role::Wall, DrawingRegion::Whole), (Role::Obstacle, DrawingRegion::Room(corner))] {
+    for (role, region) in [(Role::Wall, DrawingRegion::WHOLE), (Role::Obstacle, DrawingRegion::Room(corner))] {
         let roles = vec![role; drawing.layers.len()];
         let metre = drawing.metre.unwrap_or(0.001);
         if let Ok(traced) = trace(&drawing, &Tracing { roles, metre, gap: 0.3, resolution: 0.1, region }) {

@@ -3,7 +3,8 @@
 use image::{GrayImage, ImageFormat, Luma};
 use rand::RngExt;
 use robovac_app::floor_plan::{DrawingPart, DrawingSession, FloorPlanSettings};
-use robovac_core::{floor_plan::SourceFile, geometry::Point, rng::seeded};
+use robovac_core::{floor_plan::SourceFile, geometry::Point, rng::seeded, robot::model};
+use robovac_sim::experiment::planning::RoomSetup;
 use std::io::Cursor;
 
 /// A wall: from, to, m.
@@ -258,18 +259,53 @@ fn starts_in(session: &DrawingSession, flat: &Flat) -> bool {
     (0..2).all(|axis| (0.0..flat.size[axis]).contains(&(0.001 * at[axis])))
 }
 
+/// Floor that a Roomba reaches from the start, m².
+fn reached_m2(session: &DrawingSession) -> f64 {
+    RoomSetup::new(&session.room().unwrap().plan, model("roomba600").unwrap(), 0.12, None).unwrap().floor.area()
+}
+
 #[test]
-fn all_of_a_flat_with_an_opening_starts_indoors_and_says_that_the_robot_gets_out() {
-    for (seed, wide) in [(0, 0.9), (1, 1.2), (2, 0.2)] {
+fn all_of_a_flat_with_an_opening_starts_indoors_and_stays_there() {
+    for (seed, wide, turn) in [(0, 0.9, 0.0), (1, 1.2, 0.0), (2, 0.2, 0.0), (3, 0.9, 0.3)] {
         let flat = Flat::of(seed, wide);
         let mut session = DrawingSession::open(&[flat.drawing()]).unwrap();
-        session.set_part(DrawingPart::Whole).unwrap();
+        change(&mut session, |settings| settings.turn = turn);
+        let indoors = reached_m2(&session);
+        change(&mut session, |settings| settings.part = DrawingPart::Whole);
         assert!(session.floor_m2() > flat.floor_m2(), "seed {seed}: what is outside counts");
-        assert!(starts_in(&session, &flat), "seed {seed}: {:?}", session.room().unwrap().plan.start);
-        let notice = session.view().notice;
-        assert_eq!(notice.contains("a robot gets out"), wide > 0.35, "seed {seed}: {notice:?}");
+        let view = session.view();
+        // A Roomba doesn't get through the narrow one.
+        assert_eq!(view.opens, wide > 0.35, "seed {seed}: {:?}", view.notice);
+        assert_eq!(view.notice.contains("Outer doors are closed"), view.opens, "seed {seed}: {:?}", view.notice);
+        let reached = reached_m2(&session);
+        assert!((reached - indoors).abs() < 0.02 * indoors, "seed {seed}: {reached} of {indoors} m²");
+        if !view.opens {
+            continue;
+        }
+        assert_eq!(view.room.unwrap().outer_doors, 1, "seed {seed}");
+        change(&mut session, |settings| settings.outer = 0.0);
+        let open = session.view();
+        assert!(open.notice.contains("a robot gets out") && !open.opens, "seed {seed}: {:?}", open.notice);
+        assert!(reached_m2(&session) > indoors + 1.0, "seed {seed}");
+        change(&mut session, |settings| settings.outer = open.closes.unwrap());
+        assert!(session.view().opens, "seed {seed}: closed again");
         session.set_part(DrawingPart::Indoors).unwrap();
         assert_eq!(session.view().notice, "", "seed {seed}");
+    }
+}
+
+#[test]
+fn all_of_a_flat_whose_opening_is_too_wide_to_be_closed_shows_it() {
+    for seed in 0..3 {
+        // As a front door on a drawing that is taken for twice as large.
+        let flat = Flat::of(seed, 1.8);
+        let mut session = DrawingSession::open(&[flat.drawing()]).unwrap();
+        session.set_part(DrawingPart::Whole).unwrap();
+        let view = session.view();
+        assert!(view.notice.contains("opening about 1.8"), "seed {seed}: {:?}", view.notice);
+        assert!(session.room().unwrap().leak.is_some(), "seed {seed}: it is marked");
+        change(&mut session, |settings| settings.outer = view.closes.unwrap());
+        assert!(session.view().opens && starts_in(&session, &flat), "seed {seed}: {:?}", session.view().notice);
     }
 }
 

@@ -3,7 +3,7 @@
 import { complain, textOf, toast } from "../messages.js";
 import { write } from "../keep.js";
 import { aboutRoom, settingsOf } from "../settings-link.js";
-import { currentTab } from "../tabs.js";
+import { currentTab, isOnFloor } from "../tabs.js";
 import { flatOf } from "./flat.js";
 import { MOST_PACKED } from "./own-rooms.js";
 import { pack } from "./pack.js";
@@ -26,7 +26,9 @@ export async function copyLink(app) {
   }
   const more = await app.share().catch((error) => void complain(`No link was copied: ${textOf(error)}`));
   if (more === undefined) return;
-  link.hash = more ? `${hash}&${more}` : hash;
+  const moment = isOnFloor() ? app.playground.moment_pair() : "";
+  // A lesson is last: its address can have an & of its own.
+  link.hash = [moment, hash, more].filter(Boolean).join("&");
   let done = "Link copied";
   try {
     await navigator.clipboard.writeText(link.href);
@@ -38,5 +40,5 @@ export async function copyLink(app) {
   const hasDrawing = currentTab() === "floor-plan" && document.getElementById("floor-plan-settings")?.hidden === false;
   if (hasDrawing) toast(`${done}, without the drawing: press Use this room, then copy again`);
   // Without them the link is copied all the same.
-  await import("../send.js").then(({ showWays }) => showWays(app, link, done)).catch(() => toast(done));
+  await import("../send.js").then(({ showWays }) => showWays(app, link, done, moment)).catch(() => toast(done));
 }

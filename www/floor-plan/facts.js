@@ -13,8 +13,8 @@ export function startFacts(it) {
     byId("floor-plan-floor").focus();
   });
   button("floor-plan-notice-close").addEventListener("click", async () => {
-    const outer = it.view?.closes;
-    if (outer) await it.set({ outer });
+    const outer = it.view?.opens ? 0 : it.view?.closes;
+    if (outer !== undefined && outer !== null) await it.set({ outer });
     byId("floor-plan-floor").focus();
   });
   button("floor-plan-asks-yes").addEventListener("click", () => void it.set({ confirmed: it.view?.settings.metre ?? null }));
@@ -47,7 +47,8 @@ function show(view) {
   setHidden(byId("floor-plan-asks"), !view?.asks);
   setHidden(byId("floor-plan-notice"), !view?.notice);
   setText(byId("floor-plan-notice-text"), view?.notice ?? "");
-  setHidden(byId("floor-plan-notice-close"), !view?.closes);
+  setHidden(byId("floor-plan-notice-close"), !view?.closes && !view?.opens);
+  setText(byId("floor-plan-notice-close"), view?.opens ? "Open them" : "Close it");
   if (view?.asks) setText(byId("floor-plan-asks-text"), `This floor plan is ${view.asks}. Is that its size?`);
 }
 

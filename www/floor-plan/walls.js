@@ -7,11 +7,14 @@ import { showValue } from "./fields.js";
 /** Sides of the room's cells, m; as in crates/robovac-app/src/floor_plan/settings.rs. */
 const CELLS = [0.01, 0.02, 0.025, 0.05, 0.1, 0.2, 0.5];
 
+/** @param {import("./types").FloorPlanView} view */
+const closesDoors = ({ settings }) => ["indoors", "whole"].includes(settings.part.kind);
+
 /**
  * Whether openings as wide as outer doors are closed: only another width has a slider, as the panel has to fit on a laptop.
  * @param {import("./types").FloorPlanView} view
  */
-const hasUsualDoors = ({ settings, outer_door }) => settings.part.kind === "indoors" && settings.outer === outer_door;
+const hasUsualDoors = (view) => closesDoors(view) && view.settings.outer === view.outer_door;
 
 /** @param {import("./tab.js").FloorPlanTab} it @returns {(view: import("./types").FloorPlanView | undefined) => void} */
 export function startWalls(it) {
@@ -69,7 +72,7 @@ export function startWalls(it) {
     const [isDrawing, isImage] = [kind === "drawing", kind === "image"];
     const hidden = { "layer-group": !isDrawing, "part-group": kind === "map", "wall-group": kind === "map", "cell-field": !view.has_cells, "method-field": !isImage };
     const own = isImage && settings.method !== "map";
-    const more = { "gap-field": !isDrawing && !own, "outer-field": settings.part.kind !== "indoors" || hasUsualDoors(view) || (!isDrawing && !own), "shade-field": !isImage || settings.method !== "level", "contrast-field": !isImage || settings.method !== "local", "specks-field": !own, "negate-field": !isImage, "shade-key": !own };
+    const more = { "gap-field": !isDrawing && !own, "outer-field": !closesDoors(view) || hasUsualDoors(view) || (!isDrawing && !own), "shade-field": !isImage || settings.method !== "level", "contrast-field": !isImage || settings.method !== "local", "specks-field": !own, "negate-field": !isImage, "shade-key": !own };
     for (const [id, isHidden] of Object.entries({ ...hidden, ...more })) setHidden(byId(`floor-plan-${id}`), isHidden);
     showValue(gap, String(settings.gap));
     // What is as wide as a gap that is closed is closed, too.

@@ -11,7 +11,7 @@
 //! let drawing = read(&SourceFile { name: "room.svg".into(), bytes: svg.into() }).unwrap();
 //! // One unit is a centimetre, and all lines are walls.
 //! let roles = vec![Role::Wall; drawing.layers.len()];
-//! let tracing = Tracing { roles, metre: 0.01, gap: 0.1, resolution: 0.05, region: DrawingRegion::Whole };
+//! let tracing = Tracing { roles, metre: 0.01, gap: 0.1, resolution: 0.05, region: DrawingRegion::WHOLE };
 //! let traced = trace(&drawing, &tracing).unwrap();
 //! assert!(traced.plan.width_m() >= 3.0 && traced.plan.height_m() >= 2.0);
 //! ```

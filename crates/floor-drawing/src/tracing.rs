@@ -1,6 +1,6 @@
 //! Input and result of tracing a room from a drawing.
 
-use super::model::Role;
+use super::{model::Role, trace::OUTER_DOOR};
 use robovac_core::{
     floor_plan::FloorPlan,
     geometry::{Point, Pose, Vector},
@@ -16,8 +16,11 @@ pub enum DrawingRegion {
         /// Widest opening to the outside that is closed, m; those as wide as a gap that is closed are in any case.
         outer: f64,
     },
-    /// All of it.
-    Whole,
+    /// All of it, with a start indoors. Openings by which a robot would get out of the building are closed.
+    Whole {
+        /// Widest opening to the outside that is closed, m; 0 for none.
+        outer: f64,
+    },
     /// An axis-aligned rectangle.
     Rectangle {
         /// Lower left corner.
@@ -29,6 +32,11 @@ pub enum DrawingRegion {
     Polygon(Vec<Point>),
     /// The room around this point: everything reachable without crossing a wall.
     Room(Point),
+}
+
+impl DrawingRegion {
+    /// All of it, with openings to the outside closed that are as wide as outer doors.
+    pub const WHOLE: Self = Self::Whole { outer: OUTER_DOOR };
 }
 
 /// Parameters of tracing a room from a drawing.
@@ -67,7 +75,8 @@ pub struct Traced {
     pub leak: Option<OutsideLeak>,
     /// A building with little of the floor within the outermost walls indoors.
     pub free_standing: Option<FreeStandingBuilding>,
-    /// Whether a robot gets out of the building that it starts in, where what is outside is floor, too.
+    /// Whether a robot gets out of the building that it starts in, where what is outside is floor, too. Then the building
+    /// stands free within walls, and may be a block of rooms; or openings were to be left open.
     pub goes_out: bool,
     /// Whether walls enclose hardly any floor indoors, so that all of the drawing counts.
     pub is_open: bool,

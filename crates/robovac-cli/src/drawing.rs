@@ -85,7 +85,7 @@ impl DrawingOptions {
             Failure::usage(format!("--region {given}: use whole, room:X,Y, rectangle:X,Y,X,Y or polygon:X,Y,X,Y,X,Y"))
         };
         if self.region == "whole" {
-            return Ok(DrawingRegion::Whole);
+            return Ok(DrawingRegion::WHOLE);
         }
         let (kind, numbers) = self.region.split_once(':').ok_or_else(bad)?;
         let numbers: Vec<f64> =

@@ -186,7 +186,7 @@ fn drawn(file: &SourceFile, metre: Option<f64>, resolution: f64) -> Result<Floor
         Failure::usage(format!("{} is {kind} that doesn't state its unit; add units, e.g. units=\"mm\"", file.name))
     })?;
     let roles = drawing.layers.iter().map(|layer| layer.role).collect();
-    let how = Tracing { roles, metre, gap: GAP, resolution, region: DrawingRegion::Whole };
+    let how = Tracing { roles, metre, gap: GAP, resolution, region: DrawingRegion::WHOLE };
     Ok(trace(&drawing, &how)?.plan)
 }
 

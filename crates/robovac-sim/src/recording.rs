@@ -187,6 +187,12 @@ impl RunRecording {
         self.goal = Some(goal);
     }
 
+    /// The same for a time that may not have been simulated yet.
+    pub fn seek_ahead(&mut self, time_s: f64) {
+        self.seek(time_s);
+        self.goal = Some((time_s / STEP_S).round().max(0.0) as u64);
+    }
+
     /// Continues a seek, while `has_time` returns true.
     pub fn seek_on(&mut self, has_time: &mut dyn FnMut() -> bool) {
         if let Some(goal) = self.goal {

@@ -32,9 +32,9 @@ impl Playground {
         self.session.show_search(on);
     }
 
-    /// Makes films wait for [`Playground::turn_film`].
-    pub fn hold_films(&mut self) {
-        self.session.hold_films();
+    /// Nothing moves by itself: the run is paused, and films wait for [`Playground::turn_film`].
+    pub fn hold_motion(&mut self) {
+        self.session.hold_motion();
     }
 
     /// Shows the film's next or previous picture.

@@ -45,6 +45,11 @@ impl Playground {
         self.session.link()
     }
 
+    /// What `link` needs to lead to the shown moment of the run; `undefined` if no link can.
+    pub fn moment_pair(&self) -> Option<String> {
+        self.session.moment_pair()
+    }
+
     /// Changes whenever the room does.
     pub fn room_version(&self) -> f64 {
         self.session.plan_version() as f64

@@ -213,7 +213,7 @@ proptest! {
         }
         let bytes = lines.join("\n").into_bytes();
         if let Ok(drawing) = read(&file("plan.dxf", bytes.clone())) {
-            for (role, region) in [(Role::Wall, DrawingRegion::Whole), (Role::Obstacle, DrawingRegion::Room(drawing.points[0]))] {
+            for (role, region) in [(Role::Wall, DrawingRegion::WHOLE), (Role::Obstacle, DrawingRegion::Room(drawing.points[0]))] {
                 let roles = vec![role; drawing.layers.len()];
                 if let Ok(traced) = trace(&drawing, &Tracing { roles, metre: 0.001, gap: 0.05, resolution: 0.01, region }) {
                     prop_assert_eq!(traced.plan.check_objects(None), Ok(()));

@@ -44,7 +44,7 @@ fn furniture_whose_sides_are_single_lines_is_no_floor() {
         0 LINE 8 FURN 10 2000 20 3000 11 3000 21 3000 0 LINE 8 FURN 10 2000 20 2000 11 2000 21 3000";
     let lines = drawn(&entities(&format!("{start} {sides} 0 CIRCLE {leg}"))).unwrap();
     for region in
-        [DrawingRegion::Indoors { outer: 1.25 }, DrawingRegion::Whole, DrawingRegion::Room(Point::new(1500.0, 3500.0))]
+        [DrawingRegion::Indoors { outer: 1.25 }, DrawingRegion::WHOLE, DrawingRegion::Room(Point::new(1500.0, 3500.0))]
     {
         let [one, other] = [&flat, &lines].map(|drawing| traced(drawing, 0.9, region.clone()).unwrap().plan);
         assert_eq!(one.occupancy, other.occupancy, "{}", to_ascii(&other));
@@ -70,9 +70,9 @@ fn an_open_room_leaks_where_its_door_is() {
 fn the_whole_is_what_walls_enclose_or_the_box() {
     let flat = drawn(&entities(FLAT)).unwrap();
     let free = |traced: &Traced| traced.plan.occupancy.values().iter().filter(|cell| cell.is_free()).count();
-    let closed = traced(&flat, 0.9, DrawingRegion::Whole).unwrap();
+    let closed = traced(&flat, 0.9, DrawingRegion::WHOLE).unwrap();
     assert_eq!((free(&closed), closed.plan.objects.len()), (15 * 11, 2));
-    let open = traced(&flat, 0.0, DrawingRegion::Whole).unwrap();
+    let open = traced(&flat, 0.0, DrawingRegion::WHOLE).unwrap();
     // 4 m x 3 m and a metre around.
     assert_eq!((open.plan.width_m(), open.plan.height_m()), (6.0, 5.0));
     assert!(free(&open) > 15 * 11 + 100, "{}", to_ascii(&open.plan));
@@ -102,7 +102,7 @@ fn what_cannot_be_is_said() {
         metre: 0.001,
         gap: 0.0,
         resolution: 0.05,
-        region: DrawingRegion::Whole,
+        region: DrawingRegion::WHOLE,
     };
     let huge = message(Tracing { metre: 1.0, ..how.clone() });
     assert!(huge.contains("use cells of 1 m"), "{huge}");
@@ -136,7 +136,7 @@ fn doors_in_walls_drawn_as_outlines_are_closed() {
     for [a, b] in &room.gaps {
         assert!((0.5..=1.2).contains(&(b - a).norm()), "{a} {b}");
     }
-    let both = fine(0.9, DrawingRegion::Whole).unwrap();
+    let both = fine(0.9, DrawingRegion::WHOLE).unwrap();
     assert!((22.5..25.5).contains(&floor(&both)), "{}\n{}", floor(&both), to_ascii(&both.plan));
 }
 
@@ -170,7 +170,7 @@ fn a_hollow_column_does_not_make_the_rest_of_the_flat_outside() {
     for text in [OPEN_FLAT.to_owned(), format!("{OPEN_FLAT} {column}")] {
         let flat = drawn(&entities(&text)).unwrap();
         let how =
-            Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 1.0, resolution: 0.05, region: DrawingRegion::Whole };
+            Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 1.0, resolution: 0.05, region: DrawingRegion::WHOLE };
         let room = trace(&flat, &how).unwrap();
         let floor = room.plan.occupancy.values().iter().filter(|cell| cell.is_free()).count() as f64 * 0.05 * 0.05;
         assert!((36.0..41.0).contains(&floor), "{floor}\n{}", to_ascii(&room.plan));
@@ -182,7 +182,7 @@ fn a_hollow_column_does_not_make_the_rest_of_the_flat_outside() {
 fn the_inside_of_an_outlined_wall_is_not_floor_at_coarse_cells() {
     let flat = drawn(&entities(OPEN_FLAT)).unwrap();
     for resolution in [0.1, 0.2] {
-        let how = Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 0.0, resolution, region: DrawingRegion::Whole };
+        let how = Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 0.0, resolution, region: DrawingRegion::WHOLE };
         // The door stands open: all is outside, with a metre around.
         let room = trace(&flat, &how).unwrap();
         assert!((room.plan.width_m() - 10.0).abs() < 0.5, "{}", to_ascii(&room.plan));

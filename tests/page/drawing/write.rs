@@ -124,7 +124,7 @@ fn a_room_comes_back_from_its_outlines() {
         metre: drawing.metre.unwrap(),
         gap: 0.0,
         resolution: 0.05,
-        region: floor_drawing::DrawingRegion::Whole,
+        region: floor_drawing::DrawingRegion::WHOLE,
     };
     let traced = trace(&drawing, &how).unwrap().plan;
     let area = |plan: &robovac_core::floor_plan::FloorPlan| {

@@ -3,7 +3,7 @@
 use super::{finish, opened};
 use robovac_app::{
     Import,
-    explore::{Brush, Session, SessionSnapshot},
+    explore::{Brush, Session, SessionSnapshot, SessionState},
 };
 use robovac_core::{
     floor_plan::{SourceFile, generate::FlatId},
@@ -26,6 +26,64 @@ fn link_brings_the_same_session_back() {
     finish(&mut other);
     let digest = |s: &Session| s.recording().unwrap().run().digest();
     assert_eq!(digest(&session), digest(&other));
+}
+
+#[test]
+fn link_leads_to_the_moment_of_a_run() {
+    let follow = |link: &str| {
+        let mut session = opened();
+        session.restore(link).unwrap();
+        session.plan_now(|| 0.0);
+        session.frame(1.0 / 60.0, &mut || true);
+        session
+    };
+    let state = |session: &Session| (session.state(), session.recording().unwrap().run().digest());
+    for settings in ["planner=snake&smooth=true", "planner=near_optimal&search=1", "behaviour=random_walk&slip=typical"]
+    {
+        let mut session = opened();
+        session.restore(&format!("room=lshape&robot=roomba600&cell=0.25&seed=9&{settings}")).unwrap();
+        session.plan_now(|| 0.0);
+        assert_eq!(session.moment_pair().unwrap(), "", "{settings}: at the start there is nothing to say");
+        session.run_ahead(40.0);
+        session.pause();
+        let pair = session.moment_pair().unwrap();
+        assert!(pair.ends_with(",paused"), "{pair}");
+        let link = format!("{}&{pair}", session.link());
+        assert!(!session.link_outline(&link).is_shown, "a moment is to be gone to");
+        assert_eq!(state(&follow(&link)), state(&session), "{settings}");
+        let mut playing = follow(link.trim_end_matches(",paused"));
+        assert_eq!(playing.recording().unwrap().run().time_s(), session.recording().unwrap().run().time_s());
+        playing.frame(1.0, &mut || true);
+        assert_eq!(playing.state(), SessionState::Playing, "{settings}");
+        assert!(playing.recording().unwrap().run().time_s() > session.recording().unwrap().run().time_s());
+        // Whatever its user does next isn't undone by the link.
+        playing.reset();
+        playing.frame(1.0, &mut || true);
+        assert_eq!(playing.recording().unwrap().run().steps(), 0, "{settings}");
+        finish(&mut session);
+        let end = format!("{}&{}", session.link(), session.moment_pair().unwrap());
+        assert_eq!(state(&follow(&end)), state(&session), "{settings}: the end, too");
+    }
+}
+
+#[test]
+fn link_leads_to_no_moment_that_a_person_had_a_part_in() {
+    let mut session = opened();
+    session.restore("room=lshape&behaviour=random_walk&robot=roomba600").unwrap();
+    session.run_ahead(5.0);
+    session.lift();
+    assert_eq!(session.moment_pair(), None);
+    session.reset();
+    assert_eq!(session.moment_pair().as_deref(), Some(""));
+    session.run_ahead(5.0);
+    session.begin_stroke(Brush::Wall, Point::new(1.0, 1.0));
+    session.end_stroke();
+    session.run_ahead(5.0);
+    assert_eq!(session.moment_pair(), None, "what was swept before isn't in the link");
+    for wrong in ["now", "-1", "1e9", "NaN", "3,playing", ""] {
+        let error = session.restore(&format!("moment={wrong}")).unwrap_err().to_string();
+        assert!(error.contains("the moment") && error.contains("e.g. 83.2"), "{error}");
+    }
 }
 
 #[test]

@@ -119,7 +119,7 @@ fn film_that_is_held_goes_on_by_hand() {
     session.select_room("lshape").unwrap();
     session.configure(|s| s.select_algorithm("near_optimal")).unwrap();
     session.configure(|s| s.set_param("effort", "0")).unwrap();
-    session.hold_films();
+    session.hold_motion();
     session.plan_now(|| 0.0);
     session.show_search(true);
     let at = |session: &Session| session.view().search.film.unwrap().at;

@@ -70,7 +70,7 @@ const FIRST_LOOK: i32 = 512;
 ///            10\n0\n20\n2000\n0\nENDSEC\n0\nEOF\n";
 /// let drawing = read(&SourceFile { name: "room.dxf".into(), bytes: dxf.into() })?;
 /// let how =
-///     Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 0.0, resolution: 0.5, region: DrawingRegion::Whole };
+///     Tracing { roles: vec![Role::Wall], metre: 0.001, gap: 0.0, resolution: 0.5, region: DrawingRegion::WHOLE };
 /// let room = trace(&drawing, &how)?;
 /// assert!(to_ascii(&room.plan).ends_with(
 ///     "##########\n##########\n###.....##\n###.....##\n###.....##\n##########\n##########\n##########\n"
@@ -178,7 +178,7 @@ impl<'a> RoomTracer<'a> {
     fn run(&self) -> Result<Traced, DrawingFlaw> {
         match &self.how.region {
             DrawingRegion::Indoors { .. } => self.indoors(),
-            DrawingRegion::Whole => self.whole_from_indoors(),
+            DrawingRegion::Whole { outer } => self.whole_from_indoors(*outer),
             DrawingRegion::Rectangle { low, high } => self.rectangle(*low, *high),
             DrawingRegion::Polygon(outline) => self.polygon(outline),
             DrawingRegion::Room(point) => self.room(*point),
@@ -219,7 +219,11 @@ impl<'a> RoomTracer<'a> {
 
     /// Widest opening to the outside that is closed, m.
     fn outer(&self) -> f64 {
-        let outer = if let DrawingRegion::Indoors { outer } = self.how.region { outer } else { OUTER_DOOR };
+        let outer = match self.how.region {
+            DrawingRegion::Indoors { outer } => outer,
+            DrawingRegion::Whole { outer } if outer > 0.0 => outer,
+            _ => OUTER_DOOR,
+        };
         outer.max(self.how.gap)
     }
 
@@ -467,9 +471,15 @@ impl<'a> RoomTracer<'a> {
             cut.values_mut()[index] = floor.is_set(Cell::new(cell.x + from[0], cell.y + from[1]));
         }
         let mut traced = self.furnished(&part, &cut)?;
-        let moved = |end: Point| part.cells(frame.point(end)) * self.how.resolution;
-        traced.gaps.extend(openings.iter().map(|ends| ends.map(moved)));
+        self.add_gaps(&mut traced, frame, openings);
         Ok(traced)
+    }
+
+    /// Adds closed openings, in cells of `frame`, to the room's gaps.
+    fn add_gaps(&self, traced: &mut Traced, frame: &RasterFrame, openings: &[[Point; 2]]) {
+        let metres = |end: Point| Point::from((frame.point(end).coords - traced.corner) * self.how.metre);
+        let gaps: Vec<_> = openings.iter().map(|ends| ends.map(metres)).collect();
+        traced.gaps.extend(gaps);
     }
 
     /// Cells that walls, closed gaps and open obstacles cross. `outside` is what lies beyond a picture.

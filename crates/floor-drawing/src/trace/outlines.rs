@@ -261,7 +261,7 @@ mod tests {
         let layer = |role: &Role| DrawingLayer { name: String::new(), colour: [0; 3], strokes: 1, role: *role };
         let layers = roles.iter().map(layer).collect();
         let drawing = Drawing { name: String::new(), metre: None, layers, strokes, points, left_out: Vec::new() };
-        (drawing, Tracing { roles, metre: 1.0, gap: 0.0, resolution: 0.05, region: DrawingRegion::Whole })
+        (drawing, Tracing { roles, metre: 1.0, gap: 0.0, resolution: 0.05, region: DrawingRegion::WHOLE })
     }
 
     /// Numbers of corners of the closed outlines, and number of open strokes.

@@ -1,11 +1,11 @@
 //! Where a robot starts if there is floor outside of the building, too.
 
-use super::{EnclosedFloor, RoomTracer, frame::RasterFrame};
+use super::{EnclosedFloor, RoomTracer, frame::RasterFrame, raster::RasterCanvas};
 use crate::{DrawingFlaw, Traced};
 use robovac_core::{
     coverage::with_objects,
     geometry::{Point, Pose},
-    grid::{Cell, Grid, chessboard, largest_part, reachable},
+    grid::{Cell, Grid, Occupancy, chessboard, largest_part, reachable},
     math::{ceil, floor},
 };
 
@@ -15,17 +15,52 @@ const ROBOT: f64 = 0.35;
 const LEAST: f64 = 1.0;
 
 impl RoomTracer<'_> {
-    /// All of it, with a start indoors if there is floor outside, too.
-    pub(super) fn whole_from_indoors(&self) -> Result<Traced, DrawingFlaw> {
+    /// All of it, with a start indoors if there is floor outside, too, and openings up to `outer` metres closed by which a robot
+    /// would get there.
+    pub(super) fn whole_from_indoors(&self, outer: f64) -> Result<Traced, DrawingFlaw> {
         let mut traced = self.whole()?;
         let free = traced.plan.occupancy.values().iter().filter(|cell| cell.is_free()).count();
-        let Some(EnclosedFloor { frame, inside, small, in_doubt, .. }) = self.enclosed()? else { return Ok(traced) };
-        let may_be = in_doubt.map(|building| building.floor);
-        let home = small.map(|(floor, _)| floor).or(may_be).unwrap_or(inside);
-        if home.count() < free {
-            traced.goes_out = self.start_at(&mut traced, &frame, &home) == Some(true);
+        let Some(found) = self.enclosed()? else {
+            traced.leak = self.outside_leak(None)?;
+            traced.is_open = traced.leak.is_some();
+            return Ok(traced);
+        };
+        let may_be = found.in_doubt.as_ref().map(|building| &building.floor);
+        let free_standing = found.small.as_ref().map(|(floor, _)| floor).or(may_be);
+        let home = free_standing.unwrap_or(&found.inside);
+        if home.count() >= free {
+            return Ok(traced);
+        }
+        traced.goes_out = self.start_at(&mut traced, &found.frame, home) == Some(true);
+        // Where all may be one building, its doors are to be passed.
+        if traced.goes_out && outer > 0.0 && free_standing.is_none() {
+            traced.leak = self.outside_leak(Some(&found))?;
+            traced.is_open = traced.leak.is_some();
+            // The openings may be doors of one room; the others are open to the outside.
+            if traced.is_open {
+                return Ok(traced);
+            }
+            self.shut(&mut traced, &found)?;
+            traced.goes_out = self.start_at(&mut traced, &found.frame, home) == Some(true);
         }
         Ok(traced)
+    }
+
+    /// Makes walls of the openings of a building.
+    fn shut(&self, traced: &mut Traced, found: &EnclosedFloor) -> Result<(), DrawingFlaw> {
+        let occupancy = &mut traced.plan.occupancy;
+        let mut canvas = RasterCanvas::new([occupancy.width() as i32, occupancy.height() as i32]);
+        let in_room = |end: Point| Point::from((found.frame.point(end).coords - traced.corner) / self.side);
+        for &[a, b] in &found.openings {
+            canvas.segment(in_room(a), in_room(b))?;
+        }
+        for (cell, &is_shut) in occupancy.values_mut().iter_mut().zip(canvas.cells.values()) {
+            if is_shut {
+                *cell = Occupancy::Occupied;
+            }
+        }
+        self.add_gaps(traced, &found.frame, &found.openings);
+        Ok(())
     }
 
     /// Starts in the middle of the widest place of `home`, whose cells are those of `frame`, and tells whether a robot can

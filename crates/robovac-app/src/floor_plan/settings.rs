@@ -218,12 +218,12 @@ fn default_cell(source: &DrawingSource, metre: Option<f64>) -> f64 {
 }
 
 impl DrawingPart {
-    /// The part in the form for tracing; indoors, openings to the outside up to `outer` metres are closed.
+    /// The part in the form for tracing; openings to the outside up to `outer` metres are closed.
     pub fn region(&self, outer: f64) -> DrawingRegion {
         let point = |&[x, y]: &[f64; 2]| Point::new(x, y);
         match self {
             Self::Indoors => DrawingRegion::Indoors { outer },
-            Self::Whole => DrawingRegion::Whole,
+            Self::Whole => DrawingRegion::Whole { outer },
             Self::Rectangle { corners: [a, b] } => DrawingRegion::Rectangle {
                 low: Point::new(a[0].min(b[0]), a[1].min(b[1])),
                 high: Point::new(a[0].max(b[0]), a[1].max(b[1])),

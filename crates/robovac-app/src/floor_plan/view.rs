@@ -70,6 +70,8 @@ pub struct DrawingView {
     pub doors: Option<Doors>,
     /// The width up to which openings to the outside have to be closed, m, so that the one that the notice is about is.
     pub closes: Option<f64>,
+    /// Whether the notice is about openings that were closed, and can be left open.
+    pub opens: bool,
     /// What can be wrong with the room, in words; empty for nothing.
     pub notice: String,
     /// Why there is no room; empty if there is one or the user has yet to choose.
@@ -249,7 +251,8 @@ impl DrawingSession {
             settings: settings.clone(),
             room: self.room_view(),
             doors: self.doors(),
-            closes: self.leak_that_closes().map(|leak| leak.width),
+            closes: self.leak_that_closes().map(|leak| leak.width).or(self.left_open().then_some(OUTER_DOOR)),
+            opens: self.keeps_indoors(),
             notice: self.notice(),
             fault: self.fault().to_owned(),
             tool: self.hand.tool,
@@ -308,7 +311,7 @@ impl DrawingSession {
         let (plan, cells) = (&room.plan, &room.plan.occupancy);
         let [width_m, height_m] = plan.floor_size();
         let is_wide = |[a, b]: &&[Point; 2]| (*b - *a).norm() > self.settings().gap;
-        let is_indoors = self.settings().part == DrawingPart::Indoors;
+        let is_cut = !matches!(self.settings().part, DrawingPart::Indoors | DrawingPart::Whole);
         Some(TracedRoomView {
             width_m,
             height_m,
@@ -317,7 +320,7 @@ impl DrawingSession {
             resolution: plan.resolution,
             objects: plan.objects.len(),
             gaps: room.gaps.len(),
-            outer_doors: room.gaps.iter().filter(|gap| is_indoors && is_wide(gap)).count(),
+            outer_doors: room.gaps.iter().filter(|gap| !is_cut && is_wide(gap)).count(),
             around_m2: room.around_m2,
             cut_off_m2: self.cut_off().map_or(0.0, |(_, area)| *area),
             reachable_m2: self.reachable_m2(),
@@ -327,6 +330,16 @@ impl DrawingSession {
     /// The opening to the outside, if it can be closed.
     fn leak_that_closes(&self) -> Option<OutsideLeak> {
         self.room().filter(|_| !self.assumes_size())?.leak.filter(|leak| leak.closes && leak.width <= MOST_OUTER)
+    }
+
+    /// Whether openings to the outside were closed of a drawing all of which counts.
+    fn keeps_indoors(&self) -> bool {
+        self.settings().part == DrawingPart::Whole && self.room_view().is_some_and(|room| room.outer_doors > 0)
+    }
+
+    /// Whether a robot gets out because openings aren't to be closed.
+    fn left_open(&self) -> bool {
+        self.settings().outer == 0.0 && self.room().is_some_and(|room| room.goes_out && room.free_standing.is_none())
     }
 
     /// What is in doubt about the room, in words.
@@ -353,6 +366,9 @@ impl DrawingSession {
         }
         if let Some(building) = room.free_standing.filter(|_| !self.assumes_size()) {
             return beside(building);
+        }
+        if self.keeps_indoors() {
+            return "Outer doors are closed, so a robot stays indoors.".to_owned();
         }
         if room.goes_out && !self.assumes_size() {
             return "The floor round the building counts, too, and a robot gets out to it through an opening in the walls. \

@@ -1,6 +1,7 @@
 //! One user's session: a room, a robot, a planner, a run.
 
 mod editing;
+mod moment;
 mod objects;
 mod parted;
 mod planning;
@@ -11,8 +12,8 @@ mod snapshot;
 
 pub use self::saved::{LinkOutline, LoadError};
 
-use self::parted::PartedPath;
 pub(super) use self::saved::known_room;
+use self::{moment::Moment, parted::PartedPath};
 use crate::explore::{Action, Editor, PlanSearch, SessionState, Showing};
 use crate::frame_pacer::{FramePacer, LONGEST_FRAME};
 use crate::program_run::LoggedProgram;
@@ -58,6 +59,8 @@ pub struct Session {
     /// Number of runs begun.
     runs: u32,
     playing: bool,
+    /// The moment that a link leads to, until the user goes elsewhere.
+    awaited: Option<Moment>,
     pacer: FramePacer,
     requests: u32,
     /// Whether this is still the unchanged opening scene, whose plan is precomputed.
@@ -116,6 +119,7 @@ impl Session {
             before: None,
             runs: 0,
             playing: true,
+            awaited: None,
             pacer: FramePacer::default(),
             requests: 0,
             is_opening: true,
@@ -257,6 +261,7 @@ impl Session {
     /// Pauses.
     pub fn pause(&mut self) {
         self.playing = false;
+        self.awaited = None;
         if let Some(recording) = &mut self.recording {
             recording.stop_seeking();
         }
@@ -295,6 +300,7 @@ impl Session {
     /// Seeks another time within the time simulated so far, s.
     pub fn seek(&mut self, time_s: f64) {
         self.message.take_if(|message| message.text == CARRIED || message.text == LOST);
+        self.awaited = None;
         if let Some(recording) = &mut self.recording {
             recording.seek(time_s);
             // A key frame's state, such as the start, is there at once; the rest follows with the frames.
@@ -338,6 +344,7 @@ impl Session {
 
     fn input(&mut self, input: Input) {
         let is_program = self.program_drives();
+        self.awaited = None;
         if let Some(recording) = &mut self.recording {
             recording.input(input);
             if is_program {

@@ -97,7 +97,11 @@ impl Session {
     pub fn plan_filmed(&mut self, id: u32, pictures: Vec<FilmPicture>) {
         if id == self.requests && self.planned.is_some() {
             self.film = Showing::new(pictures, self.holds_films);
-            self.begin_film();
+            match &mut self.film {
+                // The run is what the link shows.
+                Some(film) if self.awaited.is_some() => film.skip(),
+                _ => self.begin_film(),
+            }
         }
     }
 
@@ -277,6 +281,7 @@ impl Session {
             None => run,
         };
         self.recording = Some(RunRecording::new(run));
+        self.go_to_awaited();
     }
 
     /// Lays the room out again after a change of it; what was swept stays swept, where it still is floor.
@@ -301,6 +306,7 @@ impl Session {
         self.planned = None;
         self.search = None;
         self.film = None;
+        self.awaited = None;
         self.recording = None;
         // A program's own simulation begins with a floor that nobody has swept.
         self.before = before.filter(|_| !self.program_drives());

@@ -1,6 +1,9 @@
 //! A session as a link and as a file, and back.
 
-use super::Session;
+use super::{
+    Session,
+    moment::{MOMENT, Moment},
+};
 use crate::{Import, ImportError, ScenarioChoices, ScenarioError};
 use robovac_core::{
     floor_plan::{self, FloorPlan, RoomInfo, Scenario, SourceFile},
@@ -46,6 +49,8 @@ struct Linked {
     /// Another room.
     room: Option<&'static RoomInfo>,
     shows_search: bool,
+    /// Where in the run it leads; `None` for the start.
+    moment: Option<Moment>,
 }
 
 impl Session {
@@ -81,10 +86,13 @@ impl Session {
 
     /// Takes a link's `key=value` pairs, joined by `&`. Changes nothing on an error.
     pub fn restore(&mut self, link: &str) -> Result<(), SettingsError> {
-        let Linked { mut settings, room, shows_search } = self.linked(link)?;
+        let Linked { mut settings, room, shows_search, moment } = self.linked(link)?;
         let start = settings.start.take();
         self.shows_search = shows_search;
         self.replace(settings, room.map(|room| ((room.build)(), Some(room.id))), start);
+        if let Some(moment) = moment {
+            self.go_to(moment);
+        }
         Ok(())
     }
 
@@ -94,7 +102,7 @@ impl Session {
         let is_complete = self.link_pairs().all(|(key, value)| has(&key, &value));
         let would_be = |linked: Linked| {
             let same = linked.settings.to_link() == self.linked_settings().to_link();
-            same && linked.shows_search == self.shows_search
+            same && linked.shows_search == self.shows_search && linked.moment.is_none()
         };
         LinkOutline {
             is_shown: is_complete && self.linked(link).is_ok_and(would_be),
@@ -108,7 +116,7 @@ impl Session {
     fn linked(&self, link: &str) -> Result<Linked, SettingsError> {
         let mut settings = self.settings.clone();
         let mut room = None;
-        let mut shows_search = None;
+        let (mut shows_search, mut moment) = (None, None);
         // Robot and planner bring defaults of their own, which must not override the link's other values.
         let (first, others): (Vec<_>, Vec<_>) =
             pairs(link).partition(|(key, _)| matches!(*key, "robot" | "planner" | "behaviour"));
@@ -128,6 +136,8 @@ impl Session {
                 settings.path = Some(self.settings.path.clone().ok_or(SettingsError::FarPath)?);
             } else if key == SEARCH {
                 shows_search = Some(value == "1");
+            } else if key == MOMENT {
+                moment = Some(Moment::parse(value)?);
             } else {
                 settings.take_link(key, value)?;
             }
@@ -139,7 +149,8 @@ impl Session {
         {
             settings.path = None;
         }
-        Ok(Linked { settings, room, shows_search: shows_search.unwrap_or(!is_whole && self.shows_search) })
+        let shows_search = shows_search.unwrap_or(!is_whole && self.shows_search);
+        Ok(Linked { settings, room, shows_search, moment })
     }
 
     /// Settings with the start, as links have them.

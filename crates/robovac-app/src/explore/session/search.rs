@@ -26,9 +26,10 @@ impl Session {
         self.begin_film();
     }
 
-    /// Makes films wait for [`Session::turn_film`], for users who prefer reduced motion.
-    pub fn hold_films(&mut self) {
-        self.holds_films = true;
+    /// Nothing moves by itself, for users who prefer reduced motion: the run is paused, and films wait for
+    /// [`Session::turn_film`].
+    pub fn hold_motion(&mut self) {
+        (self.holds_films, self.playing) = (true, false);
     }
 
     /// Pauses if there is a film to show.
