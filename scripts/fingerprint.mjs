@@ -2,6 +2,7 @@
 // Appends ?v=<digest of the whole build> to each reference between the page's files. A browser then never mixes files of
 // two builds, and because all of them get the same version, page and worker still share one address per module. For a release,
 // scripts and style sheets are packed.
+import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
@@ -56,7 +57,22 @@ for (const licence of ["LICENSE-MIT", "LICENSE-APACHE"]) fs.copyFileSync(licence
 // What the page tells about itself.
 const release = /^version = "(.*)"$/m.exec(fs.readFileSync("Cargo.toml", "utf8"))?.[1] ?? "";
 const about = path.join(page, "www/help.html");
-const source = SOURCE_URL ? `<a href="${new URL(SOURCE_URL)}" target="_blank" rel="noopener">Source code</a> under` : "Free software under";
+const linkTo = (/** @type {string} */ address, more = "") => `<a href="${address}" ${more}>Source code</a> under`;
+/** Beside the page, if it can be got nowhere else. */
+const ARCHIVE = "source.tar.gz";
+
+function sourceLink() {
+  if (SOURCE_URL) return linkTo(new URL(SOURCE_URL).href, 'target="_blank" rel="noopener"');
+  const noGit = () => "Free software under";
+  if (!isRelease) return noGit();
+  try {
+    execFileSync("git", ["archive", "--prefix=robovac-playground/", `--output=${path.join(page, ARCHIVE)}`, "HEAD"], { stdio: "ignore" });
+  } catch {
+    return noGit();
+  }
+  return linkTo(ARCHIVE, "download");
+}
+const source = sourceLink();
 fs.writeFileSync(about, fs.readFileSync(about, "utf8").replace("@RELEASE@", release).replace("@BUILD@", version).replace("@SOURCE@", source));
 
 /** Comments and indentation are for whoever reads the sources. */

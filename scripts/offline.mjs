@@ -18,8 +18,8 @@ addEventListener("activate", (event) => event.waitUntil((async () => {
 })()));
 `;
 
-/** What the page itself never asks for: trunk's own files, and the picture for those who show links to it. */
-const isLeftOut = (name) => /(^|\/)\.|^sw\.js$|^screenshot\.png$/.test(name);
+/** What the page itself never asks for: trunk's own files, the picture for those who show links to it, and its sources. */
+const isLeftOut = (name) => /(^|\/)\.|^sw\.js$|^screenshot\.png$|^source\.tar\.gz$/.test(name);
 
 /** Writes the service worker of the page in `folder`, the last step of a build. @param {string} folder @param {string} build Digest of the build. */
 export async function writeWorker(folder, build) {

@@ -67,6 +67,8 @@ export function shown(metric, value) {
   const { decimals, rounding } = metric;
   const rounded = ROUND[rounding](value * 10 ** decimals) / 10 ** decimals;
   if (isClock(metric)) return clock(rounded);
+  // No computation takes no time at all.
+  if (metric.unit === "s" && rounded === 0) return `< ${10 ** -decimals}`;
   return rounded.toLocaleString("en", { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
 }
 

@@ -135,7 +135,8 @@ async function start() {
     playground.hold_motion();
   }
 
-  startTabs((next) => void tabs.enter(next));
+  // An error belongs to the tab in which it was made.
+  startTabs((next) => (forgive(), void tabs.enter(next)));
   const [stage, playbar] = [startStage(app), startPlaybar(app)];
   const updates = [startPanel(app), playbar.update, startNumbers(app), startObjects(app)];
   startFiles(app);

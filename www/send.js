@@ -4,6 +4,7 @@ import { button, byId, make } from "./dom.js";
 import { clock } from "./format.js";
 import { complain, textOf, toast } from "./messages.js";
 import { style } from "./parts.js";
+import { without } from "./settings-link.js";
 import { currentTab, isOnFloor } from "./tabs.js";
 
 /** Size of the frame in another page, px. */
@@ -23,16 +24,19 @@ function whereTo(moment) {
   const tab = currentTab();
   if (tab === "map") return "It opens with these settings. Mapping begins anew there.";
   if (tab === "compare") return "It opens with these settings. Results are computed anew there.";
+  // The drawing's files may be large, and aren't for everybody.
+  if (tab === "floor-plan" && !byId("floor-plan-settings").hidden) return "The drawing isn't in it. Press Use this room, then copy the link again.";
   if (!isOnFloor()) return "";
   if (moment === undefined) return "The run begins anew there: a link doesn't carry what was done by hand during a run, or by a program of yours.";
   const time = /=([\d.]+)/.exec(moment)?.[1];
   return time ? `It opens at ${clock(Number(time))}, as here.` : "";
 }
 
-/** The link of the floor and play bar alone. @param {URL} link */
+/** The link of the floor and play bar alone, from the start of the run. @param {URL} link */
 function embedded(link) {
   const own = new URL(link);
   own.search = "?embed";
+  own.hash = without(own.hash, "moment");
   return own.href;
 }
 

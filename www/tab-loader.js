@@ -6,7 +6,7 @@ import { currentTab, go } from "./tabs.js";
 
 /**
  * A loaded tab. Its `frame` can return a message to show.
- * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void, take?(files: File[]): void, share?(): Promise<string> }} LoadedTab
+ * @typedef {{ frame(now: number): { message: string, message_kind: string } | void, key(key: string): boolean, link(): string, restore(link: string): void, setDark(dark: boolean): void, take?(files: File[]): Promise<boolean | void> | void, share?(): Promise<string> }} LoadedTab
  */
 
 export class TabLoader {
@@ -63,12 +63,13 @@ export class TabLoader {
     if (this.#wanted === next) go(next);
   }
 
-  /** Shows files: programs, results of a study, or else a floor plan. @param {File[]} files */
+  /** Shows files: programs, results of a study, or else a floor plan. What can't be read leads nowhere else. @param {File[]} files */
   async bring(files) {
     const isAny = (/** @type {RegExp} */ ending) => files.some(({ name }) => ending.test(name));
     const next = isAny(/\.(py|m?js)$/i) ? "program" : isAny(/\.parquet$/i) ? "compare" : "floor-plan";
+    const before = currentTab();
     await this.enter(next);
-    this.#loaded[next]?.take?.(files);
+    if ((await this.#loaded[next]?.take?.(files)) === false && currentTab() === next) go(before);
   }
 
   /** @param {boolean} dark */

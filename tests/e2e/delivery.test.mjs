@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { gzipSync } from "node:zlib";
+import { gunzipSync, gzipSync } from "node:zlib";
 import { firstLoad } from "../../scripts/references.mjs";
 import { openApp } from "./app.mjs";
 import { DIST, openPage } from "./harness.mjs";
@@ -91,4 +91,15 @@ test("the page goes on while a map of four million cells is read", async (t) => 
   const frames = await page.evaluate(() => window.framesWhileReading);
   t.diagnostic(`${frames} frames were drawn meanwhile`);
   assert.ok(frames > 3, `${frames} frames`);
+});
+
+test("About leads to the sources of the page", async (t) => {
+  const { page } = await openPage(t);
+  await page.getByRole("button", { name: "Help" }).click();
+  const link = page.getByRole("link", { name: "Source code" });
+  const address = await link.evaluate((node) => node.href);
+  if (process.env.SOURCE_URL) return assert.equal(address, new URL(process.env.SOURCE_URL).href);
+  const bytes = Buffer.from(await (await fetch(address)).arrayBuffer());
+  const tar = gunzipSync(bytes);
+  assert.ok(tar.includes("robovac-playground/Cargo.toml") && tar.includes("robovac-playground/www/main.js"));
 });

@@ -346,8 +346,14 @@ test("a terrace door is told with its width, and one press closes it and leaves 
   assert.match(await text(app, "#floor-plan-result"), /1 opening to the outside closed/);
   assert.equal(Number(await page.locator("#floor-plan-outer").inputValue()), width);
   assert.ok(await page.locator("#floor-plan-cut").isHidden(), "both rooms are within reach");
+  // All of it has the garden, too: the robot stays indoors until it is let out.
   await page.locator("[data-part=whole]").click();
-  await page.locator("#floor-plan-outer-field").waitFor({ state: "hidden" });
+  const notice = (/** @type {RegExp} */ words) => app.poll(() => text(app, "#floor-plan-notice-text"), (told) => words.test(told));
+  await notice(/Outer doors are closed/);
+  await page.getByRole("button", { name: "Open them", exact: true }).click();
+  await notice(/a robot gets out/);
+  await page.getByRole("button", { name: "Close it", exact: true }).click();
+  await notice(/open to the outside/);
 });
 
 test("what can't be read is refused, and what was there before stays", async (t) => {

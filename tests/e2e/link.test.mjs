@@ -35,6 +35,36 @@ test("the copied link opens the same room", async (t) => {
   assert.equal(await app.room(), "Spiral corridor");
 });
 
+test("the copied link opens at the moment that is shown, and says when it can't", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=lshape&behaviour=bounce&speed=16", permissions: ["clipboard-read", "clipboard-write"] });
+  await app.numbersThat(({ time }) => time >= 60);
+  await page.keyboard.press("Space");
+  await app.until("paused");
+  const shown = await app.numbers();
+  const ways = page.locator("#ways");
+  const copy = async () => {
+    await page.getByRole("button", { name: "Copy link" }).click();
+    await ways.waitFor();
+    const said = await ways.innerText();
+    await page.keyboard.press("Escape");
+    return { said, link: await page.evaluate(() => navigator.clipboard.readText()) };
+  };
+  const { said, link } = await copy();
+  assert.match(said, /It opens at \d+:\d\d, as here/);
+  await page.goto("about:blank");
+  await page.goto(link);
+  await app.until("paused");
+  assert.deepEqual(await app.numbers(), shown);
+  // The address is that of the settings again.
+  await app.poll(() => page.url(), (address) => !address.includes("moment"));
+  // Whoever plays on and lifts the robot has a run of their own.
+  await page.locator("#lift").click();
+  await app.until("playing", "paused");
+  const { said: lifted, link: plain } = await copy();
+  assert.match(lifted, /The run begins anew there/);
+  assert.ok(!plain.includes("moment"), plain);
+});
+
 test("a drawn room survives a reload, and its link brings it elsewhere", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty&speed=4", viewport: { width: 1366, height: 768 } });
   const before = await app.reachableArea();

@@ -8,9 +8,9 @@ import { shown } from "../format.js";
  */
 
 /** Numbers that get bars; the first three are those of the figures. */
-const BARS = ["length", "direction_changes", "revisits", "turns", "duration", "above_bound"];
+const BARS = ["length", "direction_changes", "revisits", "turns", "duration", "above_minimum"];
 /** Numbers of the chart with an axis for each. */
-const AXES = ["coverage", "length", "duration", "energy", "turns", "revisits", "overlap_area", "planning"];
+const AXES = ["coverage", "length", "duration", "energy", "turns", "revisits", "area_swept_again", "planning"];
 /** Height of a bar with its name, of a printed value's bar, and width of all, in units of the drawing. */
 const [ROW, PRINTED, WIDTH] = [34, 18, 330];
 /** Height of the chart with axes down to the first name below it, and of a name. */

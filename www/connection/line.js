@@ -43,6 +43,8 @@ export function startLine(it) {
   return (view) => {
     for (const { value, text } of rows) setText(value, view.is_open ? text(view) : "–");
     setHidden(byId("connection-record"), view.is_recording || (!view.is_open && view.statistics.bytes[0] === 0));
+    // What stays of a robot that isn't connected any more says so.
+    setText(byId("connection-save-label"), view.is_open ? "Save recording" : "Save last recording");
     setHidden(button("connection-identify"), !view.is_open || view.is_recording);
     setText(byId("connection-firmware"), view.firmware ? `Firmware: ${view.firmware}` : "");
   };

@@ -28,8 +28,10 @@ export async function startFilm(app) {
   );
   byId("legend").prepend(...keys);
 
-  return ({ state, search: { film } }) => {
+  return ({ state, plan, search: { film } }) => {
     setHidden(byId("film"), !film);
+    // A path in metres isn't improved cell by cell.
+    if (keys[1]) setHidden(keys[1], plan?.reachable_cells === 0);
     const isSeen = film !== null && film.at < film.pictures && state !== "playing" && state !== "seeking";
     setAttribute(stage, "data-film", String(isSeen));
     if (!film) return;

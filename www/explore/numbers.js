@@ -18,7 +18,7 @@ const RUN = [
   { metric: "duration", more: "A run takes a little longer than its plan, as the robot keeps itself on the path.", plan: (p) => p.duration_s, run: (v) => v.time_s },
   { metric: "length", label: "Distance", plan: (p) => p.length_m, run: (v) => v.distance_m },
   { metric: "turning", plan: (p) => p.turning_deg / 360, run: (v) => v.turning_deg / 360 },
-  { metric: "overlap", plan: (p) => 100 * p.overlap, run: (v) => 100 * v.overlap },
+  { metric: "swept_again", plan: (p) => 100 * p.overlap, run: (v) => 100 * v.overlap },
   { label: "Bumps", tip: "How often the bumper touched a wall or furniture.", run: (v) => count(v.bumps) },
   { label: "Position error", tip: "Distance between the true position and the one estimated from wheel counts.", run: (v) => smallLength(v.pose_error_m) },
   { label: "Dirt left", tip: "Share of the room's dirt not picked up yet.", run: (v) => `${percent(v.dirt_left ?? 0)} %`, when: (v) => v.dirt_left !== null },
@@ -32,10 +32,10 @@ const PLAN = [
   { metric: "steps", when: isWalk, plan: (p) => p.steps },
   { metric: "revisits", when: isWalk, plan: (p) => p.revisits },
   { metric: "turns", when: isWalk, plan: (p) => p.turns },
-  { metric: "above_bound", when: isWalk, more: "It is computed after planning; a plan that misses cells has none.", plan: (p) => (p.above_bound === null ? null : 100 * p.above_bound) },
+  { metric: "above_minimum", when: isWalk, more: "It is computed after planning; a plan that misses cells has none.", plan: (p) => (p.above_bound === null ? null : 100 * p.above_bound) },
   { label: "Optimality gap", tip: ownGap, plan: (p) => (p.gap === 0 ? "proven optimal" : shareAbove(p.gap ?? 0)), when: (v) => typeof v.plan?.gap === "number" },
   { label: "Kept early", tip: "The search was stopped early and its best plan kept: time spent, and progress at that moment.", plan: (p) => `after ${took(p.planning_s ?? 0)}, ${percent(p.kept_at ?? 0, 0)} % of the search`, when: (v) => typeof v.plan?.kept_at === "number" },
-  { label: "Planned in", tip: "Planning time on this computer. The opening scene's plan is preloaded.", plan: (p) => (p.planning_s === null ? "preloaded" : took(p.planning_s)) },
+  { metric: "planning", label: "Planned in", more: "The opening scene's plan is preloaded.", plan: (p) => p.planning_s },
 ];
 
 /** Whether the plan is a walk over cells, not a path in metres. @param {View} view */
@@ -66,8 +66,8 @@ function lineOf({ metric: id, label, more, plan, beyond, run, when }, metrics) {
   if (!metric) throw new Error(`no metric is called "${id}"`);
   const unit = !metric.unit || isClock(metric) ? "" : ` ${metric.unit}`;
   const text = (/** @type {number | null} */ value) => {
-    if (value === null) return "–";
-    return id === "above_bound" && value === 0 ? "proven optimal" : shown(metric, value) + unit;
+    if (value === null) return id === "planning" ? "preloaded" : "–";
+    return id === "above_minimum" && value === 0 ? "proven optimal" : shown(metric, value) + unit;
   };
   return {
     label: label ?? metric.label,

@@ -27,8 +27,9 @@ export async function copyLink(app) {
   const more = await app.share().catch((error) => void complain(`No link was copied: ${textOf(error)}`));
   if (more === undefined) return;
   const moment = isOnFloor() ? app.playground.moment_pair() : "";
+  const added = [moment, more].map((pair) => pair && `&${pair}`).join("");
   // A lesson is last: its address can have an & of its own.
-  link.hash = [moment, hash, more].filter(Boolean).join("&");
+  link.hash = hash.replace(/(&lesson=.*)?$/, (lesson) => added + lesson);
   let done = "Link copied";
   try {
     await navigator.clipboard.writeText(link.href);
@@ -36,9 +37,6 @@ export async function copyLink(app) {
     write(link.hash);
     done = "The link is in the address bar";
   }
-  // The drawing's files may be large, and aren't for everybody.
-  const hasDrawing = currentTab() === "floor-plan" && document.getElementById("floor-plan-settings")?.hidden === false;
-  if (hasDrawing) toast(`${done}, without the drawing: press Use this room, then copy again`);
   // Without them the link is copied all the same.
   await import("../send.js").then(({ showWays }) => showWays(app, link, done, moment)).catch(() => toast(done));
 }

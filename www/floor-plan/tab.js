@@ -104,9 +104,9 @@ export function startFloorPlan(app, module) {
   };
 
   let taken = 0;
-  /** Opens files. @param {File[]} files */
+  /** Opens files; says whether it worked. @param {File[]} files */
   const take = async (files) => {
-    if (files.length === 0) return;
+    if (files.length === 0) return true;
     const names = files.map((file) => file.name).join(" and ");
     const large = files.find((file) => file.size > MOST_BYTES);
     if (large) complain(`${large.name} is larger than 64 MB. Save a smaller picture, or a map of at most 4096 cells a side.`);
@@ -117,6 +117,7 @@ export function startFloorPlan(app, module) {
     byId("floor-plan-settings").inert = opening > 0;
     // Tests wait for this.
     root.dataset.taken = `${++taken} ${isOpen ? "open" : "refused"}`;
+    return Boolean(isOpen);
   };
 
   takeCommas(root);

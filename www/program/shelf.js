@@ -138,12 +138,14 @@ export class Shelf {
     button("program-new").addEventListener("click", () => this.#new());
   }
 
-  /** Takes files with programs. @param {File[]} files */
+  /** Takes files with programs; says whether it worked. @param {File[]} files */
   async take(files) {
     try {
       for (const file of files) this.add(await readProgram(file));
+      return true;
     } catch (error) {
       complain(textOf(error));
+      return false;
     }
   }
 

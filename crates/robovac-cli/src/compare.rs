@@ -160,7 +160,7 @@ fn entrants(names: &[String]) -> Result<Vec<Entrant>, Failure> {
 /// Metrics that a table on a terminal has room for.
 const SHOWN: [&str; 10] = [
     "coverage",
-    "above_bound",
+    "above_minimum",
     "length",
     "duration",
     "excess_length",

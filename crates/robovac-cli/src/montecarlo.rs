@@ -118,7 +118,7 @@ impl EntrantArguments {
 /// A Markdown table: medians, with 10 to 90 % of the runs in brackets.
 fn table(head: &RunsHeader<'_>, placement: &Placement, arguments: &Arguments, entries: &[EntrantRuns<'_>]) -> String {
     let Conditions { slip, noise, quantised, start_charge_percent: charge, .. } = head.conditions;
-    let quantised = if quantised { ", quantised wheel speeds" } else { "" };
+    let quantised = if quantised { ", rounded wheel speeds" } else { "" };
     let charge = if charge < 100 { format!(", start charge {charge} %") } else { String::new() };
     let (robot, minutes) = (placement.robot.title, head.minutes);
     let mut text = format!(

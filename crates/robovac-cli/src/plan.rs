@@ -56,7 +56,7 @@ fn summary(task: &PlanningTask, report: &PlanReport) -> String {
         Some(walk) => (
             format!(", {} reachable cells", walk.reachable_cells),
             format!(
-                "Walk      {} steps, {} quarter turns and {} at the start, {} revisits, {:.1} % overlap\n\
+                "Walk      {} steps, {} quarter turns and {} at the start, {} revisits, {:.1} % swept again\n\
                  Bound     at least {} steps, at least {} quarter turns, steps + 2 x turns at least {}{above}",
                 walk.steps,
                 walk.turns,

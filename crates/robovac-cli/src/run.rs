@@ -361,7 +361,7 @@ impl ProgramOutcome {
         let pose = self.pose_error_m.map(|metres| format!("Pose      {metres:.3} m off at the end\n"));
         let _ = write!(
             text,
-            "Coverage  {:.1} % of the reachable floor, {:.1} % overlap\n\
+            "Coverage  {:.1} % of the reachable floor, {:.1} % swept again\n\
              Drive     {:.1} m in {}, turns of {:.0}°, bumps: {}\n\
              {}\
              Run       {}, seed {}, digest {}\n",

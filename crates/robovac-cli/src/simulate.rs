@@ -345,7 +345,7 @@ impl SimulateReport {
         if let Some(corners) = self.path_corners {
             let _ = writeln!(text, "Path      {corners} corners of the scenario, in place of the planner's");
         }
-        let quantised = if self.quantised { ", quantised" } else { "" };
+        let quantised = if self.quantised { ", rounded speeds" } else { "" };
         let _ = writeln!(text, "Wheels    slip: {}, odometry: {}{quantised}", self.slip.id(), self.odometry.id());
         let _ = writeln!(text, "Sensors   noise: {}", self.noise);
         if self.start_charge_percent < 100 {
@@ -380,7 +380,7 @@ impl SimulateReport {
         let _ = write!(
             text,
             "\n\
-             Coverage  {:.1} % of the reachable floor, {:.1} % overlap\n\
+             Coverage  {:.1} % of the reachable floor, {:.1} % swept again\n\
              Drive     {:.1} m in {}, turns of {:.0}°, bumps: {}\n\
              {}\
              Run       {end}, digest {}\n",

@@ -125,7 +125,7 @@ pub const METRICS: &[MetricInfo] = &[
     MetricInfo {
         rounding: RoundingMode::Up,
         ..lower(
-            "above_bound",
+            "above_minimum",
             "Above the minimum",
             ("%", 1),
             "Excess of steps + 2 × quarter turns over a proven lower bound for all walks over these cells. 0 means \
@@ -203,7 +203,7 @@ pub const METRICS: &[MetricInfo] = &[
         Some(n.walk?.revisited_cells as f64)
     }),
     lower(
-        "overlap",
+        "swept_again",
         "Swept again",
         ("%", 1),
         "Repeated passes, as a share of the floor swept: at 30 %, three tenths of it were swept a second time. A tool \
@@ -211,7 +211,7 @@ pub const METRICS: &[MetricInfo] = &[
         |n| Some(100.0 * n.drive.overlap),
     ),
     lower(
-        "overlap_area",
+        "area_swept_again",
         "Area swept again",
         ("m²", 2),
         "Floor area swept again after the tool had left it; floor swept three times counts twice.",
@@ -235,7 +235,7 @@ mod tests {
             [0.9999, 0.99951, 1.0 - 1e-12].map(|share| of("coverage").rounded(100.0 * share)),
             [99.9, 99.9, 100.0]
         );
-        assert_eq!([0.0001, 1e-9, 5.11].map(|excess| of("above_bound").rounded(excess)), [0.1, 0.0, 5.2]);
+        assert_eq!([0.0001, 1e-9, 5.11].map(|excess| of("above_minimum").rounded(excess)), [0.1, 0.0, 5.2]);
         assert_eq!(of("length").rounded(425.25), 425.3);
     }
 

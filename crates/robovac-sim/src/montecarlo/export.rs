@@ -99,7 +99,7 @@ pub fn to_json(head: &RunsHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
 /// A table with a header line, one line per run; empty for missing values.
 pub fn to_csv(head: &RunsHeader<'_>, entries: &[EntrantRuns<'_>]) -> String {
     let mut csv = String::from(
-        "room,robot,slip,noise,quantised,start charge [%],minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
+        "room,robot,slip,noise,rounded wheel speeds,start charge [%],minutes,kind,algorithm,seed,error,coverage [%],time to 90 % [s],time to 99 % [s],\
          time [s],distance [m],bumps,falls,dirt left [%],excess distance [%],\
          excess time [%],digest,measure\n",
     );
