@@ -26,14 +26,15 @@ impl RoomTracer<'_> {
             return Ok(traced);
         };
         let may_be = found.in_doubt.as_ref().map(|building| &building.floor);
-        let free_standing = found.small.as_ref().map(|(floor, _)| floor).or(may_be);
-        let home = free_standing.unwrap_or(&found.inside);
+        // A building that is taken for a house is all that is inside.
+        let block = found.small.as_ref().filter(|(_, is_taken)| !is_taken).map(|(floor, _)| floor).or(may_be);
+        let home = block.unwrap_or(&found.inside);
         if home.count() >= free {
             return Ok(traced);
         }
         traced.goes_out = self.start_at(&mut traced, &found.frame, home) == Some(true);
         // Where all may be one building, its doors are to be passed.
-        if traced.goes_out && outer > 0.0 && free_standing.is_none() {
+        if traced.goes_out && outer > 0.0 && block.is_none() {
             traced.leak = self.outside_leak(Some(&found))?;
             traced.is_open = traced.leak.is_some();
             // The openings may be doors of one room; the others are open to the outside.

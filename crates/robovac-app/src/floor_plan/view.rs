@@ -396,7 +396,7 @@ fn beside(building: FreeStandingBuilding) -> String {
     if building.is_taken {
         return format!(
             "A building of about {floor_m2} m² stands free within the outermost walls. Only its floor counts, as that of a \
-             house in its garden. If all of it is one building, choose Whole."
+             house in its garden. If all of it is one building, choose Whole, and open its doors there."
         );
     }
     format!(
