@@ -157,7 +157,7 @@ async function start() {
       }
       const view = (app.view = playground.view());
       // Only the opening scene doesn't begin with its beginning.
-      if (isFirst && view.time_s > 60) tellOpening();
+      if (isFirst && view.time_s > 60 && app.followed === "") tellOpening();
       else if (view.time_s < 60) endOpening();
       tellBefore(view.swept_before);
       isFirst = false;

@@ -24,6 +24,7 @@ function whereTo(moment) {
   const tab = currentTab();
   if (tab === "map") return "It opens with these settings. Mapping begins anew there.";
   if (tab === "compare") return "It opens with these settings. Results are computed anew there.";
+  if (tab === "connection") return "It opens this tab. No robot is connected there until somebody connects one.";
   // The drawing's files may be large, and aren't for everybody.
   if (tab === "floor-plan" && !byId("floor-plan-settings").hidden) return "The drawing isn't in it. Press Use this room, then copy the link again.";
   if (!isOnFloor()) return "";

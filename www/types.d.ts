@@ -930,6 +930,9 @@ coverage: number,
 overlap: number,
 /** Distance driven, m. */
 distance_m: number,
+/** The least distance in which any robot with this tool sweeps as much floor, m; `None` until the run is over, of those that plan
+ * it, and where it isn't known. */
+least_m: number | null,
 /** Sum of all turning, degrees. */
 turning_deg: number,
 /** Number of bumps. */

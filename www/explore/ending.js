@@ -38,14 +38,12 @@ export async function startEnding(app) {
     shown = view.state === "finished" ? reached(app, view) : "";
     if (shown === "") dismissed = "";
     const more = `${missed(view)}${bound(view)}`;
-    const above = aboveMinimum(view);
-    const inShort = above === null ? "" : above <= 0 ? " Proven optimal." : ` ${shareAbove(above)} above the minimum.`;
     const text = shown && `${shown}${more}`;
     setHidden(card, shown === "" || shown === dismissed || view.search.film !== null && view.search.film.at < view.search.film.pictures);
     if (text === "" || !changed(card, "text", text)) return;
     const far = driven(view);
     const start = shown.slice(0, shown.length - far.length - 1);
-    words.replaceChildren(start, make("span", { className: "ending-distance" }, far), ".", make("span", { className: "ending-bound" }, more), make("span", { className: "ending-short" }, inShort));
+    words.replaceChildren(start, make("span", { className: "ending-distance" }, far), ".", make("span", { className: "ending-bound" }, more), make("span", { className: "ending-short" }, inShort(view)));
     const ways = suggestions(app, view);
     const before = (/** @type {number} */ i) => (i === 0 ? "" : i === ways.length - 1 ? " or " : ", ");
     next.replaceChildren("Try next: ", ...ways.map((way, i) => make("span", {}, before(i), way)), ".");
@@ -76,11 +74,29 @@ function missed({ plan, coverage, swept_before, smooth, can_smooth, slip, bumps 
 /** @param {View} view */
 const aboveMinimum = ({ kind, plan }) => (kind === "behaviour" ? null : (plan?.above_bound ?? null));
 
-/** How far the plan is from the minimum, once that is known. @param {View} view */
+/** How far the path is above the least distance and time, as shares: of plans that aren't walks over cells, or miss some. @param {View} view */
+function excess({ plan }) {
+  const least = plan?.least;
+  return plan && least ? { length: Math.max(0, plan.length_m / least.length_m - 1), time: Math.max(0, plan.duration_s / least.duration_s - 1) } : null;
+}
+
+/** How many times the least distance was driven, where nobody planned it. @param {View} view */
+const times = ({ distance_m, least_m }) => (least_m === null ? "" : (distance_m / least_m).toFixed(1));
+
+/** How far it is from the minimum, once that is known. @param {View} view */
 function bound(view) {
-  const above = aboveMinimum(view);
-  if (above === null) return "";
-  return above <= 0 ? " No plan can need fewer steps and turns: this one is proven optimal." : ` The plan is ${shareAbove(above)} above the minimum of steps and turns.`;
+  const [above, beyond] = [aboveMinimum(view), excess(view)];
+  if (above !== null) return above <= 0 ? " No plan can need fewer steps and turns: this one is proven optimal." : ` The plan is ${shareAbove(above)} above the minimum of steps and turns.`;
+  if (beyond) return ` The plan is ${shareAbove(beyond.length)} above the least distance for as much floor, and ${shareAbove(beyond.time)} above the least time.`;
+  return view.least_m === null ? "" : ` As much floor needs ${metres(view.least_m)} m at least: it drove ${times(view)} times that.`;
+}
+
+/** The same on small screens. @param {View} view */
+function inShort(view) {
+  const [above, beyond] = [aboveMinimum(view), excess(view)];
+  if (above !== null) return above <= 0 ? " Proven optimal." : ` ${shareAbove(above)} above the minimum.`;
+  if (beyond) return ` ${shareAbove(beyond.length)} above the least distance.`;
+  return view.least_m === null ? "" : ` ${times(view)} times the least distance.`;
 }
 
 /** What to try next, the most useful first. @param {App} app @param {View} view @returns {HTMLElement[]} */

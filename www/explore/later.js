@@ -16,6 +16,9 @@ const PAUSE = 3000;
 /** Milliseconds after which somebody who only watches sees what there is to try. */
 const WATCHED = 4000;
 
+/** Milliseconds after which somebody who only watches is a visitor, for whom the page is kept. */
+const STAYED = 20_000;
+
 /** On the first input, loads the parts that are likely to be needed next. */
 const visit = new Promise((/** @type {(event: unknown) => void} */ come) => {
   for (const sign of ["pointermove", "pointerdown", "keydown"]) addEventListener(sign, come, { once: true, capture: true, passive: true });
@@ -83,6 +86,7 @@ export async function startLater(app) {
   ];
   void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips(app)), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), ideas(app)])).then(whenIdle).catch(console.warn);
   setTimeout(() => ideas(app).catch(console.warn), WATCHED);
+  setTimeout(whenIdle, STAYED);
   const view = app.playground.view();
   updateFolds(view);
   // A part that loads slowly doesn't delay the page.
@@ -91,8 +95,13 @@ export async function startLater(app) {
   return (now) => parts.forEach((part) => part.update(now));
 }
 
-/** What nobody waits for. */
-const whenIdle = () => (window.requestIdleCallback ?? setTimeout)(() => void import("../offline/register.js").then(({ startOffline }) => startOffline()).catch(console.warn));
+let isKept = false;
+/** What nobody waits for, once. */
+const whenIdle = () => {
+  if (isKept) return;
+  isKept = true;
+  (window.requestIdleCallback ?? setTimeout)(() => void import("../offline/register.js").then(({ startOffline }) => startOffline()).catch(console.warn));
+};
 
 /** @type {Promise<unknown> | undefined} */
 let offered;

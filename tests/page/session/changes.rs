@@ -195,3 +195,21 @@ fn what_is_clean_stays_clean_with_rounded_corners_too() {
     let view = session.view();
     assert!((view.time_s - expected).abs() < 0.03 * expected, "{} s, not {expected} s", view.time_s);
 }
+
+#[test]
+fn the_end_of_a_run_without_a_plan_knows_the_least_distance_for_as_much_floor() {
+    let mut session = opened();
+    session.restore("room=thesis8&behaviour=online_snake&robot=cbot").unwrap();
+    session.run_ahead(5.0);
+    assert_eq!(session.view().least_m, None, "it goes on");
+    super::finish(&mut session);
+    let view = session.view();
+    let (least, width) = (view.least_m.unwrap(), session.settings().robot_model().tool_width);
+    // A disc as wide as the tool sweeps no more per metre, but for itself at the start.
+    let strip = view.coverage * session.prepared().unwrap().floor.area() / width;
+    assert!(strip - width < least && least < strip && least < view.distance_m, "{least} m, {strip} m");
+    session.restore("room=thesis8&planner=snake&robot=cbot").unwrap();
+    session.plan_now(|| 0.0);
+    super::finish(&mut session);
+    assert_eq!(session.view().least_m, None, "a plan has its own");
+}

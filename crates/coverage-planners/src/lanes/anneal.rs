@@ -26,9 +26,11 @@ const COLD: f64 = 0.03;
 /// which layout of lanes will be the best: their first paths differ most in how they are linked, which is mended soon.
 const TRIAL: f64 = 0.16;
 const TRIAL_TEMPERATURES: (f64, f64) = (0.4, 0.06);
-/// Moves for every metre that are worth another descent, from another first path, and most descents.
+/// Moves for every metre that are worth another descent, and most descents. The first half of them begins with another first path each,
+/// the others with the best path so far, at this share of the temperature.
 const DESCENT: f64 = 30_000.0;
 const MOST_DESCENTS: f64 = 6.0;
+const REHEAT: f64 = 0.25;
 /// Moves between two adjustments of the price, and at least between two updates of what is near what.
 const ADJUST: u64 = 500;
 /// Moves between two reports.
@@ -112,10 +114,9 @@ pub(super) fn anneal(
         return best.points;
     }
     let mut starts: Vec<FirstPath> = starts.iter().map(|points| FirstPath::new(points)).collect();
-    let begin = |start: &FirstPath| {
-        SweptPath::new(start.points.clone(), raster.clone(), search.space, search.times, search.heading)
-    };
-    let mut walker = Walker::new(begin(&starts[0]), seeded(setup.seed, 0), floor.tool_radius);
+    let begin =
+        |points: &[Point]| SweptPath::new(points.to_vec(), raster.clone(), search.space, search.times, search.heading);
+    let mut walker = Walker::new(begin(&starts[0].points), seeded(setup.seed, 0), floor.tool_radius);
     let mut seconds = walker.path.seconds();
     // The samples' floor that may stay unswept, m².
     let all = walker.path.raster.floor_area();
@@ -125,6 +126,10 @@ pub(super) fn anneal(
     let mut mending: Option<(u64, u64)> = None;
     let mut rounds = 0;
     let mut stage = SearchStage::Trial(0);
+    // Whether the present descent has cooled down: it is mended before the next one.
+    let mut is_cold = false;
+    // The price when the best path was found, and what was allowed.
+    let mut of_best = (PRICE.0, allowed);
     let mut next_rebuild = 0;
     for step in 0.. {
         if step % ADJUST == 0 {
@@ -142,35 +147,33 @@ pub(super) fn anneal(
             }
             let moves = step as f64 / (share.max(1e-9) * metres.max(1.0));
             let (next, part) = stage.at(share, starts.len(), moves);
-            if next != stage && share < 1.0 {
+            let is_next = next != stage && share < 1.0;
+            is_cold |= share >= 1.0 || is_next && matches!(stage, SearchStage::Descent(..));
+            if let SearchStage::Trial(tried) = stage
+                && is_next
+            {
                 if let Some((_, points)) = candidate.take() {
                     best = best.or_better(search.measure(&mut lines, &points));
                 }
-                let start = match (stage, next) {
-                    (SearchStage::Trial(tried), _) => {
-                        let missing = (walker.path.raster.unswept_area() - allowed).max(0.0);
-                        let value = seconds + PRICE.0 * missing;
-                        let points = std::mem::take(&mut walker.path.points);
-                        starts[tried] = FirstPath { points, price: walker.price, value };
-                        if let SearchStage::Trial(next) = next {
-                            next
-                        } else {
-                            starts.sort_by(|one, other| one.value.total_cmp(&other.value));
-                            0
-                        }
-                    }
-                    (_, SearchStage::Descent(descent, _)) => descent % starts.len(),
-                    _ => 0,
+                let missing = (walker.path.raster.unswept_area() - allowed).max(0.0);
+                let value = seconds + PRICE.0 * missing;
+                let points = std::mem::take(&mut walker.path.points);
+                starts[tried] = FirstPath { points, price: walker.price, value };
+                let start = if let SearchStage::Trial(next) = next {
+                    next
+                } else {
+                    starts.sort_by(|one, other| one.value.total_cmp(&other.value));
+                    0
                 };
                 stage = next;
-                (walker.path, walker.price) = (begin(&starts[start]), starts[start].price);
+                (walker.path, walker.price) = (begin(&starts[start].points), starts[start].price);
                 (seconds, allowed) = (walker.path.seconds(), (1.0 - setup.coverage) * all);
                 next_rebuild = step;
                 walker.nearby.rebuild(&walker.path.points);
             }
-            temperature = stage.temperature(part, moves);
+            temperature = stage.temperature(if is_cold { 1.0 } else { part }, moves);
         }
-        let ends_round = ends_round(&mut mending, share >= 1.0, step);
+        let ends_round = ends_round(&mut mending, is_cold, step);
         if ends_round || mending.is_none() && share >= next_measure {
             next_measure = share + MEASURE;
             let found = match candidate.take() {
@@ -187,10 +190,26 @@ pub(super) fn anneal(
                 None => Some(search.measure(&mut lines, &walker.path.points)),
             };
             let is_enough = found.as_ref().is_some_and(|found| found.coverage >= setup.coverage);
-            best = found.filter(|found| found.value < best.value).unwrap_or(best);
+            if let Some(found) = found.filter(|found| found.value < best.value) {
+                (best, of_best) = (found, (walker.price, allowed));
+            }
             rounds += u32::from(ends_round);
             if ends_round && (is_enough || rounds > MENDING.0) {
-                break;
+                if share >= 1.0 {
+                    break;
+                }
+                (mending, rounds, is_cold) = (None, 0, false);
+                stage = stage.at(share, starts.len(), 0.0).0;
+                (walker.path, walker.price, allowed) = match stage.first_path() {
+                    Some(number) => {
+                        let start = &starts[number % starts.len()];
+                        (begin(&start.points), start.price, (1.0 - setup.coverage) * all)
+                    }
+                    None => (begin(&best.points), of_best.0, of_best.1),
+                };
+                seconds = walker.path.seconds();
+                next_rebuild = step;
+                walker.nearby.rebuild(&walker.path.points);
             }
         }
         seconds += walker.try_move(temperature);
@@ -224,7 +243,7 @@ impl FirstPath {
 enum SearchStage {
     /// A short descent from a first path, by its number.
     Trial(usize),
-    /// A descent from one that was among the best, its number, and the number of descents.
+    /// A descent, its number, and the number of descents.
     Descent(usize, f64),
 }
 
@@ -245,11 +264,22 @@ impl SearchStage {
         (Self::Descent(number as usize, descents), place - number)
     }
 
+    /// The first path, by its rank, that the stage begins with; `None` for the best path so far.
+    fn first_path(self) -> Option<usize> {
+        match self {
+            Self::Trial(number) => Some(number),
+            Self::Descent(number, descents) => ((number as f64) < (0.5 * descents).ceil()).then_some(number),
+        }
+    }
+
     /// The temperature when a part of the stage is done, s, with so many moves for every metre in all.
     fn temperature(self, part: f64, moves: f64) -> f64 {
         let (hot, cold) = match self {
             Self::Trial(_) => TRIAL_TEMPERATURES,
-            Self::Descent(_, descents) => ((moves / descents / HOT.0).sqrt().clamp(HOT.1, HOT.2), COLD),
+            Self::Descent(_, descents) => {
+                let share = if self.first_path().is_some() { 1.0 } else { REHEAT };
+                (share * (moves / descents / HOT.0).sqrt().clamp(HOT.1, HOT.2), COLD)
+            }
         };
         hot * math::exp(part * math::ln(cold / hot))
     }

@@ -2,7 +2,7 @@
 
 use super::{
     marks::{PixelMark, marks},
-    thickness::{ReducedPicture, erase_reduced, opened},
+    thickness::{ReducedPicture, erase_reduced, opened, usual_thickness},
 };
 use robovac_core::{
     geometry::{Point, contains, convex_hull, nearest_on_segment},
@@ -14,6 +14,8 @@ use std::collections::BTreeMap;
 const THICK: (f64, f64) = (0.6, 3.0);
 /// Share of a mark's pixels that is as thick, at least, if it is a wall: windows, doors and furniture can hang on it.
 const MOSTLY: f64 = 0.2;
+/// A wall is at least so many times as long as thick.
+const LONG: f64 = 4.0;
 /// Marks with less than this share of the walls' pixels are no building: an arrow, a logo.
 const LARGE: f64 = 0.05;
 /// Least side of a building, as a share of the picture's.
@@ -26,12 +28,14 @@ const BESIDE: f64 = 0.5;
 /// Removes marks that are thin throughout, and lie outside of the convex hull of what is as thick as walls.
 pub(super) fn remove(walls: &mut Grid<bool>) {
     let Some(ReducedPicture { by, cells, usual }) = ReducedPicture::new(walls) else { return };
+    let Some(usual) = thickness_of_walls(&cells, usual) else { return };
     let thick = opened(&cells, (THICK.0 * usual).round().max(THICK.1) as u16);
     let (thick, thin): (Vec<PixelMark>, Vec<PixelMark>) = marks(&cells, |_| true).into_iter().partition(|mark| {
         mark.cells.iter().filter(|&&cell| thick[cell]).count() as f64 >= MOSTLY * mark.cells.len() as f64
     });
     let all: usize = thick.iter().map(|mark| mark.cells.len()).sum();
-    let building = thick.iter().filter(|mark| mark.cells.len() as f64 >= LARGE * all as f64);
+    let is_building = |mark: &&PixelMark| mark.cells.len() as f64 >= LARGE * all as f64 && is_long(mark, usual);
+    let building = thick.iter().filter(is_building);
     // The first and the last pixel of each row are enough.
     let mut rows: BTreeMap<i32, [i32; 2]> = BTreeMap::new();
     for cell in building.flat_map(|mark| &mark.cells) {
@@ -62,6 +66,23 @@ pub(super) fn remove(walls: &mut Grid<bool>) {
         }
     }
     erase_reduced(walls, by, &outlying);
+}
+
+/// Whether a mark is so much longer than walls are thick that it can be one: a desk and a pillar aren't.
+fn is_long(mark: &PixelMark, thickness: f64) -> bool {
+    f64::from(mark.size().into_iter().max().unwrap_or(0)) >= LONG * thickness
+}
+
+/// The usual thickness of what can be walls by its length, pixels, if `usual` is that of all: the desks of a classroom can be more
+/// than its walls. `None` if there is hardly any.
+fn thickness_of_walls(cells: &Grid<bool>, usual: f64) -> Option<f64> {
+    let mut long = cells.clone();
+    for PixelMark { cells, .. } in marks(cells, |mark| !is_long(mark, usual)) {
+        for cell in cells {
+            long[cell] = false;
+        }
+    }
+    usual_thickness(&long)
 }
 
 #[cfg(test)]
@@ -118,6 +139,27 @@ mod tests {
             let mut walls = if large { grow(&walls) } else { walls };
             remove(&mut walls);
             assert_eq!(walls, if large { grow(&house) } else { house.clone() }, "large: {large}");
+        }
+    }
+
+    #[test]
+    fn the_walls_of_a_room_full_of_desks_stay() {
+        for desks in [1, 4, 7] {
+            let mut walls = Grid::filled(480, 360, false);
+            frame(&mut walls, [40, 40, 440, 320], 8);
+            (200..230).for_each(|x| (40..48).for_each(|y| walls[Cell::new(x, y)] = false));
+            for (column, row) in (0..desks).flat_map(|column| (0..4).map(move |row| (column, row))) {
+                let [left, low] = [70 + 50 * column, 80 + 55 * row];
+                fill(&mut walls, [left, low, left + 40, low + 24]);
+            }
+            let mut kept = walls.clone();
+            remove(&mut kept);
+            assert_eq!(kept, walls, "{desks} columns of desks");
+            // The frame of the sheet goes, whatever is in the room.
+            let mut framed = walls.clone();
+            frame(&mut framed, [8, 8, 472, 352], 3);
+            remove(&mut framed);
+            assert_eq!(framed, walls, "{desks} columns of desks, and a frame");
         }
     }
 

@@ -90,6 +90,9 @@ pub struct SessionView {
     pub overlap: f64,
     /// Distance driven, m.
     pub distance_m: f64,
+    /// The least distance in which any robot with this tool sweeps as much floor, m; `None` until the run is over, of those that plan
+    /// it, and where it isn't known.
+    pub least_m: Option<f64>,
     /// Sum of all turning, degrees.
     pub turning_deg: f64,
     /// Number of bumps.

@@ -19,6 +19,11 @@ pub(super) struct Moment {
 }
 
 impl Moment {
+    /// Whether it is that before the robot has started.
+    pub(super) fn is_start(self) -> bool {
+        self.time_s <= 0.0
+    }
+
     pub(super) fn parse(value: &str) -> Result<Self, SettingsError> {
         let (time, is_paused) = value.strip_suffix(PAUSED).map_or((value, false), |time| (time, true));
         match time.parse() {
@@ -33,17 +38,22 @@ impl Moment {
 }
 
 impl Session {
-    /// The shown moment as a pair for a link; empty before the robot has started. `None` if a link can't lead to it: what was
-    /// done by hand isn't in links, nor what was swept before the room was changed, nor what a user's program has done.
+    /// The shown moment as a pair for a link; empty while a run that plays hasn't started. `None` if a link can't lead to it: what
+    /// was done by hand isn't in links, nor what was swept before the room was changed, nor what a user's program has done.
     pub fn moment_pair(&self) -> Option<String> {
-        let Some(recording) = self.recording.as_ref().filter(|recording| recording.run().steps() > 0) else {
+        let state = self.state();
+        let paused = if state == SessionState::Playing { "" } else { PAUSED };
+        let Some(recording) = self.recording.as_ref().filter(|_| state != SessionState::Planning) else {
             return Some(String::new());
         };
-        if self.before.is_some() || self.program_drives() || !recording.inputs().is_empty() {
-            return None;
+        let run = recording.run();
+        match run.steps() {
+            _ if self.before.is_some() => None,
+            0 if self.playing => Some(String::new()),
+            0 => Some(format!("{MOMENT}=0{PAUSED}")),
+            _ if self.program_drives() || !recording.inputs().is_empty() => None,
+            _ => Some(format!("{MOMENT}={:.3}{paused}", run.time_s())),
         }
-        let paused = if self.state() == SessionState::Playing { "" } else { PAUSED };
-        Some(format!("{MOMENT}={:.3}{paused}", recording.run().time_s()))
     }
 
     /// Goes to the moment of a link, as soon as there is a plan.

@@ -99,7 +99,7 @@ impl Session {
             self.film = Showing::new(pictures, self.holds_films);
             match &mut self.film {
                 // The run is what the link shows.
-                Some(film) if self.awaited.is_some() => film.skip(),
+                Some(film) if self.awaited.is_some_and(|moment| !moment.is_start()) => film.skip(),
                 _ => self.begin_film(),
             }
         }

@@ -10,7 +10,8 @@ use crate::{
 };
 use coverage_planners::{
     Proof,
-    metrics::{DriveMetrics, WalkMetrics},
+    lanes::MetricBound,
+    metrics::{DriveMetrics, WalkMetrics, sweeps_as_disc},
 };
 use robovac_core::{
     floor_plan::generate::FlatId,
@@ -124,12 +125,22 @@ impl Session {
             coverage: run.map_or(0.0, Run::coverage),
             overlap: run.map_or(0.0, |r| r.tracker().overlap()),
             distance_m: run.map_or(0.0, Run::distance_m),
+            least_m: run.filter(|_| state == SessionState::Finished).and_then(|run| self.least_m(run)),
             turning_deg: run.map_or(0.0, |r| r.turning_rad().to_degrees()),
             bumps: run.map_or(0, Run::bumps),
             pose_error_m: run.and_then(Run::pose_error_m).unwrap_or(0.0),
             search: self.search_view(),
             plan: self.plan_view(),
         }
+    }
+
+    /// The least distance for as much floor as a run has swept that nobody planned; `None` if some of it was swept before, or if
+    /// it is hardly any.
+    fn least_m(&self, run: &Run) -> Option<f64> {
+        let robot = &self.prepared.as_ref()?.robot;
+        let is_known = self.planned.is_none() && self.before.is_none() && sweeps_as_disc(robot);
+        let length = MetricBound::of_area(run.coverage() * run.floor().area(), 0.0, robot).length_m;
+        (is_known && length > 1.0).then_some(length)
     }
 
     fn can(&self, state: SessionState) -> SessionActions {
