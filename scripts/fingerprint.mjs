@@ -63,12 +63,13 @@ const ARCHIVE = "source.tar.gz";
 
 function sourceLink() {
   if (SOURCE_URL) return linkTo(new URL(SOURCE_URL).href, 'target="_blank" rel="noopener"');
-  const noGit = () => "Free software under";
-  if (!isRelease) return noGit();
+  const none = "Free software under";
+  if (!isRelease) return none;
   try {
     execFileSync("git", ["archive", "--prefix=robovac-playground/", `--output=${path.join(page, ARCHIVE)}`, "HEAD"], { stdio: "ignore" });
   } catch {
-    return noGit();
+    // Not a git repository.
+    return none;
   }
   return linkTo(ARCHIVE, "download");
 }

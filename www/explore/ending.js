@@ -77,7 +77,7 @@ const aboveMinimum = ({ kind, plan }) => (kind === "behaviour" ? null : (plan?.a
 /** How far the path is above the least distance and time, as shares: of plans that aren't walks over cells, or miss some. @param {View} view */
 function excess({ plan }) {
   const least = plan?.least;
-  return plan && least ? { length: Math.max(0, plan.length_m / least.length_m - 1), time: Math.max(0, plan.duration_s / least.duration_s - 1) } : null;
+  return plan && least?.length_m ? { length: Math.max(0, plan.length_m / least.length_m - 1), time: Math.max(0, plan.duration_s / least.duration_s - 1) } : null;
 }
 
 /** How many times the least distance was driven, where nobody planned it. @param {View} view */
