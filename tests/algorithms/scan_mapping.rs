@@ -76,18 +76,18 @@ fn a_laser_keeps_the_pose_within_centimetres_and_maps_what_it_sees() {
     }
 }
 
-/// The table of docs/maps.md, for the rooms that ship and two plans in the folder FLOORPLANS, or ../shared/maps/floorplans, if
+/// The table of docs/maps.md, for rooms that ship and five real plans in the folder FLOORPLANS, or ../shared/maps/floorplans, if
 /// they are there:
 /// `cargo test --release --test algorithms -- --ignored --nocapture twenty_seeds_by_laser`, or with `ONLY="cbot flat"` one row, and
 /// with `SEEDS=201-204` those seeds.
 #[test]
-#[ignore = "soak: two hundred runs of twenty minutes"]
+#[ignore = "soak: over three hundred runs of twenty minutes"]
 fn twenty_seeds_by_laser() {
     let mut plans: Vec<(String, FloorPlan)> =
         ["flat", "kitchen", "office"].map(|id| (id.to_owned(), (room(id).unwrap().build)())).into();
     let floorplans = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/maps/floorplans").to_owned();
     let folder = PathBuf::from(std::env::var("FLOORPLANS").unwrap_or(floorplans));
-    for name in ["lab_ipa_furnitures", "Freiburg52_scan_furnitures"] {
+    for name in ["lab_ipa_furnitures", "Freiburg52_scan_furnitures", "office_b_furnitures", "lab_ipa", "lab_d_scan"] {
         let file = format!("{name}.png");
         if let Ok(bytes) = std::fs::read(folder.join(&file)) {
             plans.push((name.to_owned(), load(&[SourceFile { name: file, bytes }]).unwrap()));
