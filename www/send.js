@@ -19,16 +19,18 @@ export async function showWays(app, link, done, moment) {
   (await made)(link, done, moment);
 }
 
-/** Where a link leads in what goes on: some of it isn't in links. @param {string | undefined} moment Of the run in Explore. */
-function whereTo(moment) {
+/** Where a link leads in what goes on: some of it isn't in links. @param {import("./main.js").App} app @param {string | undefined} moment Of the run in Explore. */
+function whereTo({ view }, moment) {
   const tab = currentTab();
+  if (tab === "program") return "The program is in it. Whoever opens it can read it, and run it from the start.";
   if (tab === "map") return "It opens with these settings. Mapping begins anew there.";
   if (tab === "compare") return "It opens with these settings. Results are computed anew there.";
   if (tab === "connection") return "It opens this tab. No robot is connected there until somebody connects one.";
   // The drawing's files may be large, and aren't for everybody.
   if (tab === "floor-plan" && !byId("floor-plan-settings").hidden) return "The drawing isn't in it. Press Use this room, then copy the link again.";
   if (!isOnFloor()) return "";
-  if (moment === undefined) return "The run begins anew there: a link doesn't carry what was done by hand during a run, or by a program of yours.";
+  if (view.program) return "The program isn't in it: copy the link in the tab Program.";
+  if (moment === undefined) return "The run begins anew there: a link doesn't carry what was done by hand during a run.";
   const time = /=([\d.]+)/.exec(moment)?.[1];
   return time ? `It opens at ${clock(Number(time))}, as here.` : "";
 }
@@ -96,7 +98,7 @@ async function build(app) {
 
   return (/** @type {URL} */ link, /** @type {string} */ done, /** @type {string | undefined} */ moment) => {
     title.textContent = done;
-    where.textContent = whereTo(moment);
+    where.textContent = whereTo(app, moment);
     where.hidden = where.textContent === "";
     // It is of the floor in Explore.
     show.hidden = !isOnFloor();

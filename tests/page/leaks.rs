@@ -309,6 +309,33 @@ fn all_of_a_flat_whose_opening_is_too_wide_to_be_closed_shows_it() {
     }
 }
 
+#[test]
+fn a_room_full_of_desks_is_closed_at_its_door_whatever_the_size_of_a_pixel() {
+    // Its aisles are narrower than an outer door, and the sheet has wide margins.
+    let mut image = GrayImage::from_pixel(700, 620, Luma([255]));
+    let mut fill = |[left, top, right, bottom]: [u32; 4], shade: u8| {
+        (top..bottom).for_each(|y| (left..right).for_each(|x| image.put_pixel(x, y, Luma([shade]))));
+    };
+    fill([100, 80, 600, 480], 0);
+    fill([110, 90, 590, 470], 255);
+    fill([500, 470, 545, 480], 255);
+    for (column, row) in (0..4).flat_map(|column| (0..5).map(move |row| (column, row))) {
+        let [left, top] = [160 + 105 * column, 145 + 60 * row];
+        fill([left, top, left + 60, top + 25], 0);
+    }
+    let mut bytes = Cursor::new(Vec::new());
+    image.write_to(&mut bytes, ImageFormat::Png).unwrap();
+    let mut session =
+        DrawingSession::open(&[SourceFile { name: "classroom.png".to_owned(), bytes: bytes.into_inner() }]).unwrap();
+    for metre in [0.015, 0.02, 0.025] {
+        change(&mut session, |settings| settings.metre = Some(metre));
+        let pixels = 480.0 * 380.0 - 20.0 * 60.0 * 25.0;
+        let share = session.floor_m2() / (pixels * metre * metre);
+        assert!((0.9..1.05).contains(&share), "{metre} m a pixel: {share} of the floor");
+        assert_eq!(session.view().room.unwrap().outer_doors, 1, "{metre} m a pixel");
+    }
+}
+
 /// A flat in its garden, whose wall is drawn as so many lines.
 fn in_a_garden(seed: u64, lines: u32) -> Flat {
     let mut flat = Flat::of(seed, 1.0);

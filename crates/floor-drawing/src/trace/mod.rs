@@ -42,6 +42,8 @@ const MARGIN: i32 = 2;
 const OPEN_MARGIN: f64 = 1.0;
 /// Width of outer doors, m (ours): they are closed indoors unless another width is chosen. Double doors and gates stay open.
 pub const OUTER_DOOR: f64 = 1.25;
+/// Largest niche of the outside without a place as wide as an outer door, m² (ours), where nothing else is inside.
+const NICHE: f64 = 12.0;
 /// Least share of the floor that walls enclose indoors: the insides of letters and furniture are no building.
 const INDOORS: f64 = 0.05;
 /// The same of a whole drawing.
@@ -230,8 +232,12 @@ impl<'a> RoomTracer<'a> {
     /// The same with openings up to `widest` metres closed.
     fn enclosed_by(&self, widest: f64) -> Result<Option<EnclosedFloor>, DrawingFlaw> {
         // Rooms aren't as wide as any opening that can be closed: they are no niches of the outside then.
-        let most = if widest > OUTER_DOOR.max(self.how.gap) { widest * widest } else { f64::INFINITY };
-        self.enclosed_with(widest, most)
+        if widest > OUTER_DOOR.max(self.how.gap) {
+            return self.enclosed_with(widest, widest * widest);
+        }
+        // Nor is a room full of furniture, if there is no other.
+        let found = self.enclosed_with(widest, f64::INFINITY)?;
+        if found.is_some() { Ok(found) } else { self.enclosed_with(widest, NICHE) }
     }
 
     /// The same with niches of the outside up to `most` m².

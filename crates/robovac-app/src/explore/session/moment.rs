@@ -51,7 +51,7 @@ impl Session {
             _ if self.before.is_some() => None,
             0 if self.playing => Some(String::new()),
             0 => Some(format!("{MOMENT}=0{PAUSED}")),
-            _ if self.program_drives() || !recording.inputs().is_empty() => None,
+            steps if self.program_drives() || recording.inputs().iter().any(|&(step, _)| step <= steps) => None,
             _ => Some(format!("{MOMENT}={:.3}{paused}", run.time_s())),
         }
     }
