@@ -124,13 +124,11 @@ pub(super) fn anneal(
     let mut candidate: Option<(f64, Vec<Point>)> = None;
     let (mut share, mut temperature, mut next_measure) = (0.0_f64, TRIAL_TEMPERATURES.0, MEASURE);
     let mut mending: Option<(u64, u64)> = None;
-    let mut rounds = 0;
+    let (mut rounds, mut next_rebuild) = (0, 0);
     let mut stage = SearchStage::Trial(0);
-    // Whether the present descent has cooled down: it is mended before the next one.
-    let mut is_cold = false;
-    // The price when the best path was found, and what was allowed.
-    let mut of_best = (PRICE.0, allowed);
-    let mut next_rebuild = 0;
+    // Whether the present descent has cooled down: it is mended before the next one. And the price when the best path was found,
+    // with what was allowed.
+    let (mut is_cold, mut of_best) = (false, (PRICE.0, allowed));
     for step in 0.. {
         if step % ADJUST == 0 {
             walker.adjust(allowed, all);
@@ -155,21 +153,13 @@ pub(super) fn anneal(
                 if let Some((_, points)) = candidate.take() {
                     best = best.or_better(search.measure(&mut lines, &points));
                 }
-                let missing = (walker.path.raster.unswept_area() - allowed).max(0.0);
-                let value = seconds + PRICE.0 * missing;
-                let points = std::mem::take(&mut walker.path.points);
-                starts[tried] = FirstPath { points, price: walker.price, value };
-                let start = if let SearchStage::Trial(next) = next {
-                    next
-                } else {
+                starts[tried] = FirstPath::tried(&mut walker, seconds, allowed);
+                if matches!(next, SearchStage::Descent(..)) {
                     starts.sort_by(|one, other| one.value.total_cmp(&other.value));
-                    0
-                };
-                stage = next;
-                (walker.path, walker.price) = (begin(&starts[start].points), starts[start].price);
-                (seconds, allowed) = (walker.path.seconds(), (1.0 - setup.coverage) * all);
-                next_rebuild = step;
-                walker.nearby.rebuild(&walker.path.points);
+                }
+                let start = &starts[next.first_path().unwrap_or(0)];
+                (seconds, allowed) = (walker.begin(begin(&start.points), start.price), (1.0 - setup.coverage) * all);
+                (stage, next_rebuild) = (next, step);
             }
             temperature = stage.temperature(if is_cold { 1.0 } else { part }, moves);
         }
@@ -200,16 +190,11 @@ pub(super) fn anneal(
                 }
                 (mending, rounds, is_cold) = (None, 0, false);
                 stage = stage.at(share, starts.len(), 0.0).0;
-                (walker.path, walker.price, allowed) = match stage.first_path() {
-                    Some(number) => {
-                        let start = &starts[number % starts.len()];
-                        (begin(&start.points), start.price, (1.0 - setup.coverage) * all)
-                    }
-                    None => (begin(&best.points), of_best.0, of_best.1),
-                };
-                seconds = walker.path.seconds();
+                let first = stage.first_path().map(|number| &starts[number % starts.len()]);
+                let (points, price) = first.map_or((&best.points, of_best.0), |start| (&start.points, start.price));
+                allowed = if first.is_some() { (1.0 - setup.coverage) * all } else { of_best.1 };
+                seconds = walker.begin(begin(points), price);
                 next_rebuild = step;
-                walker.nearby.rebuild(&walker.path.points);
             }
         }
         seconds += walker.try_move(temperature);
@@ -235,6 +220,13 @@ impl FirstPath {
     fn new(points: &[Point]) -> Self {
         let points = if let [only] = *points { vec![only; 2] } else { points.to_vec() };
         Self { points, price: PRICE.0, value: f64::INFINITY }
+    }
+
+    /// What came of its trial.
+    fn tried(walker: &mut Walker<'_>, seconds: f64, allowed: f64) -> Self {
+        let missing = (walker.path.raster.unswept_area() - allowed).max(0.0);
+        let points = std::mem::take(&mut walker.path.points);
+        Self { points, price: walker.price, value: seconds + PRICE.0 * missing }
     }
 }
 

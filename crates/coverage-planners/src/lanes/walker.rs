@@ -36,6 +36,13 @@ impl<'a> Walker<'a> {
     pub fn new(path: SweptPath<'a>, rng: Rng, radius: f64) -> Self {
         Self { path, nearby: Nearby::default(), rng, radius, price: PRICE.0, first: 0, stays: 0 }
     }
+
+    /// Goes on with another path and price, s/m²; returns the path's time, s.
+    pub fn begin(&mut self, path: SweptPath<'a>, price: f64) -> f64 {
+        (self.path, self.price) = (path, price);
+        self.nearby.rebuild(&self.path.points);
+        self.path.seconds()
+    }
 }
 
 impl Walker<'_> {
