@@ -14,7 +14,7 @@ export function startFacts(it) {
   });
   button("floor-plan-notice-close").addEventListener("click", async () => {
     const outer = it.view?.opens ? 0 : it.view?.closes;
-    if (outer !== undefined && outer !== null) await it.set({ outer });
+    if (typeof outer === "number") await it.set({ outer });
     byId("floor-plan-floor").focus();
   });
   button("floor-plan-asks-yes").addEventListener("click", () => void it.set({ confirmed: it.view?.settings.metre ?? null }));

@@ -339,7 +339,7 @@ impl DrawingSession {
 
     /// Whether a robot gets out because openings aren't to be closed.
     fn left_open(&self) -> bool {
-        self.settings().outer == 0.0 && self.room().is_some_and(|room| room.goes_out && room.free_standing.is_none())
+        self.settings().outer == 0.0 && self.room().is_some_and(|room| room.goes_out)
     }
 
     /// What is in doubt about the room, in words.
