@@ -49,7 +49,7 @@ test("a click on the robot does nothing to it", async (t) => {
 test("the robot is picked up and carried by keys, and escape puts it back", async (t) => {
   const { page, app } = await openWaiting(t);
   await app.numbersThat(({ time }) => time > 0);
-  await app.press("Lift the robot");
+  await app.press("Lift robot");
   await page.locator("#carry-note").waitFor();
   for (let i = 0; i < 8; i += 1) await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("Shift+ArrowLeft");
@@ -72,11 +72,11 @@ for (const isPaused of [false, true]) {
     const { page, app } = await openWaiting(t, { viewport: { width: 1366, height: 768 } });
     await app.numbersThat(({ time }) => time > 0);
     if (isPaused) await app.pause();
-    await app.press("Lift the robot");
+    await app.press("Lift robot");
     await page.locator("#carry-note").waitFor();
     await page.mouse.click(...(await app.spot(0.62, 0.4)));
     await page.locator("#carry-note").waitFor({ state: "hidden" });
-    await page.getByRole("button", { name: "Lift the robot" }).waitFor();
+    await page.getByRole("button", { name: "Lift robot" }).waitFor();
     if (isPaused) {
       // Its readings are as old as the last step, and so is its estimate; but it was put down.
       await app.poll(() => page.locator("#activity").textContent(), (text) => !/wait|hand/i.test(text));
@@ -88,7 +88,7 @@ for (const isPaused of [false, true]) {
 
 test("a robot with a plan is carried at the pointer, and the page says that it searches for its dock", async (t) => {
   const { page, app, screenshot } = await openApp(t, { viewport: { width: 1440, height: 900 } });
-  await app.press("Lift the robot");
+  await app.press("Lift robot");
   assert.equal(await page.locator("#tools [aria-pressed=true]").count(), 1, "one thing at a time is chosen");
   await page.locator("#carry-note").waitFor();
   await app.frames(3);

@@ -24,6 +24,9 @@ const RUN = [
   { label: "Dirt left", tip: "Share of the room's dirt not picked up yet.", run: (v) => `${percent(v.dirt_left ?? 0)} %`, when: (v) => v.dirt_left !== null },
 ];
 
+/** What a quarter turn costs in comparisons, steps. */
+const TURN = 2;
+
 /** @type {(Line | MetricLine)[]} */
 const PLAN = [
   { label: "Cells visited", when: isWalk, tip: "Cells of the planning grid that the plan visits, out of those reachable from the start.", plan: (p) => `${count(p.visited_cells)} of ${count(p.reachable_cells)}` },
@@ -33,7 +36,7 @@ const PLAN = [
   { metric: "revisits", when: isWalk, plan: (p) => p.revisits },
   { metric: "turns", when: isWalk, plan: (p) => p.turns },
   { metric: "above_minimum", when: isWalk, more: "It is computed after planning; a plan that misses cells has none.", plan: (p) => (p.above_bound === null ? null : 100 * p.above_bound) },
-  { label: "Optimality gap", tip: ownGap, plan: (p) => (p.gap === 0 ? "proven optimal" : shareAbove(p.gap ?? 0)), when: (v) => typeof v.plan?.gap === "number" },
+  { label: "Optimality gap", tip: ownGap, plan: (p) => (p.gap === 0 ? "proven optimal" : shareAbove(p.gap ?? 0)) + (Math.abs((p.turn_weight ?? TURN) - TURN) < 0.005 ? "" : ", by its own turn cost"), when: (v) => typeof v.plan?.gap === "number" },
   { label: "Kept early", tip: "The search was stopped early and its best plan kept: time spent, and progress at that moment.", plan: (p) => `after ${took(p.planning_s ?? 0)}, ${percent(p.kept_at ?? 0, 0)} % of the search`, when: (v) => typeof v.plan?.kept_at === "number" },
   { metric: "planning", label: "Planned in", more: "The opening scene's plan is preloaded.", plan: (p) => p.planning_s },
 ];
@@ -57,7 +60,7 @@ function above(value, least) {
 function ownGap({ plan }) {
   const turn = +(plan?.turn_weight ?? 0).toFixed(2);
   const weights = `its steps + ${turn} × its quarter turns${plan?.times_turns ? " (the time that this robot takes for one, in steps; the turn to the first step counts too)" : ""}`;
-  return `How far the plan is above the proven minimum of what this search minimises: ${weights}. "Above the minimum" counts a quarter turn as 2 steps instead. 0 %: proven optimal.`;
+  return `How far the plan is above the proven minimum of what this search minimises: ${weights}. "Above the minimum" counts a quarter turn as ${TURN} steps instead. 0 %: proven optimal.`;
 }
 
 /** @param {MetricLine} line @param {import("../types").MetricInfo[]} metrics @returns {Line} */

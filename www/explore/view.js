@@ -103,7 +103,6 @@ function updateTools({ can, tool, state, speed_factor, speed, is_lifted, is_carr
   setEnabled(button("lift"), can.lift || is_lifted);
   setAttribute(button("lift"), "aria-pressed", String(is_lifted));
   setText(byId("lift-name"), is_lifted ? "Put down" : "Lift robot");
-  setAttribute(button("lift"), "aria-label", is_lifted ? "Put the robot down" : "Lift the robot");
   setHidden(byId("carry-note"), !is_carried);
   setAttribute(byId("carry-note"), "data-low", String(!is_all_shown && robot_spot[1] < 0.5));
   keepClear(is_all_shown, robot_spot);

@@ -220,10 +220,18 @@ fn number(text: &[u8]) -> Option<i32> {
     std::str::from_utf8(text).ok()?.parse().ok()
 }
 
+/// Most bytes of an excerpt that isn't text.
+const BYTES: usize = 8;
+
 /// An excerpt of invalid bytes, for messages.
 fn shown(bytes: &[u8]) -> String {
     let text = String::from_utf8_lossy(&bytes[..bytes.len().min(40)]);
-    text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).take(30).collect()
+    if text.chars().take(30).any(|c| c.is_control() || c == char::REPLACEMENT_CHARACTER) {
+        // Signs that can't be read would look like a fault of the message.
+        let first: Vec<String> = bytes.iter().take(BYTES).map(|byte| format!("{byte:02x}")).collect();
+        return format!("bytes {}{}", first.join(" "), if bytes.len() > BYTES { " ..." } else { "" });
+    }
+    text.chars().take(30).collect()
 }
 
 /// Decodes text: UTF-8 as of release 2007, else the code page; characters may be written as `\U+XXXX` too.
@@ -283,6 +291,8 @@ mod tests {
         assert_eq!(pairs.next(), Ok(None));
         let fault = Pairs::new(b"zero\nSECTION\n").next().unwrap_err();
         assert_eq!(fault, (1, DrawingFlaw::Code { found: "zero".to_owned() }));
+        let fault = Pairs::new(b"\x07\x9c\xffabcdefgh\nSECTION\n").next().unwrap_err();
+        assert_eq!(fault, (1, DrawingFlaw::Code { found: "bytes 07 9c ff 61 62 63 64 65 ...".to_owned() }));
         assert!(matches!(Pairs::new(b"0").next(), Err((1, DrawingFlaw::CutOff { .. }))));
     }
 

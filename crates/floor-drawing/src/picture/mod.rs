@@ -8,18 +8,21 @@ mod level;
 mod local;
 mod marks;
 mod outlying;
+mod sampler;
+mod sheet_frame;
 mod specks;
 mod suggest;
 mod surface;
 mod thickness;
 
+pub(crate) use sampler::PictureSampler;
 pub use suggest::suggest;
 
 use robovac_core::{
     floor_plan::Shading,
-    geometry::{Point, Vector},
-    grid::{Cell, Grid, Occupancy},
-    math::{cos, floor, sin},
+    geometry::Point,
+    grid::{Grid, Occupancy},
+    math::{cos, sin},
 };
 use serde::{Deserialize, Serialize};
 
@@ -118,20 +121,6 @@ impl Picture {
     pub(crate) fn pixel(&self, place: Point) -> Point {
         turned(place, -self.turn)
     }
-
-    /// Whether something lies on the square with `side` at `low`; `outside` is what lies beyond the picture.
-    pub(crate) fn blocks(&self, low: Point, side: f64, outside: bool) -> bool {
-        // A sample a pixel, at least.
-        let count = floor(side + 1e-9).max(1);
-        let step = side / f64::from(count);
-        let (sin, cos) = (sin(-self.turn), cos(-self.turn));
-        (0..count * count).any(|index| {
-            let by = Vector::new(f64::from(index % count) + 0.5, f64::from(index / count) + 0.5) * step;
-            let at = low + by;
-            let pixel = Cell::new(floor(at.x * cos - at.y * sin), floor(at.x * sin + at.y * cos));
-            self.blocked.get(pixel).copied().unwrap_or(outside)
-        })
-    }
 }
 
 /// A point turned around the origin, counter-clockwise.
@@ -146,17 +135,13 @@ mod tests {
     use robovac_core::grid::from_picture;
 
     #[test]
-    fn a_turned_picture_is_looked_up_where_it_lies() {
+    fn a_turned_picture_has_the_bounds_of_its_corners() {
         let blocked = from_picture("#...\n....\n", |c| c == '#').unwrap();
         let mut picture = Picture { name: String::new(), blocked, turn: 0.0 };
         assert_eq!(Picture::bounds(4, 2, 0.0), [Point::new(0.0, 0.0), Point::new(4.0, 2.0)]);
-        assert!(picture.blocks(Point::new(0.0, 1.0), 1.0, false) && !picture.blocks(Point::new(1.0, 1.0), 1.0, false));
-        assert!(picture.blocks(Point::new(0.0, 0.0), 2.0, false), "a square with a wall in it");
         // A quarter to the left: the upper left corner comes to the lower left.
         picture.turn = robovac_core::math::FRAC_PI_2;
         let [low, high] = Picture::bounds(4, 2, picture.turn);
         assert_eq!((low, high), (Point::new(-2.0, 0.0), Point::new(0.0, 4.0)));
-        assert!(picture.blocks(low, 1.0, false) && !picture.blocks(low + Vector::new(1.0, 0.0), 1.0, false));
-        assert!(picture.blocks(Point::new(5.0, 5.0), 1.0, true));
     }
 }

@@ -1,7 +1,8 @@
 //! Lines outside of the building: dimension lines, the frame and the title block of a sheet, fences. They are no walls.
 
 use super::{
-    marks::{PixelMark, marks},
+    marks::{PixelMark, erase, marks},
+    sheet_frame,
     thickness::{ReducedPicture, erase_reduced, opened, usual_thickness},
 };
 use robovac_core::{
@@ -27,7 +28,13 @@ const BESIDE: f64 = 0.5;
 
 /// Removes marks that are thin throughout, and lie outside of the convex hull of what is as thick as walls.
 pub(super) fn remove(walls: &mut Grid<bool>) {
-    let Some(ReducedPicture { by, cells, usual }) = ReducedPicture::new(walls) else { return };
+    let Some(ReducedPicture { by, mut cells, usual }) = ReducedPicture::new(walls) else { return };
+    if let Some(frame) = sheet_frame::find(&cells) {
+        let mut found = cells.map(|_| false);
+        frame.cells.iter().for_each(|&cell| found[cell] = true);
+        erase(&mut cells, [&frame]);
+        erase_reduced(walls, by, &found);
+    }
     let Some(usual) = thickness_of_walls(&cells, usual) else { return };
     let thick = opened(&cells, (THICK.0 * usual).round().max(THICK.1) as u16);
     let (thick, thin): (Vec<PixelMark>, Vec<PixelMark>) = marks(&cells, |_| true).into_iter().partition(|mark| {

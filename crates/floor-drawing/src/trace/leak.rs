@@ -5,7 +5,7 @@ use super::{
     behind::{OpenRoom, open_rooms},
     cut_frame, openings,
 };
-use crate::{DrawingFlaw, Tracing};
+use crate::{DrawingFlaw, Tracing, picture::PictureSampler};
 use robovac_core::{
     geometry::Point,
     grid::Cell,
@@ -45,7 +45,11 @@ impl RoomTracer<'_> {
         let enclosed_m2 = enclosed.map_or(0.0, |found| found.inside.count() as f64 * self.how.resolution.powi(2));
         let mut found: Option<OpenedFloor> = None;
         let mut before = 1.1;
-        let cut = self.picture.zip(enclosed).and_then(|(picture, floor)| cut_frame::without(picture, floor, self.side));
+        let cut = self
+            .picture
+            .zip(enclosed)
+            .and_then(|(sampler, floor)| cut_frame::without(sampler.picture, floor, self.side));
+        let cut = cut.as_ref().map(PictureSampler::new);
         let picture = cut.as_ref().or(self.picture);
         for times in LEAKS.map(|times| times.min(most / closed)) {
             if times <= before {

@@ -20,7 +20,7 @@ mod surroundings;
 
 use super::{
     Drawing, DrawingError, DrawingFlaw, DrawingRegion, FreeStandingBuilding, OutsideLeak, Picture, Role, Traced,
-    Tracing, error::bad,
+    Tracing, error::bad, picture::PictureSampler,
 };
 pub(crate) use page::without_page;
 
@@ -97,7 +97,8 @@ pub fn trace_picture(picture: &Picture, how: &Tracing) -> Result<Traced, Drawing
         left_out: Vec::new(),
     };
     let how = Tracing { roles: Vec::new(), ..how.clone() };
-    let tracer = RoomTracer::with(&drawing, &how, Some(picture));
+    let sampler = PictureSampler::new(picture);
+    let tracer = RoomTracer::with(&drawing, &how, Some(&sampler));
     let traced = tracer.and_then(|tracer| tracer.run()).map_err(|flaw| bad(&drawing.name, "", flaw))?;
     Ok(traced.turned(picture.turn))
 }
@@ -120,7 +121,7 @@ struct EnclosedFloor {
 struct RoomTracer<'a> {
     drawing: &'a Drawing,
     /// What is traced instead of strokes.
-    picture: Option<&'a Picture>,
+    picture: Option<&'a PictureSampler<'a>>,
     how: &'a Tracing,
     /// Bounding box of all strokes that aren't ignored, drawing units.
     bounds: BoundingBox,
@@ -134,7 +135,11 @@ impl<'a> RoomTracer<'a> {
         Self::with(drawing, how, None)
     }
 
-    fn with(drawing: &'a Drawing, how: &'a Tracing, picture: Option<&'a Picture>) -> Result<Self, DrawingFlaw> {
+    fn with(
+        drawing: &'a Drawing,
+        how: &'a Tracing,
+        picture: Option<&'a PictureSampler<'a>>,
+    ) -> Result<Self, DrawingFlaw> {
         let (layers, roles) = (drawing.layers.len(), how.roles.len());
         if layers != roles || drawing.strokes.iter().any(|stroke| stroke.layer as usize >= roles) {
             return Err(DrawingFlaw::Roles { layers, roles });
@@ -146,7 +151,7 @@ impl<'a> RoomTracer<'a> {
             return Err(DrawingFlaw::Resolution { value: how.resolution });
         }
         let bounds = match picture {
-            Some(Picture { blocked, turn, .. }) => {
+            Some(PictureSampler { picture: Picture { blocked, turn, .. }, .. }) => {
                 let [low, high] = Picture::bounds(blocked.width(), blocked.height(), *turn);
                 Some(BoundingBox { low, high })
             }

@@ -1,35 +1,52 @@
 //! Distance to the nearest obstacle in king's moves.
 
-use super::{Cell, Grid};
+use super::Grid;
 
 /// King's moves from each cell to the nearest blocked one or out of the grid, at most 255; 0 in blocked cells. So the
 /// square of cells less than that far away is free.
 ///
 /// Two passes over the cells (Rosenfeld & Pfaltz 1966). O(n).
 pub fn chessboard(blocked: &Grid<bool>) -> Grid<u8> {
-    let (width, height) = (blocked.width() as i32, blocked.height() as i32);
     let mut moves = blocked.map(|&is_blocked| if is_blocked { 0 } else { u8::MAX });
-    let mut pass = |x: i32, y: i32, side: i32| {
-        let cell = Cell::new(x, y);
-        if moves[cell] > 0 {
-            let before = [(side, 0), (-1, side), (0, side), (1, side)];
-            let around = before.map(|(dx, dy)| moves.get(Cell::new(x + dx, y + dy)).copied().unwrap_or(0));
-            let least = around.into_iter().fold(u8::MAX, u8::min);
-            moves[cell] = moves[cell].min(least.saturating_add(1));
-        }
-    };
+    let (width, height) = (moves.width(), moves.height());
+    let cells = moves.values_mut();
+    // Out of the grid all is blocked.
+    let outside = vec![0; width];
     for y in 0..height {
-        (0..width).for_each(|x| pass(x, y, -1));
+        let (below, above) = cells.split_at_mut(y * width);
+        let row = &mut above[..width];
+        from_row(row, if y > 0 { &below[(y - 1) * width..] } else { &outside });
+        row.iter_mut().fold(0, along_row);
     }
     for y in (0..height).rev() {
-        (0..width).rev().for_each(|x| pass(x, y, 1));
+        let (below, above) = cells.split_at_mut((y + 1) * width);
+        let row = &mut below[y * width..];
+        from_row(row, above.get(..width).unwrap_or(&outside));
+        row.iter_mut().rev().fold(0, along_row);
     }
     moves
+}
+
+/// Moves by way of the row before. All cells at once, as processors do several.
+fn from_row(row: &mut [u8], before: &[u8]) {
+    if let Some(inner) = row.get_mut(1..before.len() - 1) {
+        for (moves, around) in inner.iter_mut().zip(before.windows(3)) {
+            let least = around[0].min(around[1]).min(around[2]);
+            *moves = (*moves).min(least.saturating_add(1));
+        }
+    }
+}
+
+/// Moves by way of the cell before in the row.
+fn along_row(before: u8, moves: &mut u8) -> u8 {
+    *moves = (*moves).min(before.saturating_add(1));
+    *moves
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::Cell;
     use proptest::prelude::*;
 
     proptest! {
