@@ -24,7 +24,7 @@ function whereTo({ view }, moment) {
   const tab = currentTab();
   if (tab === "program") return "The program is in it. Whoever opens it can read it, and run it from the start.";
   if (tab === "map") return "It opens with these settings. Mapping begins anew there.";
-  if (tab === "compare") return "It opens with these settings. Results are computed anew there.";
+  if (tab === "compare") return "It opens with these settings. Results are computed anew there, and a race begins at 0:00.";
   if (tab === "connection") return "It opens this tab. No robot is connected there until somebody connects one.";
   // The drawing's files may be large, and aren't for everybody.
   if (tab === "floor-plan" && !byId("floor-plan-settings").hidden) return "The drawing isn't in it. Press Use this room, then copy the link again.";
@@ -32,7 +32,8 @@ function whereTo({ view }, moment) {
   if (view.program) return "The program isn't in it: copy the link in the tab Program.";
   if (moment === undefined) return "The run begins anew there: a link doesn't carry what was done by hand during a run.";
   const time = /=([\d.]+)/.exec(moment)?.[1];
-  return time ? `It opens at ${clock(Number(time))}, as here.` : "";
+  const isZoomed = view.is_all_shown ? "" : " It shows the whole room.";
+  return time ? `It opens at ${clock(Number(time))}, as here.${isZoomed}` : isZoomed.trim();
 }
 
 /** The link of the floor and play bar alone, from the start of the run. @param {URL} link */

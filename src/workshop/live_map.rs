@@ -8,7 +8,7 @@ use super::session_mirror::SessionMirror;
 use robovac_app::{Palette, RobotView, Scene, Viewport, connection::LiveMapWords};
 use robovac_core::{
     coverage::CoverageTracker,
-    geometry::{Point, Pose},
+    geometry::{Point, Pose, Vector},
     robot::RobotModel,
 };
 use robovac_link::connection::{SETS_OFF, SWEEPS};
@@ -201,6 +201,12 @@ impl LiveMap {
     /// The canvas is `width` x `height` CSS pixels on a screen with `ratio` device pixels each.
     pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
         self.viewport.resize(width, height, ratio);
+        self.has_changed = true;
+    }
+
+    /// Keeps so many CSS pixels of the lower right corner free where all of the paper is shown.
+    pub fn keep_clear(&mut self, right: f64, low: f64) {
+        self.viewport.keep_clear(0.0, None, Vector::new(right, low), Vector::zeros());
         self.has_changed = true;
     }
 

@@ -61,10 +61,6 @@ export function startConsole(it) {
     setText(button("console-pause"), isPaused ? "Resume" : "Pause");
     isStale ||= !isPaused;
   });
-  button("console-clear").addEventListener("click", () => {
-    log = [];
-    isStale = true;
-  });
   button("console-save").addEventListener("click", () => {
     const lines = log.map(({ time_s, kind, hex, text, times }) => `${time_s.toFixed(3)}\t${kind}\t${hex}\t${text}${times > 1 ? `\t${times} times` : ""}`);
     download("robot-console.txt", `${lines.join("\n")}\n`, "text/plain");
@@ -73,7 +69,14 @@ export function startConsole(it) {
 
   /** Lines that aren't shown yet. @type {Traffic[]} */
   let fresh = [];
+  const wipe = () => {
+    log = [];
+    fresh = [];
+    isStale = true;
+  };
+  button("console-clear").addEventListener("click", wipe);
   return {
+    wipe,
     /** @param {Traffic[]} traffic */
     take(traffic) {
       for (const one of traffic) {

@@ -3,6 +3,7 @@
 import { LiveMap } from "../../workshop.js";
 import { byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { clock } from "../format.js";
+import { joystickCorner } from "../shared/corner.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { fitSize, startHands, startZoom } from "../shared/pan-zoom.js";
 
@@ -15,6 +16,7 @@ const PAUSE = 1000;
 /** @param {ConnectionTab} it */
 export function startMap(it) {
   const canvas = typed("connection-floor", HTMLCanvasElement);
+  const stage = byId("connection-stage");
   const choice = select("connection-room");
   const map = new LiveMap(canvas, it.room.mirror, true);
   let wasThere = false;
@@ -69,9 +71,11 @@ export function startMap(it) {
     },
     draw() {
       fitSize(canvas, map);
+      const corner = joystickCorner(stage, "connection-") ?? [0, 0];
+      if (changed(canvas, "clear", corner.join())) map.keep_clear(...corner);
       map.draw();
     },
-    key: startZoom(byId("connection-stage"), map),
+    key: startZoom(stage, map),
   };
 }
 

@@ -61,6 +61,8 @@ export function startConnection(app, module, guard) {
   const asked = [];
   /** Number of the notice that is over. */
   let over = -1;
+  /** Whether somebody disconnected the robot: what its line said last goes, too. What stays after a fault helps to find it. */
+  let hasLeft = false;
   const settle = () => {
     forgive();
     over = it.view.notice?.number ?? -1;
@@ -78,6 +80,8 @@ export function startConnection(app, module, guard) {
     connection.follow(room.followed());
     settle();
     it.personality = target.kind === "virtual" ? target.personality : "";
+    hasLeft = false;
+    traffic.wipe();
     return connection.open(target);
   };
   it.hand = startVirtual(it);
@@ -89,8 +93,10 @@ export function startConnection(app, module, guard) {
   };
   it.close = async () => {
     it.halt();
-    if (replay.end()) return;
+    if (replay.end()) return traffic.wipe();
     await connection.close();
+    hasLeft = true;
+    traffic.wipe();
   };
   const traffic = startConsole(it);
   const updates = [startConnect, startControl, startSensors, startLine, startSongs, startLights, startMotors, startSchedule, startCalibrate].map((begin) => begin(it));
@@ -105,9 +111,9 @@ export function startConnection(app, module, guard) {
     if (view.mode !== it.view.mode && view.mode !== "Passive" && it.view.mode === "Passive" && view.notice?.number === it.view.notice?.number) over = view.notice?.number ?? -1;
     // After Disconnect nothing of the robot stays, but its recording.
     const isOver = view.phase === "closed";
-    const hasLeft = isOver && it.view.phase !== "closed";
+    const isLast = isOver && it.view.phase !== "closed";
     it.view = isOver ? { ...view, virtual: null, ride: null } : view;
-    if (hasLeft) {
+    if (isLast) {
       it.live.begin(it.view);
       closeDrawer();
     }
@@ -120,7 +126,7 @@ export function startConnection(app, module, guard) {
   const replay = startReplay(it, { show, follow, traffic: traffic.take, wipe: () => it.live.begin(it.view), settle, closed: () => show(closed) });
   connection.onview = show;
   connection.ontrace = follow;
-  connection.ontraffic = traffic.take;
+  connection.ontraffic = (news) => hasLeft || traffic.take(news);
   connection.onfailed = ({ kind, what, remedy }) => {
     const tell = () => complain(remedy ? `${what} ${remedy}` : what);
     if (kind !== "refused" || asked[0] !== "drive") return tell();

@@ -1,13 +1,10 @@
 // @ts-check
 // Messages over the floor never lie on the room, when all of that is shown, nor does the joystick: the room gives way.
 import { byId, changed } from "../dom.js";
+import { GAP, joystickCorner } from "../shared/corner.js";
 
-/** Pixels between the text and the room. */
-const GAP = 10;
 /** Height of the bar of a selected object, pixels. */
 const BAR = 50;
-/** Height of a note above the joystick, pixels: the room doesn't move whenever one comes or goes. */
-const NOTE = 48;
 
 /** @param {import("../main.js").App} app @returns {(view: import("../types").PageView) => void} */
 export function startClear(app) {
@@ -34,11 +31,10 @@ export function startClear(app) {
   /** Width and height of the lower right corner that the joystick takes, or in a small frame the zoom; beside a lesson on a
    * phone there is the scale alone, which any width stands for. @returns {[number, number]} */
   const corner = () => {
-    const [manual, pad, zoom, { right, bottom }] = [byId("manual"), byId("pad"), byId("zoom-in"), stage.getBoundingClientRect()];
-    if (!manual.checkVisibility()) return isSmallFrame() ? [zoom.checkVisibility() ? right - zoom.getBoundingClientRect().left + GAP : GAP, above(zoom)] : [0, 0];
-    // On a phone they are beside it.
-    const notes = isNarrow.matches ? 0.2 : byId("manual-note").checkVisibility() ? 2 : 1;
-    return [right - manual.getBoundingClientRect().left + GAP, bottom - pad.getBoundingClientRect().top + notes * NOTE];
+    const taken = joystickCorner(stage);
+    if (taken || !isSmallFrame()) return taken ?? [0, 0];
+    const zoom = byId("zoom-in");
+    return [zoom.checkVisibility() ? stage.getBoundingClientRect().right - zoom.getBoundingClientRect().left + GAP : GAP, above(zoom)];
   };
 
   const isSmallFrame = () => [byId("legend"), byId("tools")].every((node) => !node.checkVisibility());

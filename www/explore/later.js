@@ -10,17 +10,15 @@ import { updateFolds } from "./view.js";
  * @typedef {{ begin: (view: View) => Promise<void>, update: Update }} Later
  */
 
-/** Milliseconds until what could not be loaded is tried again, or isn't waited for any more. */
+/** Milliseconds until what could not be loaded is tried again, or isn't waited for any more; and until the page is kept for use offline. */
 const PAUSE = 3000;
 
 /** Milliseconds after which somebody who only watches sees what there is to try. */
 const WATCHED = 4000;
 
-/** Milliseconds after which somebody who only watches is a visitor, for whom the page is kept. */
-const STAYED = 20_000;
-
-/** On the first input, loads the parts that are likely to be needed next. */
+/** On the first input, or when somebody has watched for a while, loads the parts that are likely to be needed next. */
 const visit = new Promise((/** @type {(event: unknown) => void} */ come) => {
+  setTimeout(come, WATCHED);
   for (const sign of ["pointermove", "pointerdown", "keydown"]) addEventListener(sign, come, { once: true, capture: true, passive: true });
 });
 
@@ -30,6 +28,8 @@ export async function startLater(app) {
   const { behaviours } = app.catalogue;
   /** Whether their menu was asked for before it was there. */
   let wantsLayers = false;
+  let wantsSmallRoom = false;
+  button("search-small").addEventListener("click", () => (wantsSmallRoom = true), { once: true });
   const layers = button("layers-open");
   layers.disabled = false;
   layers.addEventListener("click", () => (wantsLayers = true), { once: true });
@@ -63,9 +63,8 @@ export async function startLater(app) {
       () => import("./flat.js").then(({ startFlat }) => startFlat(app)),
     ),
     later(
-      // Before the first input, nobody looks for it.
-      () => false,
-      () => import("./small-room.js").then(({ startSmallRoom }) => startSmallRoom(app)),
+      () => wantsSmallRoom,
+      () => import("./small-room.js").then(({ startSmallRoom }) => startSmallRoom(app, wantsSmallRoom)),
     ),
     later(
       ({ state }) => state === "finished",
@@ -84,9 +83,7 @@ export async function startLater(app) {
       () => import("./film.js").then(({ startFilm }) => startFilm(app)),
     ),
   ];
-  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips(app)), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), ideas(app)])).then(whenIdle).catch(console.warn);
-  setTimeout(() => ideas(app).catch(console.warn), WATCHED);
-  setTimeout(whenIdle, STAYED);
+  void visit.then(() => Promise.all([help(), import("../tips.js").then(({ startTips }) => startTips(app)), import("../planning.js"), import("./share.js"), import("../swipe.js").then(({ startSwipe }) => startSwipe()), ideas(app)])).then(() => setTimeout(whenIdle, PAUSE)).catch(console.warn);
   const view = app.playground.view();
   updateFolds(view);
   // A part that loads slowly doesn't delay the page.
@@ -95,18 +92,11 @@ export async function startLater(app) {
   return (now) => parts.forEach((part) => part.update(now));
 }
 
-let isKept = false;
-/** What nobody waits for, once. */
-const whenIdle = () => {
-  if (isKept) return;
-  isKept = true;
-  (window.requestIdleCallback ?? setTimeout)(() => void import("../offline/register.js").then(({ startOffline }) => startOffline()).catch(console.warn));
-};
+/** What nobody waits for. */
+const whenIdle = () => (window.requestIdleCallback ?? setTimeout)(() => void import("../offline/register.js").then(({ startOffline }) => startOffline()).catch(console.warn));
 
-/** @type {Promise<unknown> | undefined} */
-let offered;
 /** @param {import("../main.js").App} app */
-const ideas = (app) => (offered ??= Promise.all([import("./try.js").then(({ startTry }) => startTry(app)), import("../learn/offer.js").then(({ offerTour }) => offerTour(app))]));
+const ideas = (app) => Promise.all([import("./try.js").then(({ startTry }) => startTry(app)), import("../learn/offer.js").then(({ offerTour }) => offerTour(app))]);
 
 const help = () => import("../help.js").then(({ fillHelp }) => fillHelp(byId("help-text")));
 

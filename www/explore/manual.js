@@ -1,6 +1,6 @@
 // @ts-check
 // Driving the simulated robot by hand.
-import { button, byId, changed, input, setHidden, setText } from "../dom.js";
+import { button, byId, changed, input, select, setHidden, setText } from "../dom.js";
 import { STILL, joystick, rounded } from "../joystick.js";
 import { WRITING } from "../keys.js";
 import { style } from "../parts.js";
@@ -8,10 +8,13 @@ import { isOnFloor } from "../tabs.js";
 
 /** @typedef {import("../main.js").App} App */
 
+/** Whether the browser tells an open menu from a closed one. */
+const CAN_BE_OPEN = CSS.supports("selector(:open)");
+
 /** @param {App} app @returns {Promise<(view: import("../types").PageView) => void>} */
 export async function startManual(app) {
   await style(new URL("../manual.css", import.meta.url).href);
-  const [floor, pad, knob] = [byId("floor"), byId("pad"), button("knob")];
+  const [floor, pad, knob, menu] = [byId("floor"), byId("pad"), button("knob"), select("algorithm")];
   let sent = STILL;
 
   const isManual = () => app.catalogue.behaviours.find(({ id }) => id === app.view.algorithm)?.manual ?? false;
@@ -42,11 +45,16 @@ export async function startManual(app) {
     end();
   };
 
-  // Wherever else the focus is, letters that mean tools drive.
+  // Wherever else the focus is, letters that mean tools drive; so do all that drive in the menu in which that was chosen.
   const focus = (/** @type {KeyboardEvent} */ event) => {
     const { key, target, ctrlKey, metaKey, altKey } = event;
-    if (byId("manual").hidden || !input("keys-on").checked || !isOnFloor() || !"wasd".includes(key.toLowerCase()) || ctrlKey || metaKey || altKey) return;
-    if (!(target instanceof Element) || target === floor || target === knob || target.matches(WRITING) || document.querySelector("dialog[open]")) return;
+    if (byId("manual").hidden || !input("keys-on").checked || !isOnFloor() || ctrlKey || metaKey || altKey || document.querySelector("dialog[open]")) return;
+    const isLetter = "wasd".includes(key.toLowerCase());
+    if (!isLetter && !key.startsWith("Arrow")) return;
+    // A closed menu would choose another algorithm, and the run by hand would be lost.
+    const isMenu = target === menu && CAN_BE_OPEN && !menu.matches(":open");
+    const isFree = isLetter && target instanceof Element && target !== floor && target !== knob && !target.matches(WRITING);
+    if (!isMenu && !isFree) return;
     floor.focus();
     event.preventDefault();
     event.stopPropagation();

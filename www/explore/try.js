@@ -62,6 +62,8 @@ export async function startTry(app) {
       if (sheet.classList.contains("open")) close.click();
       // One thing at a time.
       document.querySelector("#game:not([hidden]) header button")?.dispatchEvent(new MouseEvent("click"));
+      // A film would hide the robot.
+      app.act((p) => p.show_search(false));
       Promise.resolve(how(app)).catch((error) => complain(`This could not be loaded (${textOf(error)}). Check the connection, then try again.`));
     });
     return make("li", { "data-tip": what }, go);

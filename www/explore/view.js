@@ -13,9 +13,10 @@ const HAS_KEYS = !matchMedia("(hover: none)").matches;
 /** Whether it is time to put the picture into words. */
 const mayNarrate = atMostEvery(4000);
 
-/** Least time that a caption of the search is shown, ms. */
-const CAPTION = 1200;
-const isCaptionDue = atMostEvery(CAPTION);
+/** Time to read a word of a caption, ms. */
+const WORD = 280;
+/** When the caption of the search has been read. */
+let isRead = 0;
 
 /** @param {import("../main.js").App} app */
 export function updateView({ view, playground }) {
@@ -29,9 +30,14 @@ export function updateView({ view, playground }) {
   updateFolds(view);
   updateMessage(view);
   const { text, film } = view.search;
-  setHidden(byId("search-box"), !text);
+  // One says where to put a robot down.
+  setHidden(byId("search-box"), !text || view.is_carried);
   // While the robot drives, each stays long enough to be read.
-  if (view.state !== "playing" || film !== null || !text || isCaptionDue()) setText(byId("search-note"), text);
+  const now = performance.now();
+  if (view.state !== "playing" || film !== null || !text || now >= isRead) {
+    if (changed(byId("search-note"), "caption", text)) isRead = now + WORD * text.split(" ").length;
+    setText(byId("search-note"), text);
+  }
   updatePlanning(view);
   updateTools(view);
   setHidden(byId("legend-estimate"), !view.shows.estimate && view.slip === "none");

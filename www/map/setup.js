@@ -77,9 +77,12 @@ export function startSetup(it) {
     setHidden(byId("map-expected"), !view.expectation);
     setText(byId("map-expected"), view.expectation);
     setText(byId("map-seed"), String(it.app.view.seed));
-    const robot = it.app.catalogue.robots.find(({ id }) => id === it.app.view.robot)?.title ?? "";
-    setText(byId("map-robot"), robot);
+    const { robot: model, own_robot: own, twin } = it.app.view;
+    const robot = byId("map-robot");
+    if (changed(robot, "robot", `${model} ${own ?? ""} ${twin}`)) {
+      setText(robot, own || twin ? it.app.playground.robot().title : (it.app.catalogue.robots.find(({ id }) => id === model)?.title ?? ""));
+    }
     // Where the setup is in a sheet.
-    setText(byId("map-now"), `${select("map-explorer").selectedOptions[0]?.textContent ?? ""}, ${robot}`);
+    setText(byId("map-now"), `${select("map-explorer").selectedOptions[0]?.textContent ?? ""}, ${robot.textContent}`);
   };
 }

@@ -197,7 +197,7 @@ fn contacts(points: &[Subgoal], job: &CoverageJob) -> TraceStep {
         marks: points.iter().zip(1..).map(|(point, number)| (point.at, number)).collect(),
         sides: None,
         note: format!(
-            "{} contacts: {left} LEFT_WALL, {right} RIGHT_WALL, {left_solid} LEFT_OBSTACLE, {right_solid} RIGHT_OBSTACLE",
+            "{} points: beside walls {left} on the left and {right} on the right, beside obstacles {left_solid} and {right_solid}",
             points.len()
         ),
     }
@@ -232,7 +232,12 @@ fn link(
         (false, _, true) => Direction::Up,
         (false, _, false) => Direction::Down,
     };
-    let what = to.obstacle.map_or(String::new(), |number| format!(" of obstacle {number}"));
+    let what = match to.obstacle {
+        Some(number) => format!("obstacle {number}"),
+        None if to.contact.is_obstacle() => "an obstacle".to_owned(),
+        None => "the wall".to_owned(),
+    };
+    let side = if to.contact.is_left() { "left" } else { "right" };
     let round = detour.map_or(String::new(), |steps| {
         let LinkTally { collisions, resolved } = tally;
         format!(": the straight link collides, {steps} steps around it; collision {collisions}, {resolved} resolved")
@@ -244,6 +249,6 @@ fn link(
         towards,
         marks,
         sides: None,
-        note: format!("To point {number}, {}{what}{round}", to.contact.name()),
+        note: format!("To point {number}, {what} on its {side}{round}"),
     }
 }

@@ -43,14 +43,9 @@ impl LineEndContact {
         matches!(self, Self::LeftWall | Self::LeftObstacle)
     }
 
-    /// The paper's name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::LeftWall => "LEFT_WALL",
-            Self::RightWall => "RIGHT_WALL",
-            Self::LeftObstacle => "LEFT_OBSTACLE",
-            Self::RightObstacle => "RIGHT_OBSTACLE",
-        }
+    /// Whether it touches an obstacle rather than a wall.
+    pub fn is_obstacle(self) -> bool {
+        matches!(self, Self::LeftObstacle | Self::RightObstacle)
     }
 }
 
