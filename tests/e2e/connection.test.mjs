@@ -125,6 +125,24 @@ test("by keyboard alone", async (t) => {
   await page.locator("#console-lines li").first().waitFor();
 });
 
+test("after Disconnect the console is empty, and a new connection has its own", async (t) => {
+  const { page, robot } = await openRobot(t);
+  await robot.connect();
+  await robot.arm();
+  await page.locator("#connection-tools-open").click();
+  const lines = page.locator("#console-lines li");
+  await lines.filter({ hasText: "Safe" }).first().waitFor();
+  await page.getByRole("button", { name: "Disconnect" }).click();
+  await robot.phase("closed");
+  await page.locator("#connection-tools-open").click();
+  await page.locator("#console-lines").waitFor({ state: "attached" });
+  await robot.app.frames(10);
+  assert.equal(await lines.count(), 0);
+  await robot.connect();
+  await lines.first().waitFor();
+  assert.equal(await lines.filter({ hasText: "Safe" }).count(), 0);
+});
+
 test("an unknown room is paper that grows", async (t) => {
   const { page, robot } = await openRobot(t);
   await page.locator("#connection-room").selectOption("blank");

@@ -56,6 +56,27 @@ test("arrow keys and letters drive while they are held, on the floor", async (t)
   await page.keyboard.up("KeyW");
 });
 
+test("in the closed menu in which driving was chosen keys drive, and opened it chooses", async (t) => {
+  const { page, app } = await openApp(t, { address: ROOM });
+  await app.poll(() => page.locator("#manual").isVisible(), Boolean);
+  const menu = page.locator("#algorithm");
+  for (const key of ["ArrowUp", "KeyW"]) {
+    const { distance } = await app.numbers();
+    await menu.focus();
+    await page.keyboard.down(key);
+    await app.numbersThat((now, then) => now.distance > then + 0.1, distance);
+    await page.keyboard.up(key);
+    await stands(app);
+    assert.equal(await menu.inputValue(), "manual", key);
+  }
+  await menu.focus();
+  await page.keyboard.press("Space");
+  await app.poll(() => menu.evaluate((node) => node.matches(":open")), Boolean);
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Enter");
+  await app.poll(() => menu.inputValue(), (id) => id !== "manual");
+});
+
 test("whoever chooses to drive while drawing walls drives", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty&behaviour=bounce" });
   await page.locator("#tools [data-tool=wall]").click();

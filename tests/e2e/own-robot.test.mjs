@@ -40,6 +40,9 @@ test("an own robot is built in a form that loses nothing, and survives a reload"
   await page.waitForFunction(() => document.getElementById("robot").value === "own" && location.hash.includes("own=corners:"));
   assert.equal(await app.message(), "");
   await screenshot("explore-own-robot");
+  await page.locator("#tab-map").click();
+  await app.poll(() => app.text("#map-robot"), (name) => name === "Own robot");
+  await page.locator("#tab-explore").click();
   await page.reload();
   await page.waitForFunction(() => document.getElementById("robot")?.value === "own");
   await page.locator("#robot-edit").click();

@@ -103,3 +103,14 @@ test("the search fits a phone", async (t) => {
     }, box.y + box.height);
   await app.poll(behind, (colours) => colours === 1);
 });
+
+test("a small room for the search opens at the first click of all, with the same cells", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=flat&planner=boustrophedon&cell=0.11" });
+  const small = page.locator("#search-small");
+  await small.waitFor();
+  // Nothing before it: no pointer has moved.
+  await small.evaluate((node) => node.click());
+  await app.poll(() => page.evaluate(() => location.hash), (hash) => hash.includes("room=bedroom") && hash.includes("search=1"));
+  assert.match(await page.evaluate(() => location.hash), /cell=0\.11/);
+  await app.poll(() => app.text("#film-at"), (text) => Number(/of (\d+)/.exec(text)?.[1]) > 3);
+});

@@ -73,6 +73,7 @@ export function startConsole(it) {
     log = [];
     fresh = [];
     isStale = true;
+    list.replaceChildren();
   };
   button("console-clear").addEventListener("click", wipe);
   return {
