@@ -29,11 +29,11 @@ function whereTo({ view }, moment) {
   // The drawing's files may be large, and aren't for everybody.
   if (tab === "floor-plan" && !byId("floor-plan-settings").hidden) return "The drawing isn't in it. Press Use this room, then copy the link again.";
   if (!isOnFloor()) return "";
-  if (view.program) return "The program isn't in it: copy the link in the tab Program.";
-  if (moment === undefined) return "The run begins anew there: a link doesn't carry what was done by hand during a run.";
+  const zoomed = view.is_all_shown ? "" : " It shows the whole room.";
+  if (view.program) return `The program isn't in it: copy the link in the tab Program.${zoomed}`;
+  if (moment === undefined) return `The run begins anew there: a link doesn't carry what was done by hand during a run.${zoomed}`;
   const time = /=([\d.]+)/.exec(moment)?.[1];
-  const isZoomed = view.is_all_shown ? "" : " It shows the whole room.";
-  return time ? `It opens at ${clock(Number(time))}, as here.${isZoomed}` : isZoomed.trim();
+  return time ? `It opens at ${clock(Number(time))}, as here.${zoomed}` : zoomed.trim();
 }
 
 /** The link of the floor and play bar alone, from the start of the run. @param {URL} link */

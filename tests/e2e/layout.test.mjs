@@ -67,7 +67,7 @@ test("fits a phone, with controls for fingers", async (t) => {
   await turnsDark({ page, app, screenshot }, "phone");
 });
 
-for (const [name, viewport] of Object.entries({ "a phone": { width: 390, height: 844 }, "a small phone": { width: 360, height: 640 }, "a phone on its side": { width: 844, height: 390 }, "200 %": { width: 720, height: 450 } })) {
+for (const [name, viewport] of Object.entries({ "a phone": { width: 390, height: 844 }, "a small phone": { width: 360, height: 640 }, "a phone on its side": { width: 844, height: 390 }, "a small phone on its side": { width: 667, height: 375 }, "200 %": { width: 720, height: 450 }, "200 % on a small laptop": { width: 640, height: 360 } })) {
   test(`tabs and legend are whole on ${name}, and nothing lies over the floor`, async (t) => {
     const { page, app } = await openApp(t, { ...PHONE, viewport });
     /** Those that aren't wholly within the window, or under something. */
@@ -83,6 +83,7 @@ for (const [name, viewport] of Object.entries({ "a phone": { width: 390, height:
     assert.deepEqual(await cut("[id^=tab-]"), []);
     assert.ok((await page.locator("#legend > div:visible").count()) >= 5);
     assert.deepEqual(await cut("#legend > div"), []);
+    assert.deepEqual(await cut("#play, #tools button, #numbers > div, .bar-actions button"), []);
     // The room keeps 66 px from the stage's upper and lower edge for tools, legend and zoom buttons.
     const covering = () =>
       page.evaluate(() => {

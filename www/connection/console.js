@@ -23,6 +23,8 @@ export function startConsole(it) {
   fill(kinds, KINDS);
   /** @type {Traffic[]} */
   let log = [];
+  /** When the connection began, s: the line's clock is older. @type {number | undefined} */
+  let began;
   /** Traffic received while paused. */
   let isPaused = false;
   let isStale = true;
@@ -42,7 +44,7 @@ export function startConsole(it) {
   };
   const write = (/** @type {HTMLElement} */ node, /** @type {Traffic} */ { time_s, text, hex, times }) => {
     const [time, , words, bytes] = node.children;
-    if (time) setText(time, time_s.toFixed(2));
+    if (time) setText(time, (time_s - (began ?? 0)).toFixed(2));
     if (words) setText(words, times > 1 ? `${text} (${count(times)} times)` : text);
     if (bytes) setText(bytes, hex);
   };
@@ -62,7 +64,7 @@ export function startConsole(it) {
     isStale ||= !isPaused;
   });
   button("console-save").addEventListener("click", () => {
-    const lines = log.map(({ time_s, kind, hex, text, times }) => `${time_s.toFixed(3)}\t${kind}\t${hex}\t${text}${times > 1 ? `\t${times} times` : ""}`);
+    const lines = log.map(({ time_s, kind, hex, text, times }) => `${(time_s - (began ?? 0)).toFixed(3)}\t${kind}\t${hex}\t${text}${times > 1 ? `\t${times} times` : ""}`);
     download("robot-console.txt", `${lines.join("\n")}\n`, "text/plain");
   });
   startRaw(it);
@@ -77,10 +79,15 @@ export function startConsole(it) {
   };
   button("console-clear").addEventListener("click", wipe);
   return {
-    wipe,
+    /** For another connection. */
+    begin() {
+      wipe();
+      began = undefined;
+    },
     /** @param {Traffic[]} traffic */
     take(traffic) {
       for (const one of traffic) {
+        began ??= one.time_s;
         const before = log.at(-1);
         // Readings follow each other 64 times a second.
         if (one.kind === "frame" && before?.kind === "frame") {

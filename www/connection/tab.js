@@ -81,7 +81,7 @@ export function startConnection(app, module, guard) {
     settle();
     it.personality = target.kind === "virtual" ? target.personality : "";
     hasLeft = false;
-    traffic.wipe();
+    traffic.begin();
     return connection.open(target);
   };
   it.hand = startVirtual(it);
@@ -93,10 +93,10 @@ export function startConnection(app, module, guard) {
   };
   it.close = async () => {
     it.halt();
-    if (replay.end()) return traffic.wipe();
+    if (replay.end()) return traffic.begin();
     await connection.close();
     hasLeft = true;
-    traffic.wipe();
+    traffic.begin();
   };
   const traffic = startConsole(it);
   const updates = [startConnect, startControl, startSensors, startLine, startSongs, startLights, startMotors, startSchedule, startCalibrate].map((begin) => begin(it));

@@ -147,7 +147,7 @@ pub const METRICS: &[MetricInfo] = &[
             "excess_length",
             "Excess distance",
             ("%", 1),
-            "Distance above the proven least of any path that sweeps as much floor.",
+            "Distance above the proven least of any path that sweeps as much floor; known for round tools in the robot's middle.",
             |n| Some(100.0 * n.excess?.above[0].max(0.0)),
         )
     },
@@ -157,7 +157,7 @@ pub const METRICS: &[MetricInfo] = &[
             "excess_time",
             "Excess time",
             ("%", 1),
-            "Time above the proven least of any path that sweeps as much floor.",
+            "Time above the proven least of any path that sweeps as much floor; known for round tools in the robot's middle.",
             |n| Some(100.0 * n.excess?.above[1].max(0.0)),
         )
     },

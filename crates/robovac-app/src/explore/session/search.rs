@@ -153,6 +153,8 @@ impl Session {
                 let end = planned.proof.or(planned.compared);
                 film.text(end.map(|proof| (proof, is_other(proof))))
             }
+            // The numbers stand on the floor, and change before they are read.
+            (None, Some(step)) if self.is_driving() => format!("{}.", without_numbers(&step.note)),
             (None, Some(step)) => format!("{}.", step.note),
             (None, None) if self.state() == SessionState::Finished => match &self.search {
                 Some(search) => search.ending().map_or_else(
@@ -162,6 +164,43 @@ impl Session {
                 None => String::new(),
             },
             (None, None) => String::new(),
+        }
+    }
+}
+
+/// A decision's words without what was counted and measured for it.
+fn without_numbers(note: &str) -> String {
+    let has_number = |part: &str| part.contains(|c: char| c.is_ascii_digit());
+    let mut parts = note.split("; ");
+    let first = parts.next().unwrap_or_default();
+    let (head, between) = match first.split_once(": ").filter(|_| has_number(first)) {
+        Some((head, _)) => (head, ": "),
+        None => (first, "; "),
+    };
+    let rest: Vec<&str> = parts.filter(|part| !has_number(part)).collect();
+    if rest.is_empty() { head.to_owned() } else { format!("{head}{between}{}", rest.join("; ")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_numbers;
+
+    #[test]
+    fn what_is_said_while_the_robot_drives_is_short() {
+        for (note, short) in [
+            ("Farthest from the goal: 71 on the right, 61 below; straight on", "Farthest from the goal: straight on"),
+            (
+                "Left and right equal; cells to clean: 5 above, 7 below; smaller block: up",
+                "Left and right equal; smaller block: up",
+            ),
+            (
+                "To point 5, the wall on its left: 7 steps around it; collision 3, 2 resolved",
+                "To point 5, the wall on its left",
+            ),
+            ("To point 5, the wall on its left", "To point 5, the wall on its left"),
+            ("The only way: straight on", "The only way: straight on"),
+        ] {
+            assert_eq!(without_numbers(note), short);
         }
     }
 }
