@@ -11,11 +11,16 @@ import { isOnFloor } from "../tabs.js";
 /** Whether the browser tells an open menu from a closed one. */
 const CAN_BE_OPEN = CSS.supports("selector(:open)");
 
+/** Milliseconds within which letters belong to one name, as in browsers. */
+const TYPING = 1000;
+
 /** @param {App} app @returns {Promise<(view: import("../types").PageView) => void>} */
 export async function startManual(app) {
   await style(new URL("../manual.css", import.meta.url).href);
   const [floor, pad, knob, menu] = [byId("floor"), byId("pad"), button("knob"), select("algorithm")];
   let sent = STILL;
+  /** When a letter was last typed in the menu, ms. */
+  let typed = -Infinity;
 
   const isManual = () => app.catalogue.behaviours.find(({ id }) => id === app.view.algorithm)?.manual ?? false;
 
@@ -47,7 +52,11 @@ export async function startManual(app) {
 
   // Wherever else the focus is, letters that mean tools drive; so do all that drive in the menu in which that was chosen.
   const focus = (/** @type {KeyboardEvent} */ event) => {
-    const { key, target, ctrlKey, metaKey, altKey } = event;
+    const { key, target, ctrlKey, metaKey, altKey, timeStamp } = event;
+    // Letters of a name that is typed in the menu.
+    const isTyping = target === menu && key.length === 1 && timeStamp - typed < TYPING;
+    if (target === menu && key.length === 1) typed = timeStamp;
+    if (isTyping) return;
     if (byId("manual").hidden || !input("keys-on").checked || !isOnFloor() || ctrlKey || metaKey || altKey || document.querySelector("dialog[open]")) return;
     const isLetter = "wasd".includes(key.toLowerCase());
     if (!isLetter && !key.startsWith("Arrow")) return;
