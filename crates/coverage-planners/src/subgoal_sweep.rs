@@ -232,11 +232,7 @@ fn link(
         (false, _, true) => Direction::Up,
         (false, _, false) => Direction::Down,
     };
-    let what = match to.obstacle {
-        Some(number) => format!("obstacle {number}"),
-        None if to.contact.is_obstacle() => "an obstacle".to_owned(),
-        None => "the wall".to_owned(),
-    };
+    let what = to.obstacle.map_or("the wall".to_owned(), |number| format!("obstacle {number}"));
     let side = if to.contact.is_left() { "left" } else { "right" };
     let round = detour.map_or(String::new(), |steps| {
         let LinkTally { collisions, resolved } = tally;

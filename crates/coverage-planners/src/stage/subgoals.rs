@@ -42,11 +42,6 @@ impl LineEndContact {
     pub fn is_left(self) -> bool {
         matches!(self, Self::LeftWall | Self::LeftObstacle)
     }
-
-    /// Whether it touches an obstacle rather than a wall.
-    pub fn is_obstacle(self) -> bool {
-        matches!(self, Self::LeftObstacle | Self::RightObstacle)
-    }
 }
 
 /// A subgoal point, in a cell or (as a [`Point`](robovac_core::geometry::Point), m) at the exact place where the body

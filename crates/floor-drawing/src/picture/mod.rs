@@ -2,6 +2,8 @@
 //! them as from drawings.
 
 mod door_symbols;
+#[cfg(test)]
+mod drawn;
 mod hollow;
 mod lettering;
 mod level;

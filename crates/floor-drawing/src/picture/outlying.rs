@@ -95,23 +95,7 @@ fn thickness_of_walls(cells: &Grid<bool>, usual: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Fills the pixels of a rectangle: left, bottom, right, top.
-    fn fill(walls: &mut Grid<bool>, [left, bottom, right, top]: [i32; 4]) {
-        for (x, y) in (bottom..top).flat_map(|y| (left..right).map(move |x| (x, y))) {
-            walls[Cell::new(x, y)] = true;
-        }
-    }
-
-    /// Draws the sides of a rectangle, `pen` pixels wide.
-    fn frame(walls: &mut Grid<bool>, [left, bottom, right, top]: [i32; 4], pen: i32) {
-        for side in
-            [[left, bottom, right, bottom + pen], [left, top - pen, right, top], [left, bottom, left + pen, top]]
-        {
-            fill(walls, side);
-        }
-        fill(walls, [right - pen, bottom, right, top]);
-    }
+    use crate::picture::drawn::{fill, frame};
 
     /// A house with walls of 10 pixels, a doorway, and a table drawn thin.
     fn house() -> Grid<bool> {

@@ -81,23 +81,7 @@ fn is_drawn(mark: &PixelMark, walls: &Grid<bool>, most: i32) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn fill(walls: &mut Grid<bool>, [left, bottom, right, top]: [i32; 4]) {
-        for (x, y) in (bottom..top).flat_map(|y| (left..right).map(move |x| (x, y))) {
-            walls[Cell::new(x, y)] = true;
-        }
-    }
-
-    fn ring(walls: &mut Grid<bool>, [left, bottom, right, top]: [i32; 4], pen: i32) {
-        for side in [
-            [left, bottom, right, bottom + pen],
-            [left, top - pen, right, top],
-            [left, bottom, left + pen, top],
-            [right - pen, bottom, right, top],
-        ] {
-            fill(walls, side);
-        }
-    }
+    use crate::picture::drawn::{fill, frame as ring};
 
     /// A house with walls of 10 pixels on a sheet of 400 x 300 pixels with a frame at `edge`.
     fn sheet(edge: i32, pen: i32) -> Grid<bool> {
