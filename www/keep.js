@@ -25,9 +25,12 @@ async function openRoomLink(app, link) {
 /** The page has heard of this fragment. @param {string} hash */
 export const follow = (hash) => void (known = hash);
 
+/** State of the history's entries that the page wrote: what they lead to may have been changed since. Links that are opened have none. */
+export const WRITTEN = "written";
+
 /** Writes the fragment of the address, which leads to what is shown. @param {string} hash @param {boolean} isElsewhere Whether that is another entry of the history. */
 export function write(hash, isElsewhere = false) {
-  history[isElsewhere ? "pushState" : "replaceState"](null, "", hash);
+  history[isElsewhere ? "pushState" : "replaceState"](WRITTEN, "", hash);
   // As the browser writes it.
   known = location.hash;
 }

@@ -8,6 +8,9 @@ import { clock, metres, percent } from "./format.js";
 /** Height of the line below the picture, as a share of its width, and limits, pixels. */
 const LINE = { share: 0.032, least: 22, most: 56 };
 
+/** Width of a picture that fills a slide; most of a picture, pixels. */
+const [SHARP, MOST] = [1920, 4096];
+
 /** Margin round the room, as a share of its larger side; least width of a picture, whose line has to be read, pixels. */
 const [MARGIN, LEAST] = [0.03, 480];
 
@@ -78,14 +81,25 @@ export async function atRest(app) {
   for (let before = ""; before !== placeOf(app); await nextFrame()) before = placeOf(app);
 }
 
-/** The floor as it is shown, as a PNG file. @param {App} app @returns {Promise<Blob>} */
+/** The floor as it is shown, as a PNG file that is sharp on a slide, too. @param {App} app @returns {Promise<Blob>} */
 export async function picture(app) {
-  await atRest(app);
+  const { playground } = app;
   const floor = /** @type {HTMLCanvasElement} */ (document.getElementById("floor"));
-  const size = sizeOf(app, floor, 4096);
-  const canvas = new OffscreenCanvas(size.width, size.height);
-  const context = canvas.getContext("2d");
-  if (!context) throw new Error("this browser can't draw it");
-  drawShown(app, floor, context, size);
-  return canvas.convertToBlob({ type: "image/png" });
+  const { clientWidth, clientHeight } = floor;
+  // Marks of a selection are for editing.
+  app.act((p) => p.select_object(undefined));
+  await atRest(app);
+  const finer = Math.max(1, Math.min(SHARP / part(app, floor).width, MOST / Math.max(floor.width, floor.height)));
+  playground.resize(clientWidth, clientHeight, devicePixelRatio * finer);
+  try {
+    await nextFrame();
+    const size = sizeOf(app, floor, MOST);
+    const canvas = new OffscreenCanvas(size.width, size.height);
+    const context = canvas.getContext("2d");
+    if (!context) throw new Error("this browser can't draw it");
+    drawShown(app, floor, context, size);
+    return await canvas.convertToBlob({ type: "image/png" });
+  } finally {
+    playground.resize(clientWidth, clientHeight, devicePixelRatio);
+  }
 }

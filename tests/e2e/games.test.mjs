@@ -59,7 +59,7 @@ test("you drive against an algorithm for the same time, and challenge others by 
   await game.getByRole("button", { name: "Challenge others" }).waitFor();
   const told = await game.innerText();
   await screenshot("versus-over");
-  const [, yours, its] = /In 0:05 minutes you swept ([\d.]+) %, .+? ([\d.]+) %\./.exec(told);
+  const [, yours, its] = /In 0:05 you swept ([\d.]+) %, .+? ([\d.]+) %\./.exec(told);
   assert.match(told, Number(its) > Number(yours) ? /Boustrophedon.* wins\./ : /You win\.|A draw\./);
   assert.equal(Number(yours), (await app.numbers()).coverage);
   await game.getByRole("button", { name: "Challenge others" }).click();

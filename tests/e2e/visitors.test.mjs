@@ -198,6 +198,15 @@ test("undo in an own room to which one comes back takes its last wall away", asy
   await app.poll(() => app.reachableArea(), (area) => area === whole);
   await app.press("Redo");
   await app.poll(() => app.reachableArea(), (area) => area === one);
+  // Back to where it had two walls is to the room as it is now, not to a copy, after a reload too.
+  await app.linked("map");
+  await page.reload();
+  await app.settled();
+  await page.goBack();
+  await app.poll(() => app.room(), (name) => name === "Maze");
+  await page.goBack();
+  await app.poll(() => app.reachableArea(), (area) => area === one);
+  assert.deepEqual(await page.locator("#room optgroup[label='Your rooms'] option").allTextContents(), [name]);
 });
 
 test("back and forward go through tabs and rooms, and the run goes on", async (t) => {

@@ -111,7 +111,8 @@ function suggestions(app, view) {
   if (view.kind === "behaviour" && usual) ways.push(link(`a plan: ${usual.title}`, () => act((p) => p.select_algorithm(usual.id))));
   else if (above !== null && above > GOOD && better && !isSearching) ways.push(link(`${better.title}, which searches for a shorter plan`, () => act((p) => p.select_algorithm(better.id))));
   const finer = [...catalogue.cell_sizes_m].reverse().find((size) => size < view.cell_size_m - 1e-9);
-  if (view.kind === "planner" && view.coverage < CLEAN && finer) ways.push(link(`smaller planning cells (${+(100 * finer).toFixed(1)} cm)`, () => act((p) => p.set_cell_size(finer))));
+  // Paths in metres have no cells.
+  if ((view.plan?.steps ?? 0) > 0 && view.coverage < CLEAN && finer) ways.push(link(`smaller planning cells (${+(100 * finer).toFixed(1)} cm)`, () => act((p) => p.set_cell_size(finer))));
   if (view.slip === "none" && view.kind === "planner") ways.push(link("wheels that slip", () => act((p) => p.set_slip("typical"))));
   ways.push(link("a race of several algorithms", () => byId("tab-compare").click()));
   return ways;

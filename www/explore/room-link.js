@@ -1,5 +1,6 @@
 // @ts-check
 // Links with an own room: one that is kept in this browser, or that the link carries.
+import { WRITTEN } from "../keep.js";
 import { openFlat } from "./flat.js";
 import { OLD, addRoom, keptAs, openRoom, remove, scenarioOf, show } from "./own-rooms.js";
 import { pack, unpack } from "./pack.js";
@@ -14,11 +15,12 @@ export async function openLink(app, link) {
   if (flat) return openFlat(app, flat).then(() => "", String);
   const here = id ? scenarioOf(id) : null;
   const unread = "The room of this link could not be read.";
-  if (here && (!map || (await pack(here).catch(() => "")) === map)) return (await openRoom(app, id)) ? "" : unread;
+  // Back and forward lead to the room as it is now.
+  if (here && (!map || history.state === WRITTEN || (await pack(here).catch(() => "")) === map)) return (await openRoom(app, id)) ? "" : unread;
   if (map) {
     try {
       const scenario = await unpack(map);
-      // The way back leads through links from before it got its name.
+      // Its link may be from before it got its name.
       if (here && isRenamed(here, scenario)) return (await openRoom(app, id)) ? "" : unread;
       // One that was opened before is shown as this link has it.
       const same = keptAs(scenario);

@@ -2,7 +2,7 @@
 // The tab Map: a robot explores a room that it has never seen, and its map is drawn next to the truth.
 import { MapSession, SessionMirror } from "../../workshop.js";
 import { byId, changed, setAttribute, setHidden, setText, typed } from "../dom.js";
-import { complain, textOf } from "../messages.js";
+import { complain, textOf, toast } from "../messages.js";
 import { settingsOf, without } from "../settings-link.js";
 import { startMirror } from "../session-mirror.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
@@ -33,6 +33,8 @@ import { startUses } from "./uses.js";
 
 /** Storage key of the choices. */
 const CHOICES = "map-choices";
+/** Length of a run whose map is missed, s. */
+const WORTH = 10;
 /** Milliseconds between descriptions in words. */
 const PAUSE = 4000;
 
@@ -54,7 +56,10 @@ export function startMap(app) {
     set: (key, value) => {
       // Another choice begins another run; the result stays with the choices that led to it.
       keeping.save();
-      return it.act((s) => s.set(key, value));
+      const before = session.view().end_s;
+      const worked = it.act((s) => s.set(key, value));
+      if (before > WORTH && session.view().end_s === 0) toast("A new map begins. To go back to the last one, choose what you had before.");
+      return worked;
     },
     toggle: (layer) => void it.act((s) => s.show(layer, !it.view.layers.includes(layer))),
   };
