@@ -58,7 +58,7 @@ export function startControl(it) {
     const { title, note } = view.doing;
     setText(byId("connection-doing"), title);
     setText(byId("connection-doing-note"), note);
-    if (changed(byId("connection-said"), "said", title)) setText(byId("connection-said"), `${title}. ${note}`);
+    if (changed(byId("connection-said"), "said", title)) setText(byId("connection-said"), `${title}: ${note}`);
   };
 }
 
