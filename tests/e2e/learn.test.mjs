@@ -243,7 +243,7 @@ test("a dropped lesson tells its author what is amiss; a generated flat is the r
   await app.settled();
   await panel.getByRole("button", { name: "Check my settings" }).click();
   await panel.getByText("Goal reached.").waitFor();
-  assert.equal(await panel.getByText("Not yours to change").count(), 0);
+  assert.equal(await panel.getByText("You can't change these here").count(), 0);
   const quiz = panel.getByRole("region", { name: "Quiz" });
   await quiz.getByRole("textbox").fill("abc");
   await quiz.getByRole("button", { name: "Answer" }).click();

@@ -102,7 +102,7 @@ function foot(context, source, open) {
 
 /** @param {import("./source.js").Source} source */
 async function send({ place }) {
-  if (!place) return complain("This lesson is too long for a link. Put the file on the web, and send this page's address with #lesson= and the file's address behind it.");
+  if (!place) return complain("This lesson is too long for a link. Put the file on the web, and send this page's address followed by #lesson= and the file's address.");
   const link = new URL(location.href);
   link.hash = `lesson=${encodeURIComponent(place)}`;
   try {
