@@ -65,7 +65,7 @@ impl Connection {
             }
             Request::Stop if self.transport.is_watching => {
                 self.driver.stop_other();
-                let text = "The bridge was told to stop the robot. Whoever drives it has to take control again.";
+                let text = "A stop was sent to the bridge. Whoever drives the robot has to take control again.";
                 self.say("notice", text.to_owned());
             }
             Request::Stop => {
