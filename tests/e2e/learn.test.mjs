@@ -188,7 +188,7 @@ test("an exercise from a file is safe, checked, handed in, and graded natively w
   await panel.getByRole("textbox", { name: "Your name" }).fill("Ada");
   const [download] = await taken(page, 1, () => panel.getByRole("button", { name: "Hand in" }).click());
   assert.equal(download.suggestedFilename(), "small-ada.json");
-  await panel.getByText("Saved, with everything that is asked for.").waitFor();
+  await panel.getByText("Saved, with everything that the lesson asks for.").waitFor();
   const folder = fs.mkdtempSync(path.join(ROOT, "target/learn-"));
   t.after(() => fs.rmSync(folder, { recursive: true }));
   const [lesson, answer] = [path.join(folder, "small.md"), path.join(folder, "ada.json")];
@@ -343,7 +343,7 @@ test("the page shows itself around in four steps, once", async (t) => {
   await page.mouse.move(400, 300);
   await page.locator(".tagline").getByRole("button", { name: "Show me" }).click();
   const card = page.getByRole("dialog", { name: "Show me" });
-  for (const head of ["What the robot does", "Change the room", "Compare", "Go on from here"]) {
+  for (const head of ["What the robot does", "Change the room", "Compare", "Where to go next"]) {
     await card.getByRole("heading", { name: head }).waitFor();
     await card.getByRole("button", { name: /Next|Done/ }).click();
   }

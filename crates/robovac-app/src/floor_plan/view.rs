@@ -378,8 +378,8 @@ impl DrawingSession {
         let notice = match self.source() {
             _ if !room.is_open => "",
             DrawingSource::Image { .. } => {
-                "No walls were found round any floor, so all of the picture counts as floor. Read the walls in another \
-                 way, or choose Rectangle or Polygon."
+                "No walls that enclose floor were found, so all of the picture counts as floor. Read the walls in \
+                 another way, or choose Rectangle or Polygon."
             }
             _ => {
                 "The walls enclose hardly any floor, so all of the drawing counts as floor. Set the layers of its \

@@ -141,7 +141,7 @@ impl Connection {
                 }
                 self.nothing_asked()?;
                 if what == Calibration::Nudge && self.driver.is_older() {
-                    return refuse("This robot has no encoders whose sides could be mixed up. Use Spin and Metre.");
+                    return refuse("This robot has no encoders that could be swapped. Use Spin and Metre.");
                 }
                 let began =
                     self.encoders().ok_or_else(|| RequestRefused("No encoder readings yet. Wait a moment.".into()))?;
