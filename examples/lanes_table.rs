@@ -1,7 +1,7 @@
 //! Paths in metres beside walks on planning cells: `cargo run --release --example lanes_table --
 //! [SECONDS [COVERAGE [CLEARANCE [ROOM...]]]]`.
 //!
-//! For a Roomba 600: bounds, `boustrophedon`, `near_optimal` and lanes, searched for so many seconds (30) for a share of the floor
+//! For a Roomba 600: bounds, `boustrophedon`, `near_optimal` and lanes, searched for some seconds (30) for a share of the floor
 //! (99 %), that many millimetres off obstacles (3); and lanes for a robot that rounds corners.
 //! Seconds are those of the processor on Linux, as other programs may run. A room is the id of a built-in one, the seed of a random
 //! flat, or a map file: a text map, or an image with 5 cm a pixel.

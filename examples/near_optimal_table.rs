@@ -1,7 +1,7 @@
-//! How near the best possible `near_optimal` comes, and how soon: `cargo run --release --example near_optimal_table -- [SECONDS [SEED [WORD...]]]`
+//! How close `near_optimal` comes to the best possible, and how soon: `cargo run --release --example near_optimal_table -- [SECONDS [SEED [WORD...]]]`
 //! on the benchmark rooms in `../shared/maps` whose names contain a word, where they exist: steps + 2 x quarter turns of open walks in `grids`, steps + 50 x
 //! quarter turns of closed tours in `turncost`. Its effort is the largest, and it's stopped after that many seconds (10): on
-//! Linux those that the processor worked at it, as other programs may run.
+//! Linux, seconds of processor time, as other programs may run.
 
 mod processor_clock;
 

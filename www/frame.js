@@ -55,14 +55,14 @@ function startFullScreen(root, isEmbedded) {
   const show = () => {
     const isFull = document.fullscreenElement !== null;
     root.classList.toggle(ALONE, isFull || isEmbedded);
-    const name = isFull ? "Leave the full screen" : "Full screen";
+    const name = isFull ? "Leave full screen" : "Full screen";
     toggle.setAttribute("aria-label", name);
     toggle.title = name;
     toggle.setAttribute("aria-pressed", String(isFull));
   };
   toggle.addEventListener("click", () => {
     const done = document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen();
-    done.catch(() => toast("This browser doesn't allow the full screen here"));
+    done.catch(() => toast("This browser doesn't allow full screen here"));
   });
   document.addEventListener("fullscreenchange", () => {
     show();
@@ -87,7 +87,7 @@ function startPrint(app, root) {
     (document.querySelector(".tab-panel:not([hidden], .compare) .stage") ?? byId("stage")).after(line);
     // The planner is no part of a map, nor the room of a drawing.
     const [what] = isOnFloor() || currentTab() === "compare" ? caption(app) : currentTab() === "map" ? [app.view.room.title] : [];
-    const where = location.href.length < LONGEST ? location.href : `${location.origin}${location.pathname} The link to this room is too long for paper. Copy link has it.`;
+    const where = location.href.length < LONGEST ? location.href : `${location.origin}${location.pathname} The link to this room is too long for paper. Use Copy link.`;
     line.replaceChildren(make("b", {}, what ?? ""), make("br"), where);
     const compare = document.getElementById("compare-link");
     if (compare) compare.textContent = where;

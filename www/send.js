@@ -22,16 +22,16 @@ export async function showWays(app, link, done, moment) {
 /** Where a link leads in what goes on: some of it isn't in links. @param {import("./main.js").App} app @param {string | undefined} moment Of the run in Explore. */
 function whereTo({ view }, moment) {
   const tab = currentTab();
-  if (tab === "program") return "The program is in it. Whoever opens it can read it, and run it from the start.";
-  if (tab === "map") return "It opens with these settings. Mapping begins anew there.";
-  if (tab === "compare") return "It opens with these settings. Results are computed anew there, and a race begins at 0:00.";
-  if (tab === "connection") return "It opens this tab. No robot is connected there until somebody connects one.";
+  if (tab === "program") return "The link contains the program. Whoever opens it can read the program and run it from the start.";
+  if (tab === "map") return "It opens with these settings. Mapping starts again there.";
+  if (tab === "compare") return "It opens with these settings. Results are computed again there, and a race starts at 0:00.";
+  if (tab === "connection") return "It opens this tab. It doesn't connect a robot.";
   // The drawing's files may be large, and aren't for everybody.
   if (tab === "floor-plan" && !byId("floor-plan-settings").hidden) return "The drawing isn't in it. Press Use this room, then copy the link again.";
   if (!isOnFloor()) return "";
   const zoomed = view.is_all_shown ? "" : " It shows the whole room.";
   if (view.program) return `The program isn't in it: copy the link in the tab Program.${zoomed}`;
-  if (moment === undefined) return `The run begins anew there: a link doesn't carry what was done by hand during a run.${zoomed}`;
+  if (moment === undefined) return `The run starts again there: a link doesn't carry what was done by hand during a run.${zoomed}`;
   const time = /=([\d.]+)/.exec(moment)?.[1];
   return time ? `It opens at ${clock(Number(time))}, as here.${zoomed}` : zoomed.trim();
 }

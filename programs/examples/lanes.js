@@ -1,5 +1,5 @@
-// Lanes up and down, side by side, over floor that it hasn't swept yet, by a map of its own. Where there is none beside it,
-// it drives to the nearest over what is swept; when there is none at all, it forgets its map, which has drifted, and begins anew.
+// Drives lanes up and down, side by side, over floor that is unswept on its own map. If there is none beside it,
+// it drives to the nearest over swept floor; if there is none at all, it forgets its map, which has drifted, and starts again.
 const CELL = 0.16; // from lane to lane, m: a little less than the tool is wide
 const AHEAD = [[0, 1], [0, -1], [1, 0], [-1, 0]]; // up, down, right, left: lanes first
 const HEADING = [90, -90, 0, 180];

@@ -1,4 +1,4 @@
-// A planner: row after row to and fro. From where a row ends it hops to the nearest cell that is left, over floor alone.
+// A planner: row after row, to and fro. At the end of a row it hops to the nearest cell that is left, over floor only.
 const name = (x, y) => `${x} ${y}`;
 
 /** The shortest way to a cell that is left, without its start; breadth first. */

@@ -47,8 +47,8 @@ def plan(
     ``planner`` is an id (see :func:`robovac.planners`) with its parameters as keywords, or a function that takes a
     :class:`Job` and returns the cells (x, y) of a walk; its walk is checked like every other. ``robot`` is an id (see
     :func:`robovac.robots`); "cell" fills one planning cell. ``cell_m`` is the side of the planning cells, ``start`` the
-    planning cell to start in. With ``coverage_percent`` the cells are those with which the planner sweeps so much of the
-    floor in the least time.
+    planning cell to start in. With ``coverage_percent`` the cells are those with which the planner sweeps this share of
+    the floor in the least time.
     """
     room, seed = as_room(room), whole("seed", seed)
     place = _place(room, robot, cell_m, start, heading_deg)
@@ -121,8 +121,8 @@ def simulate(
 
     Give a :class:`Plan` in place of the room, or a room with a ``planner`` (as in :func:`plan`) or a ``behaviour``: an id
     (see :func:`robovac.behaviours`), an object with ``step(sensed, dt_s)``, or a class or function that makes one. A plan is
-    driven as it is, by its own robot; otherwise ``robot`` is "roomba600" unless you name another. ``seed`` decides the chance
-    of wheels, sensors and behaviour; without it, it is that of the plan, or 0.
+    driven as it is, by its own robot; otherwise ``robot`` is "roomba600" unless you name another. ``seed`` determines all
+    that is random about wheels, sensors and behaviour; by default it is the plan's, or 0.
     ``slip`` is none, typical or harsh; ``noise`` is off, typical or harsh, or a level for each of some kinds of sensors as in
     ``{"cliff": "harsh"}``. ``sample_s`` is the time between samples, s; ``max_time_s`` ends the run (1800 s for behaviours
     that never end). Other keywords are parameters of the planner or behaviour.

@@ -1,4 +1,4 @@
-"""Arguments that won't do, told in words."""
+"""Invalid arguments, described in words."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ class RobovacError(Exception):
 
 
 class UsageError(RobovacError, ValueError):
-    """An argument won't do: an unknown name, or a value out of range."""
+    """An argument is invalid: an unknown name, or a value out of range."""
 
 
 class FileError(RobovacError, OSError):

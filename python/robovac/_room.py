@@ -43,7 +43,7 @@ class Room:
     def from_text(cls, text: str, *, name: str = "Room") -> Room:
         """A room of ``#`` (wall), ``.`` (floor), ``?`` (unknown) and ``S`` (start), the top row first.
 
-        Cells are 10 cm wide unless a line ``; resolution 0.2`` above says more.
+        Cells are 10 cm wide unless a line ``; resolution 0.2`` above says otherwise.
         """
         lines = (line.strip() for line in text.strip().splitlines())
         return cls(_Native.from_text("\n".join(lines) + "\n", name))

@@ -1,4 +1,4 @@
-"""The rules that every planner and behaviour keeps, for those written in Python. Faults are told in words."""
+"""The rules that every planner and behaviour keeps, for those written in Python. Faults are described in words."""
 
 from __future__ import annotations
 

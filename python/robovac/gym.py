@@ -59,7 +59,7 @@ _SIM_STEP_S = 0.015
 
 @dataclass(frozen=True)
 class RewardWeights:
-    """The worth of what a step gained. By default, driving straight over new floor gains about 1 a second."""
+    """What the gains of a step are worth. By default, driving straight over new floor gains about 1 a second."""
 
     #: For each m² of floor swept for the first time.
     swept_m2: float = 20.0
@@ -77,7 +77,7 @@ class RewardWeights:
 
 @dataclass(frozen=True)
 class Drawn:
-    """What chance chose for an episode."""
+    """What was drawn at random for an episode."""
 
     #: Name of the room; None for a generated flat.
     room: str | None
@@ -106,7 +106,7 @@ class CleanVectorEnv(VectorEnv, EzPickle):
         observation: Name of a set of observations, or several.
         action: "twist" or "wheels".
         rooms: "generated" flats, "shipped" rooms, or a room or rooms (names, paths, arrays, :class:`robovac.Room`). Each
-            episode takes one by chance.
+            episode takes one at random.
         flats: Number of different generated flats.
         first_flat: Seed of the first; others give flats that were never seen.
         area_m2: Least and greatest area of generated flats, from 25 to 120 m².
@@ -116,7 +116,7 @@ class CleanVectorEnv(VectorEnv, EzPickle):
         time_limit_s: Simulated time after which an episode is truncated, s.
         goal: Share of the reachable floor with which an episode terminates; more than 1 for never.
         rewards: Weights, or a function of ``infos``.
-        slip: Level of wheel slip (none, typical, harsh), or levels of which each episode takes one by chance.
+        slip: Level of wheel slip (none, typical, harsh), or levels of which each episode takes one at random.
         noise: Level of sensor noise (off, typical, harsh), or levels likewise.
         charge_percent: Charge of the battery at the start, or the lowest and the highest.
         start: "anywhere", or "room" for the room's own start.
@@ -242,8 +242,8 @@ class CleanVectorEnv(VectorEnv, EzPickle):
     ) -> tuple[Any, dict[str, Any]]:
         """Begins new episodes: all, or those of ``options["reset_mask"]``.
 
-        ``seed`` is one for each environment, or a number from which they count up. Without it the environments go on with their
-        random numbers.
+        ``seed`` is one for each environment, or a number from which they count up. Without it the environments continue with
+        their random numbers.
         """
         count = self.num_envs
         mask = (options or {}).get("reset_mask")
@@ -313,7 +313,7 @@ class CleanVectorEnv(VectorEnv, EzPickle):
         return {name: array.copy() for name, array in self._infos.items()} if self._copy else dict(self._infos)
 
     def drawn(self) -> tuple[Drawn, ...]:
-        """What chance chose for each environment's present episode."""
+        """What was drawn at random for each environment's present episode."""
         return tuple(Drawn(*parts) for parts in self._batch.drawn())
 
     def render(self) -> tuple[np.ndarray, ...] | None:
@@ -362,7 +362,7 @@ class CleanEnv(gymnasium.Env, EzPickle):
         return _only(observations), float(rewards[0]), is_over, is_late, _only_info(infos)
 
     def drawn(self) -> Drawn:
-        """What chance chose for the present episode."""
+        """What was drawn at random for the present episode."""
         return self._envs.drawn()[0]
 
     def render(self) -> np.ndarray | None:

@@ -1,8 +1,8 @@
 """Studies beyond one machine: the shards of `robovac study` on the cores of this machine or on a Ray cluster.
 
 The program `robovac` makes the runs; it has to be on the path of every node, in the same version. A shard that a node
-returned is stored on the disk of the caller before anything else happens, so a study that was stopped goes on where it
-was, with either engine, and its results are the same bytes.
+returned is stored on the disk of the caller before anything else happens, so a stopped study continues where it left off,
+with either engine, and its results are the same bytes.
 """
 
 from __future__ import annotations

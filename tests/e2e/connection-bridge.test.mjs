@@ -165,7 +165,7 @@ test("one page drives, the other watches, stops the robot, and drives when it is
   assert.ok(await watcher.ask({ do: "stop" }));
   await driver.until((view) => /Another client of the bridge stopped the robot/.test(view.notice?.text));
   await robot.rests();
-  await watcher.until((view) => view.doing.title === "Watching" && /bridge was told to stop/.test(view.notice?.text));
+  await watcher.until((view) => view.doing.title === "Watching" && /stop was sent to the bridge/.test(view.notice?.text));
   // The stick is still held, which moves nothing until the driver takes control again.
   lastStop(robot.heard());
   robot.forget();

@@ -27,7 +27,7 @@ test("a program that came by a link drives a real robot only after its text was 
   }, SOURCE);
   await page.goto("about:blank");
   await page.goto(`${server.url}#room=empty&robot=roomba600&tab=program&code=${code}`);
-  await page.getByText("This program came by a link").waitFor();
+  await page.getByText("This program came from a link").waitFor();
   // Simulated, it runs as soon as it is wanted.
   await page.locator("#program-run").click();
   await page.locator("#program-status").filter({ hasText: "Change a number" }).waitFor();

@@ -188,7 +188,7 @@ test("an exercise from a file is safe, checked, handed in, and graded natively w
   await panel.getByRole("textbox", { name: "Your name" }).fill("Ada");
   const [download] = await taken(page, 1, () => panel.getByRole("button", { name: "Hand in" }).click());
   assert.equal(download.suggestedFilename(), "small-ada.json");
-  await panel.getByText("Saved, with everything that is asked for.").waitFor();
+  await panel.getByText("Saved, with everything that the lesson asks for.").waitFor();
   const folder = fs.mkdtempSync(path.join(ROOT, "target/learn-"));
   t.after(() => fs.rmSync(folder, { recursive: true }));
   const [lesson, answer] = [path.join(folder, "small.md"), path.join(folder, "ada.json")];
@@ -243,7 +243,7 @@ test("a dropped lesson tells its author what is amiss; a generated flat is the r
   await app.settled();
   await panel.getByRole("button", { name: "Check my settings" }).click();
   await panel.getByText("Goal reached.").waitFor();
-  assert.equal(await panel.getByText("Not yours to change").count(), 0);
+  assert.equal(await panel.getByText("You can't change these here").count(), 0);
   const quiz = panel.getByRole("region", { name: "Quiz" });
   await quiz.getByRole("textbox").fill("abc");
   await quiz.getByRole("button", { name: "Answer" }).click();
@@ -343,7 +343,7 @@ test("the page shows itself around in four steps, once", async (t) => {
   await page.mouse.move(400, 300);
   await page.locator(".tagline").getByRole("button", { name: "Show me" }).click();
   const card = page.getByRole("dialog", { name: "Show me" });
-  for (const head of ["What the robot does", "Change the room", "Compare", "Go on from here"]) {
+  for (const head of ["What the robot does", "Change the room", "Compare", "Where to go next"]) {
     await card.getByRole("heading", { name: head }).waitFor();
     await card.getByRole("button", { name: /Next|Done/ }).click();
   }

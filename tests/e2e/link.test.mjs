@@ -61,7 +61,7 @@ test("the copied link opens at the moment that is shown, and says when it can't"
   await page.locator("#lift").click();
   await app.until("playing", "paused");
   const { said: lifted, link: plain } = await copy();
-  assert.match(lifted, /The run begins anew there/);
+  assert.match(lifted, /The run starts again there/);
   assert.ok(!plain.includes("moment"), plain);
 });
 

@@ -41,7 +41,7 @@ test("a program that fails in Map is named with its line, and mended in the tab 
 
 test("a program that plans is no method in Map, and the page says what is", async (t) => {
   const { page } = await openMap(t, "def plan(room):\n    return [room.start]\n");
-  await page.getByText("plans, and doesn't drive").first().waitFor();
+  await page.getByText("plans but doesn't drive").first().waitFor();
 });
 
 // slow: a step has four seconds, and the run is followed line by line after that.

@@ -294,7 +294,7 @@ test("other choices have mapping runs of their own, and what was mapped comes ba
   await page.locator("#map-track").selectOption("odometry");
   await phase("ready");
   assert.equal((await figures(app)).time, 0);
-  await page.getByText("To go back to the last one, choose what you had before").waitFor();
+  await page.getByText("To return to the last one, choose the previous settings again").waitFor();
   await page.locator("#map-track").selectOption("corrected");
   await phase("paused");
   assert.deepEqual(await figures(app), first);

@@ -180,7 +180,7 @@ test("who is placed outside the room is told in plain words that nobody was", as
   await app.pause();
   await placing(app, "person");
   await page.mouse.click(...(await app.spot(0.02, 0.5)));
-  await app.says(/^Nobody was placed: that is outside the room\. Click on free floor\.$/);
+  await app.says(/^Not placed: that is outside the room\. Click on free floor\.$/);
   assert.deepEqual(await names(page), []);
   // The room gives way to the message.
   await page.mouse.click(...(await app.spot(0.5, 0.7)));

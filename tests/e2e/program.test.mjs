@@ -204,7 +204,7 @@ test("on a phone a program of a link is there to be read, and gives way once it 
     return packProgram({ name: "Theirs", language: "python", source: "def step(robot):\n    robot.go(0.1, 30)\n" });
   });
   await page.evaluate((code) => (location.hash = `room=empty&tab=program&code=${code}`), code);
-  await page.getByText("This program came by a link").waitFor();
+  await page.getByText("This program came from a link").waitFor();
   await page.locator("#program.open").waitFor();
   await page.locator("#program .sheet-close").tap();
   // It doesn't play unread.
@@ -227,7 +227,7 @@ test("a link opens the program elsewhere, where it waits to be read", async (t) 
   await page.evaluate(() => localStorage.clear());
   await page.goto("about:blank");
   await page.goto(link);
-  await page.getByText("This program came by a link").waitFor();
+  await page.getByText("This program came from a link").waitFor();
   assert.match(await text(page), /# mine/);
   assert.equal(await page.locator("#program-status").textContent(), "Not run yet: read it first");
   await page.locator("#program-run").click();

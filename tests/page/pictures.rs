@@ -413,7 +413,7 @@ fn a_picture_that_is_reduced_keeps_its_scale() {
 fn a_picture_without_walls_says_that_none_were_found() {
     let blank = GrayImage::from_pixel(300, 200, Luma([255]));
     let mut session = opened(&blank);
-    assert!(session.view().notice.starts_with("No walls were found"), "{}", session.view().notice);
+    assert!(session.view().notice.starts_with("No walls that enclose floor"), "{}", session.view().notice);
     change(&mut session, |settings| settings.part = DrawingPart::Whole);
     assert_eq!(session.view().notice, "", "all of it is what was chosen");
 }

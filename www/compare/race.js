@@ -19,7 +19,7 @@ import { startTransport, through } from "../shared/time-line.js";
 const REDRAW = 250;
 
 /** Definitions of a robot's figures, and why they differ from those of the table. */
-const DRIVEN = "Swept share of the reachable floor, and the time when the robot is done. In the race the robot tracks its path and corrects itself at corners, so it takes a few percent longer than planned (see Numbers), and more where pets or people are in its way.";
+const DRIVEN = "Swept share of the reachable floor, and the time when the robot is done. In the race the robot tracks its path and corrects itself at corners. So it takes a few percent longer than planned (see Numbers), and longer still if pets or people are in its way.";
 const RANK = "Place: first those that have swept 95 % and are done, by time; then the others by coverage. A behaviour that never stops counts when it has swept 95 %.";
 
 /** @param {Comparing} it */

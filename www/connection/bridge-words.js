@@ -25,7 +25,7 @@ export const isHello = (data) => versionIn(data) !== undefined;
 /** Why this page can't speak to a bridge of ours; "" if it can. @param {unknown} hello Its first message. */
 export function misfit(hello) {
   const version = versionIn(hello);
-  return version === undefined || version === VERSION ? "" : `This bridge speaks version ${version} of the protocol, this page version ${VERSION}. Use a bridge and a page of the same age.`;
+  return version === undefined || version === VERSION ? "" : `This bridge speaks version ${version} of the protocol, this page version ${VERSION}. Use a bridge and a page from the same release.`;
 }
 
 /** Why the bridge stopped the robot, as a sentence about it. @type {Record<string, string>} */

@@ -12,7 +12,7 @@ const STEPS = [
   { what: "spin", title: "2. Spin", text: "Turns once. You enter the true angle; it gives the distance between the wheels.", room: "Turns on the spot. Mark its front with tape first.", path: "M80 20a38 38 0 1 0 1 0" },
   { what: "metre", title: "3. Metre", text: "Drives one metre. You enter the true distance; it gives the size of the wheels.", room: "Needs 1.5 m of free floor ahead. Mark a wheel's position with tape first.", path: "M30 58h96" },
   { what: "square", title: "4. Square", text: "Drives a square of one metre. It should end where it began: a check of the calibration.", room: "Needs 1.5 m ahead and to the left.", path: "M40 96h76v-76h-76z" },
-  { what: "square_right", title: "5. Square to the right", text: "The same the other way round: only both together tell an error of the wheel base from wheels of unequal size.", room: "Needs 1.5 m ahead and to the right.", path: "M40 20h76v76h-76z" },
+  { what: "square_right", title: "5. Square to the right", text: "The same the other way round. Only both squares together distinguish a wrong wheel base from wheels of unequal size.", room: "Needs 1.5 m ahead and to the right.", path: "M40 20h76v76h-76z" },
 ];
 
 /** The values of a robot that wasn't calibrated. */

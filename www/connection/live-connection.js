@@ -48,7 +48,7 @@ export class LiveConnection {
   safely(what) {
     if (this.#isBroken) return;
     try {
-      if (this.#sleep.hasSlept()) this.#connection.leave(now(), "The computer slept, or stood still.");
+      if (this.#sleep.hasSlept()) this.#connection.leave(now(), "The computer slept or froze.");
       what();
       this.#requests.pass(this.#line);
       const readings = this.#connection.take_readings();

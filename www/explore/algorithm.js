@@ -97,7 +97,7 @@ export function startAlgorithm({ catalogue }, form) {
     setText(byId("algorithm-note"), "");
     setText(byId("explainer-title"), name);
     byId("explainer-text").dataset.about = "program";
-    byId("explainer-text").replaceChildren(make("p", {}, "A program of your own. Read and change it in the tab Program."));
+    byId("explainer-text").replaceChildren(make("p", {}, "Your own program. Read and change it in the tab Program."));
   };
 
   return (view) => {

@@ -87,8 +87,8 @@ const times = ({ distance_m, least_m }) => (least_m === null ? "" : (distance_m 
 function bound(view) {
   const [above, beyond] = [aboveMinimum(view), excess(view)];
   if (above !== null) return above <= 0 ? " No plan can need fewer steps and turns: this one is proven optimal." : ` The plan is ${shareAbove(above)} above the minimum of steps and turns.`;
-  if (beyond) return ` The plan is ${shareAbove(beyond.length)} above the least distance for as much floor, and ${shareAbove(beyond.time)} above the least time.`;
-  return view.least_m === null ? "" : ` As much floor needs ${metres(view.least_m)} m at least: it drove ${times(view)} times that.`;
+  if (beyond) return ` The plan is ${shareAbove(beyond.length)} above the least distance for this much floor, and ${shareAbove(beyond.time)} above the least time.`;
+  return view.least_m === null ? "" : ` This much floor needs ${metres(view.least_m)} m at least; it drove ${times(view)} times that.`;
 }
 
 /** The same on small screens. @param {View} view */

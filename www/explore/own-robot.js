@@ -59,7 +59,7 @@ function build(app) {
     make("header", {}, make("h2", { id: "own-title" }, "Own robot")),
     make("div", { className: "own-look" }, svg, make("div", {}, field("Based on", model), field("Shape", shape), fields1, fields2, fieldCorners)),
     make("div", { className: "own-fields" }, field("Cleans", cleans), fieldTool, fieldAhead, fieldAside, field("Moves", wheels), field("Speed", speed, "m/s"), field("Turns at", turn, "°/s")),
-    make("p", { className: "note" }, "Empty fields are the model's. Battery, power and noise are the model's, too; sensors sit at the edge of your shape. Only floor where the body has room to turn counts as reachable."),
+    make("p", { className: "note" }, "Empty fields keep the model's values, as do battery, power and noise. Sensors sit at the edge of your shape. Only floor where the body has room to turn counts as reachable."),
     sensors,
     make("div", { className: "own-foot" }, fault, make("div", { className: "row" }, make("button", { type: "button", id: "own-cancel", onclick: () => dialog.close() }, "Cancel"), make("button", { type: "submit", className: "primary", id: "own-use" }, "Use this robot"))),
   );

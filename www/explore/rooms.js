@@ -35,7 +35,7 @@ async function build(app) {
   const about = make("p", { className: "note" }, "An empty room with walls around it. Draw walls and place furniture in it with the tools on the floor.");
   const form = make("form", { className: "new-room" }, make("h3", {}, "New room"), fields, about);
   const items = make("ul", { id: "own-rooms" });
-  const none = make("p", { className: "note" }, "None yet. A room that you draw in or load is kept here by itself.");
+  const none = make("p", { className: "note" }, "None yet. Rooms that you draw in or load are kept here automatically.");
   const undo = make("button", { type: "button", className: "own-undo", hidden: true });
   const close = make("button", { type: "button", className: "quiet square", "aria-label": "Close" });
   close.append(/** @type {Node} */ (byId("help").querySelector("header .icon")).cloneNode(true));

@@ -133,7 +133,7 @@ export function startVersus(app, card) {
     const beaten = terms.beat === null || !counts ? "" : score > terms.beat ? ` You also beat the ${percent(terms.beat)} % of whoever sent this.` : ` Whoever sent this swept ${percent(terms.beat)} %.`;
     card.show(
       verdict,
-      make("p", { role: "status" }, `In ${clock(terms.seconds)} you swept ${percent(score)} %, ${titleOf(terms.rival)} ${percent(rival)} %.${beaten}${counts ? "" : " It doesn't count: the robot was lifted or the time line used."}`),
+      make("p", { role: "status" }, `In ${clock(terms.seconds)} you swept ${percent(score)} %, ${titleOf(terms.rival)} ${percent(rival)} %.${beaten}${counts ? "" : " It doesn't count: the robot was lifted or the time line was used."}`),
       make("div", { className: "choices" }, act("Again", yourTurn, "primary"), ...(counts ? [act("Challenge others", () => send(app))] : []), act("Another algorithm", offer)),
     );
     told = () => {};

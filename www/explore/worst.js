@@ -76,7 +76,7 @@ export function startWorst(app, card) {
       setText(/** @type {Element} */ (card.node.querySelector("h2")), `Break ${titleOf(view.algorithm)}`);
       setText(now, view.state === "planning" ? "…" : excess === null ? "–" : `${shareAbove(excess)} above`);
       setText(record, best ? `${shareAbove(best.excess)} above` : "–");
-      setText(status, isSmall ? `Rooms count from ${LEAST} m² that the robot reaches.` : excess === null && view.state !== "planning" ? "A plan counts when it visits every cell and its minimum is proven." : told());
+      setText(status, isSmall ? `A room counts if the robot reaches at least ${LEAST} m².` : excess === null && view.state !== "planning" ? "A plan counts when it visits every cell and its minimum is proven." : told());
       again.disabled = challenge.disabled = !best;
     },
     end: () => void (app.view.tool === "wall" && app.act((p) => p.set_tool("view"))),

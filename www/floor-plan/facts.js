@@ -66,7 +66,7 @@ function showCut(view) {
   const rest = all - reached - rounded;
   const besides = rest < 0.05 ? "" : ` Another ${metres(rest)} m² are corners and edges that its brush doesn't reach.`;
   const start = cut > all / 2 ? "If it starts in the wrong part, move the start in Explore. " : "";
-  const mend = view.kind === "drawing" ? "make its layer Ignored" : view.kind === "image" ? "read the walls in another way" : "widen the way";
+  const mend = view.kind === "drawing" ? "set its layer to Ignored" : view.kind === "image" ? "read the walls in another way" : "widen the way";
   // Walls fill whole cells.
   const cells = view.room.resolution > SMALL_CELLS ? " A door that is just wide enough may need smaller cells." : "";
   setText(byId("floor-plan-cut-text"), `A robot as wide as a Roomba can't get to ${metres(cut)} m² of this floor.${besides} ${start}If furniture stands there, there is nothing to do. If a line or a door blocks the way: ${mend}, or erase it in Explore.${cells}`);

@@ -90,7 +90,7 @@ export function goal(context, goal) {
   function show(verdict, ignored) {
     const rows = verdict.needs.map(({ text, value, unit, passed }) => make("li", { className: passed ? "right" : "wrong" }, `${signed(text)}: ${value === null ? "not reached" : `${value.toFixed(1)} ${unit}`.trim()}${passed ? "" : ", missed"}`));
     outcome.replaceChildren(make("b", {}, verdict.passed ? "Goal reached." : "Not yet."), make("ul", {}, ...rows));
-    if (ignored.length > 0) outcome.append(make("p", {}, `Not yours to change here, so it was checked as the task has it: ${ignored.join(", ")}.`));
+    if (ignored.length > 0) outcome.append(make("p", {}, `You can't change these here, so the task's own settings were checked: ${ignored.join(", ")}.`));
   }
 
   const before = done.goals[goal.id];

@@ -88,7 +88,7 @@ export function startPanel(app) {
     const fetchIt = press("Fetch the lesson", () => void ofSite(url).then(render).catch((error) => failed(error, "This lesson")), "primary");
     fill(
       "A lesson from elsewhere",
-      make("div", { className: "part" }, make("p", {}, "This link leads to a lesson on ", make("b", {}, url.host), "."), prose(""), make("p", { className: "note far" }, url.href), make("p", {}, `If you agree, your browser fetches it there, and ${url.host} learns your internet address. The page shows it without scripts or pictures, and sends nothing else.`), make("p", { className: "act" }, fetchIt, press("No, show the lessons here", () => void show("")))),
+      make("div", { className: "part" }, make("p", {}, "This link leads to a lesson on ", make("b", {}, url.host), "."), prose(""), make("p", { className: "note far" }, url.href), make("p", {}, `If you agree, your browser fetches it from there, and ${url.host} learns your internet address. The page shows it without scripts or pictures, and sends nothing else.`), make("p", { className: "act" }, fetchIt, press("No, show the lessons here", () => void show("")))),
     );
     fetchIt.focus();
   }

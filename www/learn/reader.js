@@ -85,7 +85,7 @@ function foot(context, source, open) {
   const told = make("p", { className: "note", role: "status" });
   const hand = press("Hand in", () => {
     const missing = handIn(context, name.value);
-    told.textContent = missing.length > 0 ? `Saved. Not in the file: ${missing.join("; ")}.` : "Saved, with everything that is asked for.";
+    told.textContent = missing.length > 0 ? `Saved. Not in the file: ${missing.join("; ")}.` : "Saved, with everything that the lesson asks for.";
   });
   const sources = lesson.sources.length > 0 ? [make("h3", {}, "Sources"), ...lesson.sources.map((html) => prose(html, "source"))] : [];
   return make(
@@ -93,7 +93,7 @@ function foot(context, source, open) {
     {},
     ...sources,
     make("h3", { className: "on-screen" }, "Hand in"),
-    make("p", { className: "note" }, "Saves a file with your settings, the numbers of the runs and their digests. Anybody can repeat it with robovac grade."),
+    make("p", { className: "note" }, "Saves a file with your settings, the numbers of the runs and their digests. Anyone can repeat the runs with robovac grade."),
     make("p", { className: "act" }, name, hand, press("Get a link to send", () => void send(source)), press("Print", () => window.print())),
     told,
     next,
@@ -102,7 +102,7 @@ function foot(context, source, open) {
 
 /** @param {import("./source.js").Source} source */
 async function send({ place }) {
-  if (!place) return complain("This lesson is too long for a link. Put the file on the web, and send this page's address with #lesson= and the file's address behind it.");
+  if (!place) return complain("This lesson is too long for a link. Put the file on the web, and send this page's address followed by #lesson= and the file's address.");
   const link = new URL(location.href);
   link.hash = `lesson=${encodeURIComponent(place)}`;
   try {

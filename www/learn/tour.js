@@ -6,10 +6,10 @@ import { press } from "./blocks.js";
 
 /** What is pointed at, what is said, and what is done. @type {{ at: string, head: string, text: string, act?: (app: import("../main.js").App) => void }[]} */
 const STEPS = [
-  { at: "#stage", head: "What the robot does", text: "A simulated Roomba sweeps a furnished flat by a plan. Blue floor has been swept once, yellow floor often. The time line below goes back and forth.", act: (app) => void app.act((p) => p.play()) },
+  { at: "#stage", head: "What the robot does", text: "A simulated Roomba follows a plan to sweep a furnished flat. Blue floor has been swept once, yellow floor often. The time line below goes back and forth.", act: (app) => void app.act((p) => p.play()) },
   { at: "#tools", head: "Change the room", text: "Draw walls, place furniture, stairs or a cat, or lift the robot and put it down somewhere else. It copes, or it doesn't: watch." },
   { at: "#tab-compare", head: "Compare", text: "Race planners and behaviours in the same room, or run each a hundred times with different seeds and look at the spread." },
-  { at: "#learn-open", head: "Go on from here", text: "Ten lessons explain what you see, from your first prediction to a real Roomba. They stay beside the floor. In each you try, measure and are marked." },
+  { at: "#learn-open", head: "Where to go next", text: "Ten lessons explain what you see, from your first prediction to a real Roomba. They stay beside the floor. In each you try, measure and are marked." },
 ];
 
 /** @param {import("../main.js").App} app */

@@ -48,7 +48,7 @@ export function startProgram(it, job) {
         isWanted = it.act((s) => (isTaken = s.extend_program(mine, part))) && isTaken;
       };
       const done = await work({ program, job: bytes, seconds: asked, from, onPart, next }, { isWanted: () => isWanted && mine === version });
-      if ("cells" in done) throw "this program plans, and doesn't drive: choose one with step or run in the tab Program";
+      if ("cells" in done) throw "this program plans but doesn't drive: choose one with step or run in the tab Program";
     } catch (error) {
       if (mine !== version) return;
       session.fail_program(mine);

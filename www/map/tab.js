@@ -58,7 +58,7 @@ export function startMap(app) {
       keeping.save();
       const before = session.view().end_s;
       const worked = it.act((s) => s.set(key, value));
-      if (before > WORTH && session.view().end_s === 0) toast("A new map begins. To go back to the last one, choose what you had before.");
+      if (before > WORTH && session.view().end_s === 0) toast("A new map begins. To return to the last one, choose the previous settings again.");
       return worked;
     },
     toggle: (layer) => void it.act((s) => s.show(layer, !it.view.layers.includes(layer))),

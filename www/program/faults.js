@@ -14,10 +14,10 @@ export function faultOf({ message, line, column, step }) {
 /** Its worker was ended. @param {import("./hired.js").Why} why @param {string} text @param {number} step @returns {Fault} */
 export function endOf(why, text, step) {
   const message = {
-    silent: "A step of the program took too long and was ended. Drive a little in each step, and let loops end.",
+    silent: "A step of the program took too long and was ended. Drive a little in each step, and make sure that loops end.",
     loud: "The program sent too much at a time and was ended.",
     broken: `The program's worker broke down (${text}). It may have used too much memory.`,
-    memory: "The program broke the process that runs it, most likely by too much memory, and was ended. Let no list or text grow without end.",
+    memory: "The program crashed the process that runs it, probably by using too much memory. Don't let lists or texts grow without end.",
   }[why];
   return { message, line: 0, step };
 }

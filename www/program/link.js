@@ -14,7 +14,7 @@ export const packProgram = ({ name, language, source }) => pack(JSON.stringify({
 /** What a link that carries a program has more. @param {Omit<Program, "id">} program @returns {Promise<string>} Throws messages for users. */
 export async function shareProgram(program) {
   const code = await packProgram(program);
-  if (code.length > MOST_PACKED) throw `this program takes ${Math.ceil(code.length / 1000)} KB in a link, more than the ${MOST_PACKED / 1000} KB that other programs are sure to pass on. Export it and send the file.`;
+  if (code.length > MOST_PACKED) throw `this program takes ${Math.ceil(code.length / 1000)} KB in a link, more than the ${MOST_PACKED / 1000} KB that every other program passes on. Export it and send the file.`;
   return `code=${code}`;
 }
 

@@ -20,7 +20,7 @@ const allowed = new Set();
 export async function planned(program, { place }) {
   const job = new TextEncoder().encode(JSON.stringify({ place, inputs: [], version: 0 }));
   const plan = await work({ program, job, seconds: 0 });
-  if (!("cells" in plan)) throw "this program drives, and doesn't plan";
+  if (!("cells" in plan)) throw "this program drives but doesn't plan";
   return plan;
 }
 
@@ -61,7 +61,7 @@ export async function pilot(app, connection, complain) {
       (message) => {
         if (!("id" in Object(message)) || /** @type {{ id: number }} */ (message).id !== id) return;
         if (message.type === "loaded") {
-          if (message.kind === "plan") return fail("This program plans, and doesn't drive: choose a behaviour.");
+          if (message.kind === "plan") return fail("This program plans but doesn't drive: choose a behaviour.");
           resolve(true);
         } else if (message.type === "drive") {
           if (message.isDone === true) mine.end();
@@ -95,7 +95,7 @@ async function confirmed({ name, source }) {
   const dialog = make(
     "dialog",
     { className: "program-confirm", "aria-labelledby": "program-confirm-title" },
-    make("form", { method: "dialog" }, make("h2", { id: "program-confirm-title" }, `Let “${name}” drive the robot?`), make("p", {}, "It came by a link or a file. Read what it does:"), make("pre", { tabIndex: 0 }, source), make("div", { className: "row" }, no, yes)),
+    make("form", { method: "dialog" }, make("h2", { id: "program-confirm-title" }, `Let “${name}” drive the robot?`), make("p", {}, "It came from a link or a file. Read what it does:"), make("pre", { tabIndex: 0 }, source), make("div", { className: "row" }, no, yes)),
   );
   document.body.append(dialog);
   dialog.showModal();

@@ -115,7 +115,7 @@ export async function startProgram(app) {
     if (run.state === "stopped") return "Stopped";
     if (run.state === "idle" || !view.program) return "";
     if (view.program.end === "done") return `Ends at ${clock((view.program.reach_steps ?? 0) * STEP)}`;
-    if (view.state === "paused" && stops.line) return `Stopped at the breakpoint in line ${stops.line}: play goes on`;
+    if (view.state === "paused" && stops.line) return `Stopped at the breakpoint in line ${stops.line}: press play to continue`;
     return view.program.waits ? "Waiting for the program…" : `Change a number, then press Run${BY_KEY}`;
   };
 

@@ -118,13 +118,13 @@ export async function prepared(program, request, isWanted) {
   const job = Uint8Array.from(request.job);
   if (!request.behaves || !request.seeds) {
     const plan = await work({ program, job, seconds: 0 }, { isWanted });
-    if (!("cells" in plan)) throw "the program drives, and doesn't plan";
+    if (!("cells" in plan)) throw "the program drives but doesn't plan";
     return { ...request, ...plan };
   }
   const logs = [];
   for (const seed of request.seeds) {
     const run = await work({ program, job, seed, seconds: request.duration_s ?? 0 }, { isWanted });
-    if (!("log" in run)) throw "the program plans, and doesn't drive";
+    if (!("log" in run)) throw "the program plans but doesn't drive";
     logs.push(run.log);
   }
   return { ...request, logs };

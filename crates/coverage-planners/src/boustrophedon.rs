@@ -84,12 +84,12 @@ pub const EXPLAINER: Explainer = Explainer {
                or ragged walls split the room into many small parts, which costs efficiency.",
     shines: Example {
         room: "empty",
-        why: "Long lanes from wall to wall; hardly any cell is visited twice. Swept again can still be high: it counts \
-              the strips where a tool wider than a cell overlaps the neighbouring lane.",
+        why: "Long lanes from wall to wall; hardly any cell is visited twice. \"Swept again\" can still be high: it \
+              counts the strips where a tool wider than a cell overlaps the neighbouring lane.",
     },
     fails: Example {
         room: "spiral",
-        why: "All lanes have one direction, so half of the arms are swept across, in short lanes with many turns.",
+        why: "All lanes run one way, so half of the arms are swept crosswise, in short lanes with many turns.",
     },
     source: "Choset & Pignon 1998, Coverage path planning: the boustrophedon cellular decomposition; \
              Choset 2000, Coverage of known spaces, Autonomous Robots 9",

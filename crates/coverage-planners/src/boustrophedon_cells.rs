@@ -57,9 +57,9 @@ pub const INFO: PlannerInfo = PlannerInfo {
 
 /// Its explanation.
 pub const EXPLAINER: Explainer = Explainer {
-    idea: "Every lane end costs a quarter turn, so the floor is divided into lanes along x and lanes along y with \
-           the fewest ends, which a minimum cut finds exactly. Neighbouring lanes form parts, ordered as in the \
-           travelling salesman problem. Finally, local search improves the order of the single lanes.",
+    idea: "Every lane end costs a quarter turn, so a minimum cut finds the division into lanes along x and lanes along \
+           y with the fewest ends. Neighbouring lanes form parts, ordered as in the travelling salesman problem. \
+           Finally, local search improves the order of the single lanes.",
     complexity: "The cut takes up to O(p³) time for p rectangles between the wall lines, far less in practice; the \
                  rest as for boustrophedon, with O(l²) for l lanes.",
     use_when: "For rooms with arms in both directions: the fewest turns of all lane planners. Planning takes about \

@@ -80,8 +80,8 @@ pub const EXPLAINER: Explainer = Explainer {
            Faster walks have more children, which inherit patches of the room from both parents. Sometimes a patch \
            mutates, and the best walk so far always survives.",
     complexity: "O(p · g · n) time for p walks in g generations of n cells, O(p · n) memory.",
-    use_when: "To watch a solution evolve from random walks, without any rule for a good one. It takes a thousand \
-               times longer than lanes and seldom beats them.",
+    use_when: "To watch a solution evolve from random walks, without any rule for what makes a good one. It takes a \
+               thousand times longer than lanes and seldom beats them.",
     shines: Example { room: "thesis8", why: "Small enough to find a nearly optimal walk." },
     fails: Example { room: "spiral", why: "Random mutations seldom straighten a whole lane." },
     source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \

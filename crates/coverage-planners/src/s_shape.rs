@@ -63,8 +63,8 @@ pub const EXPLAINER: Explainer = Explainer {
            clean blocks it like a wall. At a dead end it takes a shortest path to the nearest uncleaned cell and \
            continues in lanes from there.",
     complexity: "O(n) steps and memory for n cells, plus a search at every dead end.",
-    use_when: "The simplest complete method, and hard to beat in halls with few obstacles. Behind every obstacle a \
-               pocket is left that the robot must return to.",
+    use_when: "The simplest complete method, and hard to beat in halls with few obstacles. Every obstacle leaves a \
+               pocket behind it that the robot must return to.",
     shines: Example { room: "lshape", why: "Few obstacles: parallel lanes, and one return for the other arm." },
     fails: Example { room: "maze", why: "Every dead end of the maze is a dead end of the walk, too." },
     source: "Emu & Obaida 2020, thesis, East West University: section 4.1; \

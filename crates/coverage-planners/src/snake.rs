@@ -73,15 +73,15 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "rules",
             label: "Rules",
-            help: "The text's rules clean every cell. The printed program goes its own way and can stop early or go in \
+            help: "The thesis' rules clean every cell. Its printed program differs: it can stop early or go in \
                    circles.",
             kind: ParamKind::Choice { options: &[("text", "text"), ("program", "program")] },
         },
         ParamSpec {
             id: "patience",
             label: "Patience",
-            help: "How far the text's rules can lead over clean floor, relative to the distance to the nearest \
-                   uncleaned cell.",
+            help: "How far the rules can lead over clean floor, relative to the distance to the nearest uncleaned \
+                   cell.",
             kind: ParamKind::Number { min: 0.0, max: 20.0, step: 1.0, default: 2.0, unit: "" },
         },
     ],

@@ -75,8 +75,8 @@ pub const EXPLAINER: Explainer = Explainer {
            the nearby cell with the most free space and spirals there. Corners and narrow strips are cleaned along \
            their edges.",
     complexity: "O(n) steps and memory for n cells; each search for free space visits up to 400 cells.",
-    use_when: "For a dirty spot in the middle of open floor, which is cleaned first. Spirals don't fill \
-               rectangles, so strips are left in between that it must return to.",
+    use_when: "For a dirty spot in the middle of open floor, which is cleaned first. Spirals don't fill rectangles, so \
+               the robot must return for the strips between them.",
     shines: Example {
         room: "maze",
         why: "Too narrow to spiral: it follows the walls, which suits a maze better than lanes.",

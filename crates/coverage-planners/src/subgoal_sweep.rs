@@ -77,8 +77,8 @@ pub const EXPLAINER: Explainer = Explainer {
            around it.",
     complexity: "O(n) steps and memory for n cells, plus a search at every detour.",
     use_when: "Made for large halls known from an architect's drawing, and fast enough to plan while drawing. It \
-               sweeps in one direction only and looks no further than the next point, so it must return to what it \
-               left.",
+               sweeps in one direction only and looks no further than the next point, so it must return for what it \
+               left out.",
     shines: Example { room: "empty", why: "No obstacles: line after line, without revisits." },
     fails: Example { room: "maze", why: "The nearest point is often behind a wall, at the end of a long detour." },
     source: "Hyun, An Artificial Intelligent algorithm for an autonomous Cleaning Robot, Honam University: \

@@ -53,10 +53,9 @@ pub const INFO: PlannerInfo = PlannerInfo {
 
 /// Its explanation.
 pub const EXPLAINER: Explainer = Explainer {
-    idea: "Waves spread from a goal as in the distance transform, but more slowly near obstacles. So cells along \
-           walls get high numbers, and the robot, which always moves to the unvisited neighbour with the highest \
-           one, follows outlines first and cleans the middle last. Alpha sets how strongly the waves avoid \
-           obstacles.",
+    idea: "Waves spread from a goal as in the distance transform, but more slowly near obstacles, so cells along walls \
+           get high numbers. The robot always moves to the unvisited neighbour with the highest number: it follows \
+           outlines first and cleans the middle last. Alpha sets how strongly the waves avoid obstacles.",
     complexity: "O(n) time and memory for n cells, plus a local search at every dead end.",
     use_when: "Better than the distance transform in corridors and mazes, as it follows their walls. In furnished \
                open rooms it turns as often.",

@@ -197,7 +197,7 @@ pub enum DrawingFlaw {
         width: f64,
     },
     /// A room without floor.
-    #[error("no floor is left in the region; choose another region, or make fewer layers walls")]
+    #[error("no floor is left in the region; choose another region, or mark fewer layers as walls")]
     NoFloor,
 }
 

@@ -13,7 +13,7 @@ pub struct Arguments {
     /// Measure only cases whose names contain TEXT, e.g. "simulate"
     #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
     only: String,
-    /// Run each case a single time: whether they work, not how fast
+    /// Run each case once, to check that it works rather than how fast it is
     #[arg(long)]
     once: bool,
 }

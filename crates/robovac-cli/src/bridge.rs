@@ -41,11 +41,11 @@ pub struct Arguments {
     /// Address and TCP port to listen on; 0.0.0.0:7626 for all networks of this computer
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:7626")]
     listen: String,
-    /// Secret that clients must give, at least 8 letters or digits. Without it, one is made up and printed at every start,
-    /// except on addresses of this computer alone, which need none
+    /// Secret that clients must give, at least 8 letters or digits. Without it, a token is made up and printed at every
+    /// start; addresses that only this computer can reach need none
     #[arg(long, value_name = "SECRET", env = "ROBOVAC_TOKEN", hide_env_values = true, value_parser = parse_token)]
     token: Option<String>,
-    /// Accept all clients without a token, in a network that is yours alone
+    /// Accept all clients without a token; only for a network that is yours alone
     #[arg(long, conflicts_with = "token")]
     no_token: bool,
     /// Also accept pages of this origin, such as `https://example.org`. Pages of localhost are always accepted
@@ -101,7 +101,8 @@ fn cannot_listen(address: &str, error: &io::Error) -> Failure {
     let port = address.rsplit_once(':').map_or("", |(_, port)| port);
     match error.kind() {
         io::ErrorKind::AddrInUse => Failure::system(format!(
-            "can't listen on {address}: another program does, maybe another bridge. End it, or use --listen with another port than {port}"
+            "can't listen on {address}: another program does already, perhaps another bridge. End it, or use --listen \
+             with a port other than {port}"
         )),
         io::ErrorKind::AddrNotAvailable => Failure::system(format!(
             "can't listen on {address}: this computer doesn't have that address. Use --listen with one that it has, or 0.0.0.0:{port} for all of them"

@@ -41,7 +41,7 @@ pub struct Arguments {
     /// Your program: a file that ends in .py (run by python3) or .js (by node), or any with --command
     #[arg(required_unless_present = "behaviour", conflicts_with = "behaviour")]
     program: Option<PathBuf>,
-    /// Behaviour that drives in its place, see "robovac behaviours"
+    /// Behaviour that drives instead of a program, see "robovac behaviours"
     #[arg(long, value_name = "ID", conflicts_with_all = ["command", "memory"])]
     behaviour: Option<String>,
     /// Serial port, such as /dev/ttyUSB0 or COM3; "robovac monitor list" lists the ports

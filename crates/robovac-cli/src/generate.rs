@@ -20,7 +20,7 @@ pub struct Arguments {
     /// Area between the outer walls in m², from 25 to 120: a number, or the least and the greatest as in 60..80
     #[arg(long, value_name = "AREA", value_parser = parse_area, allow_hyphen_values = true)]
     area: Option<[f64; 2]>,
-    /// How much of the furniture that rooms can have is there, from 0 (empty) to 1 (crammed)
+    /// Amount of furniture, from 0 (empty) to 1 (crammed)
     #[arg(long, value_name = "SHARE", default_value_t = FlatSpec::default().furniture, allow_hyphen_values = true)]
     furniture: f64,
     /// Leave rugs out

@@ -28,7 +28,7 @@ pub struct Arguments {
     /// The lesson
     #[arg(value_name = "LESSON.md")]
     lesson: PathBuf,
-    /// Answers: files that "Hand in" of the page has saved. Without any, only the lesson is checked
+    /// Answers: files that "Hand in" on the page has saved. Without any, only the lesson is checked
     #[arg(value_name = "ANSWER.json")]
     answers: Vec<PathBuf>,
     /// Seeds to use in place of the lesson's: whole numbers, one a line; "#" begins a comment

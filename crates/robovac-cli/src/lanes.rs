@@ -35,13 +35,14 @@ pub struct Arguments {
     /// Moves that the search tries for every metre of the bound; 0 keeps the first path
     #[arg(long, value_name = "N", default_value_t = LanesSetup::default().effort, conflicts_with = "seconds")]
     effort: f64,
-    /// Search for so many seconds instead; the path then depends on the machine
+    /// Search for this many seconds instead; the path then depends on the machine
     #[arg(long, value_name = "S", value_parser = parse_seconds)]
     seconds: Option<f64>,
     /// Random seed
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
-    /// Round the corners: the search counts the time of curves, and sweeps a little more than asked, which they may leave out
+    /// Round the corners: the search counts the time of curves, and sweeps a little more than asked, as curves may
+    /// leave floor out
     #[arg(long)]
     smooth: bool,
     /// Drive the path in the simulator, too, without noise

@@ -32,7 +32,7 @@ pub struct Arguments {
     /// Seconds to listen [default: until Ctrl-C]
     #[arg(long, value_name = "S", value_parser = parse_seconds, allow_hyphen_values = true)]
     seconds: Option<f64>,
-    /// Record all traffic to this file, which the page can replay. It is written once a second, and whole after Ctrl-C
+    /// Record all traffic to this file, which the page can replay. It is written once a second, and completed on Ctrl-C
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
     /// Show every command and frame instead of one line per second

@@ -41,7 +41,7 @@ const LOST: Duration = Duration::from_millis(500);
 /// Longest time by which the simulation lags before it gives up catching up, s.
 const LAG_S: f64 = 0.5;
 
-/// Simulate a robot as a node of ROS 2, without an installation of it: it publishes map, odometry, frames and sensors,
+/// Simulate a robot as a node of ROS 2, which needn't be installed: the node publishes map, odometry, frames and sensors,
 /// and is driven by velocity commands, or by --planner or --behaviour
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -57,7 +57,7 @@ pub struct Arguments {
     params: ParamArguments,
     #[command(flatten)]
     conditions: ConditionsArguments,
-    /// Namespace of a robot; can be repeated: each robot is alone in a room of its own, and has the next seed
+    /// Namespace of a robot; can be repeated: each robot has its own room and the next seed
     #[arg(long, value_name = "NAME")]
     namespace: Vec<String>,
     #[command(flatten)]

@@ -40,7 +40,7 @@ pub struct Arguments {
     params: ParamArguments,
     #[command(flatten)]
     conditions: ConditionsArguments,
-    /// Simulate a twin: a file of "robovac twin --json". Its levels of slip and noise count where none is given
+    /// Simulate a twin: a file of "robovac twin --json". Its levels of slip and noise apply where none is given
     #[arg(long, value_name = "FILE", conflicts_with = "robot")]
     twin: Option<PathBuf>,
     /// Round the corners of a plan: curves instead of stops where they keep the floor swept

@@ -14,8 +14,8 @@ use std::{
     thread,
 };
 
-/// Make all runs of a study file (see docs/studies.md) and write their results as Parquet. A study that was stopped goes on
-/// where it was
+/// Make all runs of a study file (see docs/studies.md) and write their results as Parquet. A stopped study continues
+/// where it left off
 #[derive(clap::Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Arguments {
@@ -24,10 +24,10 @@ pub struct Arguments {
     /// Study file: JSON, see docs/study.schema.json
     #[arg(required = true)]
     study: Option<PathBuf>,
-    /// Results; until they are complete, its shards are in a folder of the same name with .shards behind it
+    /// Results; until they are complete, the shards are in a folder of the same name with .shards appended
     #[arg(long, value_name = "FILE", required = true)]
     out: Option<PathBuf>,
-    /// Make only part I of N, on one of N machines, and don't merge: "robovac study merge" does when all parts are there
+    /// Make only part I of N, on one of N machines; "robovac study merge" merges them when all are there
     #[arg(long, value_name = "I/N", value_parser = parse_part)]
     shard: Option<(u64, u64)>,
     /// Runs in parallel [default: one per core]
@@ -37,7 +37,7 @@ pub struct Arguments {
 
 #[derive(clap::Subcommand)]
 enum StudyCommand {
-    /// Write the results of a study whose shards are all there
+    /// Write the results of a study when all its shards are there
     Merge(Files),
     /// Check a study file and count its runs, without making any
     Check {

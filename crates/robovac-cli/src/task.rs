@@ -34,7 +34,7 @@ pub struct PlacementArguments {
 /// Cells chosen for a coverage.
 #[derive(clap::Args)]
 pub struct CoverageArguments {
-    /// Choose the planning cells with which the planner sweeps so much of the reachable floor in the least time
+    /// Choose the planning cells with which the planner sweeps this share of the reachable floor in the least time
     #[arg(long, value_name = "PERCENT", value_parser = parse_percent, conflicts_with = "cell")]
     coverage: Option<f64>,
 }

@@ -19,7 +19,7 @@ pub struct Arguments {
     /// The recording
     #[arg(value_name = "FILE")]
     recording: PathBuf,
-    /// Another recording of the same robot: tell how well the twin and the model predict it
+    /// Another recording of the same robot: report how well the twin and the model predict it
     #[arg(long, value_name = "SECOND")]
     check: Option<PathBuf>,
     /// Write the twin, for "robovac simulate --twin" and the page

@@ -72,8 +72,8 @@ impl Lesson {
         }
         if lesson.id.is_empty() {
             lesson.id = plain(&lesson.title);
-            let what = format!("the lesson has no id, so answers are for \"{}\", after its title", lesson.id);
-            let mend = format!("put \"id: {}\" into a block \"lesson\", and later titles won't matter", lesson.id);
+            let what = format!("the lesson has no id, so answers are for \"{}\", named after its title", lesson.id);
+            let mend = format!("put \"id: {}\" into a block \"lesson\", and the title can change later", lesson.id);
             lesson.notes.push(LessonFault::new(1, what, mend));
         }
         lesson.digest = digest(text);
@@ -121,7 +121,7 @@ fn unique(lesson: &Lesson) -> Result<(), LessonFault> {
             _ => continue,
         };
         if !seen.insert(id) {
-            return Err(LessonFault::new(1, format!("two blocks have the id \"{id}\""), "give each an id of its own"));
+            return Err(LessonFault::new(1, format!("two blocks have the id \"{id}\""), "give each its own id"));
         }
     }
     let lost = lesson.goals().find(|goal| goal.scene.is_some() && lesson.scenario_of(goal).is_none());
@@ -223,7 +223,7 @@ impl LessonBuilder<'_> {
                 let id = self.next("goal", 0);
                 let goal = Goal::parse(fields, id)?;
                 if !fields.has_had("change") {
-                    let what = "the goal doesn't say what may be changed, so algorithm and cell may";
+                    let what = "the goal doesn't say what may be changed, so algorithm and cell may be";
                     let mend = "write e.g. \"change: algorithm, cell\", or \"change: program\"";
                     self.lesson.notes.push(LessonFault::new(fields.line(), what, mend));
                 }

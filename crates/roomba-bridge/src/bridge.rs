@@ -247,7 +247,7 @@ impl Bridge {
         for client in self.clients.into_iter().flatten() {
             if now_ms.saturating_sub(client.heard_ms) >= self.limits.idle_ms {
                 self.remove(client.id, Halted::Lost, now_ms, ends);
-                ends.close(client.id, "nothing was heard of this client: it should answer each beat");
+                ends.close(client.id, "this client was silent: it should answer each beat");
             }
         }
     }
@@ -279,7 +279,7 @@ impl Bridge {
         }
         if age_ms >= self.limits.lost_ms {
             self.remove(driver, Halted::Lost, now_ms, ends);
-            ends.close(driver, "the robot was stopped: nothing was heard of this client while it drove");
+            ends.close(driver, "the robot was stopped: this client was silent while it drove");
         } else if age_ms >= self.limits.halt_ms && self.is_taken {
             self.halt(now_ms, ends);
         }

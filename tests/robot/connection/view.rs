@@ -228,7 +228,7 @@ fn who_watches_sends_nothing_but_a_stop_and_says_so() {
     wire.ask(Request::Stop);
     wire.pass(0.1);
     assert_eq!((wire.commands.len(), wire.stops), (0, 1));
-    assert!(wire.view().notice.unwrap().text.contains("The bridge was told to stop"));
+    assert!(wire.view().notice.unwrap().text.contains("A stop was sent to the bridge"));
     // The bridge does.
     wire.robot.receive(&[145, 0, 0, 0, 0], 115_200);
     wire.pass(1.0);

@@ -10,7 +10,7 @@ export function cellsOf(program, room) {
   const cells = [];
   for (const [x, y] of program.plan(JSON.parse(room))) {
     cells.push(x, y);
-    if (cells.length > 2 * MOST) throw { message: `The plan has more than ${MOST} cells. Let it end.`, line: program.line };
+    if (cells.length > 2 * MOST) throw { message: `The plan has more than ${MOST} cells. Make it end.`, line: program.line };
   }
   return new Uint32Array(cells);
 }

@@ -129,7 +129,7 @@ pub const METRICS: &[MetricInfo] = &[
             "Above the minimum",
             ("%", 1),
             "Excess of steps + 2 × quarter turns over a proven lower bound for all walks over these cells. 0 means \
-             optimal; often no walk attains it.",
+             optimal; often no walk reaches the bound.",
             PlanNumbers::above_bound_percent,
         )
     },
@@ -147,7 +147,8 @@ pub const METRICS: &[MetricInfo] = &[
             "excess_length",
             "Excess distance",
             ("%", 1),
-            "Distance above the proven least of any path that sweeps as much floor; known for round tools in the robot's middle.",
+            "Excess distance over the proven minimum for sweeping as much floor; known for round tools in the robot's \
+             middle.",
             |n| Some(100.0 * n.excess?.above[0].max(0.0)),
         )
     },
@@ -157,7 +158,8 @@ pub const METRICS: &[MetricInfo] = &[
             "excess_time",
             "Excess time",
             ("%", 1),
-            "Time above the proven least of any path that sweeps as much floor; known for round tools in the robot's middle.",
+            "Excess time over the proven minimum for sweeping as much floor; known for round tools in the robot's \
+             middle.",
             |n| Some(100.0 * n.excess?.above[1].max(0.0)),
         )
     },

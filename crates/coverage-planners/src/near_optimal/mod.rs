@@ -83,8 +83,8 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "turn",
             label: "Quarter turn",
-            help: "Cost of a quarter turn in steps; 0 uses the robot's turning time, and then the turn to its first \
-                   step counts, too.",
+            help: "Cost of a quarter turn in steps; 0 uses the robot's turning time, and also counts the turn to its \
+                   first step.",
             kind: ParamKind::Number { min: 0.0, max: 64.0, step: 0.5, default: 0.0, unit: "steps" },
         },
     ],

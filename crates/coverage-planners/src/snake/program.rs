@@ -250,7 +250,7 @@ impl<'a, 'b> PrintedProgram<'a, 'b> {
     /// The last branch of the first turn without a neighbour to turn to: ahead, whatever is there.
     fn first_turn_without_neighbour(&mut self) -> Result<NextStep, Stop> {
         self.smaller_block().ok_or(Stop::End(Ending::SaysComplete))?;
-        self.advance("Ahead", "No neighbour was found, and the program goes on as if one had been: straight on")?;
+        self.advance("Ahead", "No neighbour was found, but the program continues as if one had been: straight on")?;
         Ok(self.turned())
     }
 
@@ -312,7 +312,7 @@ impl<'a, 'b> PrintedProgram<'a, 'b> {
             Caller::SecondTurn => Ok(NextStep::SecondTurn),
             Caller::TurnAfterBack => self.first_turn_without_neighbour(),
             Caller::AheadAfterBack => {
-                self.advance("Ahead", "The call has returned, and its caller goes on: straight on")?;
+                self.advance("Ahead", "The call has returned, and its caller continues: straight on")?;
                 Ok(NextStep::Move)
             }
         }

@@ -378,12 +378,12 @@ impl DrawingSession {
         let notice = match self.source() {
             _ if !room.is_open => "",
             DrawingSource::Image { .. } => {
-                "No walls were found round any floor, so all of the picture counts as floor. Read the walls in another \
-                 way, or choose Rectangle or Polygon."
+                "No walls that enclose floor were found, so all of the picture counts as floor. Read the walls in \
+                 another way, or choose Rectangle or Polygon."
             }
             _ => {
-                "The walls enclose hardly any floor, so all of the drawing counts as floor. Make the layers of its walls \
-                 Wall, close wider gaps, or choose Rectangle or Polygon."
+                "The walls enclose hardly any floor, so all of the drawing counts as floor. Set the layers of its \
+                 walls to Wall, close wider gaps, or choose Rectangle or Polygon."
             }
         };
         notice.to_owned()
@@ -395,8 +395,8 @@ fn beside(building: FreeStandingBuilding) -> String {
     let floor_m2 = grouped(building.floor_m2.round() as usize);
     if building.is_taken {
         return format!(
-            "A building of about {floor_m2} m² stands free within the outermost walls. Only its floor counts, as that of a \
-             house in its garden. If all of it is one building, choose Whole, and open its doors there."
+            "A building of about {floor_m2} m² stands free within the outermost walls. Only its floor counts, as for a \
+             house in its garden. If it is all one building, choose Whole, and open its doors there."
         );
     }
     format!(

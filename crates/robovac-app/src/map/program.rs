@@ -170,14 +170,11 @@ impl MapSession {
             return None;
         }
         Some(if asked.name == here.name {
-            format!(
-                "The link was made with another text of “{}”: this run differs from the one that it was made for.",
-                here.name
-            )
+            format!("The link was made with another version of “{}”: this run differs from the one shared.", here.name)
         } else {
             format!(
-                "The link was made with the program “{}”, which isn't here, so “{}” drives. Open “{}” in the tab Program, or \
-                 ask for the link that Copy link makes, which has the program in it.",
+                "The link was made with the program “{}”, which isn't here, so “{}” drives. Open “{}” in the tab \
+                 Program, or ask for a link made with Copy link: it contains the program.",
                 asked.name, here.name, asked.name
             )
         })
@@ -188,7 +185,8 @@ impl MapSession {
         let program = self.base.as_ref()?.program.as_ref().filter(|_| self.setup.is_program())?;
         (program.kind == ProgramKind::Planner).then(|| {
             format!(
-                "“{}” plans, and doesn't drive: run a program with step or run in the tab Program, or choose another method.",
+                "“{}” plans but doesn't drive: run a program with step or run in the tab Program, or choose another \
+                 method.",
                 program.name
             )
         })
@@ -361,7 +359,7 @@ mod tests {
         session.set_program(planner, false).unwrap();
         elsewhere.take(&session);
         assert!(
-            elsewhere.phase() == MapPhase::Failed && elsewhere.complaint().contains("“Rows” plans, and doesn't drive")
+            elsewhere.phase() == MapPhase::Failed && elsewhere.complaint().contains("“Rows” plans but doesn't drive")
         );
     }
 }

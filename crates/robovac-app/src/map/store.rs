@@ -58,8 +58,8 @@ pub enum StoreError {
     },
     /// It was driven by another program.
     #[error(
-        "the stored map was made by the program \"{name}\" with a text that isn't here, so it can't be continued; run that \
-         program in the tab Program first"
+        "the stored map was made by a version of the program \"{name}\" that isn't here, so it can't be continued; run \
+         that program in the tab Program first"
     )]
     Program {
         /// The program's name.

@@ -44,8 +44,8 @@ impl Programs {
         } else {
             Sandbox::probe().map_err(|why| {
                 Failure::system(format!(
-                    "the answers have programs, and these can't be kept from your files and the network here: {why}. On a computer \
-                     that may be lost, such as one in a cloud, --unconfined runs them without"
+                    "the answers contain programs, which can't be kept from your files and the network here: {why}. On \
+                     a disposable computer, such as one in a cloud, --unconfined runs them unprotected"
                 ))
             })?
         };

@@ -24,7 +24,7 @@ const BLOCKING: std::time::Duration = std::time::Duration::from_millis(20);
 /// Arguments of a node.
 #[derive(clap::Args)]
 pub struct NodeArguments {
-    /// DDS domain; nodes see each other in the same one only
+    /// DDS domain; nodes see each other only in the same domain
     #[arg(long, value_name = "N", default_value_t = 0, env = "ROS_DOMAIN_ID", value_parser = clap::value_parser!(u16).range(0..=232))]
     domain: u16,
     /// Another name for a topic, as in scan:=laser/scan; can be repeated

@@ -66,10 +66,10 @@ pub fn drive_framed(
         })?;
         if !rest.is_empty() {
             let said: Vec<Saying> = serde_json::from_slice(rest)
-                .map_err(|error| (first, format!("what the program said in a frame can't be read: {error}")))?;
+                .map_err(|error| (first, format!("the program's frame can't be read: {error}")))?;
             for saying in said {
                 let seat =
-                    seats.get(saying.run).ok_or_else(|| (first, "the program named a run that isn't".to_owned()))?;
+                    seats.get(saying.run).ok_or_else(|| (first, "the program named an unknown run".to_owned()))?;
                 take(seat, &saying, &mut prints[saying.run]).map_err(|fault| (saying.run, seat.told(&fault)))?;
             }
         }

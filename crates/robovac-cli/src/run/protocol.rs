@@ -57,7 +57,7 @@ impl Reply {
         let reply: Self = serde_json::from_slice(line).map_err(|error| {
             let shown: String = Words::of(line).chars().take(80).collect();
             format!(
-                "the program wrote \"{shown}\", which is no line of the protocol ({error}); print to standard error, \
+                "the program wrote \"{shown}\", which isn't a line of the protocol ({error}); print to standard error, \
                  or put the text into \"print\""
             )
         })?;

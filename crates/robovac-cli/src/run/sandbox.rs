@@ -9,8 +9,9 @@ use std::{
 };
 
 /// What is in the way of most faults.
-const MEND: &str = "install bubblewrap (Debian, Ubuntu: apt install bubblewrap); if it is there, the system may forbid it: on \
-                    Ubuntu, \"sudo sysctl -w kernel.apparmor_restrict_unprivileged_userns=0\" allows it until the next start";
+const MEND: &str = "install bubblewrap (Debian, Ubuntu: apt install bubblewrap); if it is installed, the system may \
+                    forbid it: on Ubuntu, \"sudo sysctl -w kernel.apparmor_restrict_unprivileged_userns=0\" allows it \
+                    until the next start";
 /// Where the program's own files are inside.
 const INSIDE: &str = "/robovac";
 
@@ -31,8 +32,8 @@ impl Sandbox {
     pub fn probe() -> Result<Self, String> {
         if !cfg!(target_os = "linux") {
             return Err(
-                "only Linux can keep programs of strangers from files and network; run this in a virtual machine \
-                        with Linux"
+                "strangers' programs can be kept from files and network only on Linux; run this in a virtual machine \
+                 with Linux"
                     .to_owned(),
             );
         }

@@ -41,7 +41,7 @@ pub struct Arguments {
     /// Folder for the study, its runs as Parquet, and the table as CSV and Markdown
     #[arg(long, value_name = "FOLDER", default_value = "benchmark")]
     out: PathBuf,
-    /// Only two rooms, one flat, one seed and two minutes: whether everything works
+    /// Only two rooms, one flat, one seed and two minutes, to check that everything works
     #[arg(long)]
     quick: bool,
     /// Make the table of this study instead

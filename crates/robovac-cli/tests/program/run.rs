@@ -87,7 +87,7 @@ fn time_limit_and_text() {
 #[test]
 fn faults_of_a_program_are_told() {
     for (name, step, expected) in [
-        ("words.sh", "echo hello", "at 0.00 s: the program wrote \"hello\", which is no line of the protocol"),
+        ("words.sh", "echo hello", "at 0.00 s: the program wrote \"hello\", which isn't a line of the protocol"),
         ("fault.sh", "echo '{\"error\":\"division by zero\",\"line\":7}'", "at 0.00 s: line 7: division by zero"),
         ("gone.sh", "echo 'out of ideas' >&2; exit 3", "the program ended before the run was over:\nout of ideas"),
         ("long.sh", "head -c 2000000 /dev/zero | tr '\\0' x", "a line of more than 1024 KB"),

@@ -102,7 +102,7 @@ pub enum OwnRobotFault {
         body: f64,
     },
     /// It is built on the robot that fills a cell.
-    #[error("an own robot can't be built on the grid robot, whose size is that of a cell; choose another model")]
+    #[error("your robot can't be based on the grid robot, which is as large as a cell; choose another model")]
     GridRobot,
 }
 
@@ -172,7 +172,7 @@ impl OwnRobot {
     pub fn of(&self, model: &RobotModel) -> RobotModel {
         let mut robot = RobotModel {
             title: "Own robot",
-            summary: "Your shape, tool, speeds and sensors on the figures of a model",
+            summary: "A model with your shape, tool, speeds and sensors",
             wheels: self.wheels.unwrap_or(model.wheels),
             ..model.clone()
         };

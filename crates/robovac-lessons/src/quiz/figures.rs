@@ -84,8 +84,9 @@ pub fn bytes(rng: &mut Rng) -> Question {
     let [a, b] = right.to_be_bytes();
     let [c, d] = left.to_be_bytes();
     let text = format!(
-        "Drive Direct is opcode 145, then the speed of the right wheel and that of the left, in mm/s, each as two bytes, the \
-         high one first, in two's complement. Which five bytes drive the right wheel at {right} mm/s and the left at {left}?"
+        "Drive Direct is opcode 145, then the speeds of the right and the left wheel in mm/s. Each is two bytes in \
+         two's complement, the high byte first. Which five bytes drive the right wheel at {right} mm/s and the left at \
+         {left}?"
     );
     let wrapped =
         |speed: i16| if speed < 0 { format!("{speed} + 65,536 = {}", speed as u16) } else { speed.to_string() };

@@ -26,8 +26,8 @@ pub fn reachable(rng: &mut Rng) -> Question {
             free - count
         );
         return Question {
-            text: "A robot of one cell starts at S and moves up, down, left and right. How many cells can it reach, its own \
-                   included?"
+            text: "A robot of one cell starts at S and moves up, down, left and right. How many cells can it reach, \
+                   including its own?"
                 .to_owned(),
             room: room.rows(Some(start)),
             options: Vec::new(),
@@ -47,8 +47,8 @@ pub fn lanes(rng: &mut Rng) -> Question {
             continue;
         }
         let because = format!(
-            "Counted piece by piece, rows make {along_rows} lanes and columns {along_columns}. Every lane ends in a turn, so \
-             fewer lanes are fewer turns."
+            "Counted piece by piece, rows make {along_rows} lanes and columns {along_columns}. Every lane ends in a \
+             turn, so fewer lanes mean fewer turns."
         );
         return Question {
             text:

@@ -65,7 +65,7 @@ impl Connection {
             }
             Request::Stop if self.transport.is_watching => {
                 self.driver.stop_other();
-                let text = "The bridge was told to stop the robot. Whoever drives it has to take control again.";
+                let text = "A stop was sent to the bridge. Whoever drives the robot has to take control again.";
                 self.say("notice", text.to_owned());
             }
             Request::Stop => {
@@ -141,7 +141,7 @@ impl Connection {
                 }
                 self.nothing_asked()?;
                 if what == Calibration::Nudge && self.driver.is_older() {
-                    return refuse("This robot has no encoders whose sides could be mixed up. Use Spin and Metre.");
+                    return refuse("This robot has no encoders that could be swapped. Use Spin and Metre.");
                 }
                 let began =
                     self.encoders().ok_or_else(|| RequestRefused("No encoder readings yet. Wait a moment.".into()))?;

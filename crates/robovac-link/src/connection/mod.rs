@@ -276,7 +276,8 @@ impl Connection {
         // A controller slows down first; brushes and raw bytes have nothing between on and off.
         let is_silent = self.page.hangs() || (!self.rides() && self.page.share() <= 0.0);
         if (self.is_acting() || self.page.is_awaited()) && is_silent {
-            let why = "The page stopped responding, so the robot was stopped. Close what else keeps this computer busy, then start again.";
+            let why = "The page stopped responding, so the robot was stopped. Close other programs that keep this \
+                       computer busy, then start again.";
             self.leave(now, why);
         }
         if self.rides() && self.page.share() <= 0.0 {

@@ -10,7 +10,7 @@ pub enum FrameRefusal {
     #[error("it was not requested")]
     NotRequested,
     /// Its values jump. If the next frame confirms them, nothing is lost.
-    #[error("its values jump: the next reading must confirm")]
+    #[error("its values jump: the next reading must confirm them")]
     Unconfirmed,
     /// A robot can't report such values.
     #[error("its checksum is right, but its values are impossible")]

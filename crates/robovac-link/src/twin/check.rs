@@ -72,7 +72,7 @@ pub(super) fn predict(log: &MotionLog, file: &TwinFile, delay_s: f64, robot: &Ro
             twin: off(of_twin),
             model: off(counts_per_turn()),
             how: format!(
-                "By {} full turns seen by the light bumper and {measured} measured; those are certain to {:.1}°.",
+                "By {} full turns seen by the light bumper and {measured} measured; those are accurate to {:.1}°.",
                 seen,
                 360.0 * turn.deviation / turn.counts
             ),

@@ -50,8 +50,8 @@ pub enum TwinError {
     },
     /// Nothing in it tells a figure.
     #[error(
-        "this recording doesn't determine any figure of a twin: no command drove the robot, it never turned twice on the spot \
-         beside a wall, met no wall head-on, and nothing was calibrated; drive it from the Robot tab and record that"
+        "this recording determines no figure of a twin: no command drove the robot, it never turned twice on the spot \
+         beside a wall or met a wall head-on, and nothing was calibrated; drive it from the Robot tab and record that"
     )]
     Untold,
 }

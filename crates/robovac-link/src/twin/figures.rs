@@ -208,8 +208,8 @@ impl<'a> Found<'a> {
     fn slip(&self) -> (Option<SlipLevel>, TwinFigure) {
         let figure = named("Slip after one metre", "mm", 1);
         let Some((turn, slip_rad)) = self.turn.and_then(|turn| Some((turn, turn.slip_rad?))) else {
-            let how = "Not known: it takes at least four full turns beside a wall in one place. The level of slip stays \
-                       what is set in Explore.";
+            let how = "Not known: it takes at least four full turns beside a wall in one place. The level of slip \
+                       stays as set in Explore.";
             return (None, TwinFigure { how: how.to_owned(), ..figure });
         };
         // Of each wheel, whose ways differ in a turn: both err by slip · sqrt(way), and the way is π · base.
@@ -222,8 +222,8 @@ impl<'a> Found<'a> {
         let seen = turn.turns[0];
         let share = 1.0 / (2.0 * (seen as f64 - 1.0)).sqrt();
         let how = format!(
-            "From how {seen} full turns differ: {:.1}° each. Nearest level: {}. Of the floor on which it turned: no sensor \
-             tells another floor, or slip straight ahead.",
+            "From how {seen} full turns differ: {:.1}° each. Nearest level: {}. This holds for the floor on which it \
+             turned: no sensor shows slip on other floors or straight ahead.",
             slip_rad.to_degrees(),
             level.id()
         );
@@ -238,7 +238,7 @@ impl<'a> Found<'a> {
         let offset = TwinFigure { model: Some(1000.0 * law.offset_m), ..named("Light bumper, offset", "mm", 1) };
         let how = match self.light_noise {
             Some(level) => format!("Level \"{}\", by the spread of its signals where nothing is near.", level.id()),
-            None => "Not known: the readings lack its signals. The level stays what is set in Explore.".to_owned(),
+            None => "Not known: the readings lack its signals. The level stays as set in Explore.".to_owned(),
         };
         let noise = TwinFigure { how, ..named("Light bumper, noise", "", 0) };
         let Some(fitted) = self.law else {

@@ -89,7 +89,7 @@ pub(super) const EXPLAINER: Explainer = Explainer {
     },
     fails: Example {
         room: "maze",
-        why: "In narrow ways only wall following gets ahead, and that is but one of the four.",
+        why: "In narrow passages only wall following makes progress, and it is just one of the four.",
     },
     source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
              section IV.A, Cleaning Cycle",

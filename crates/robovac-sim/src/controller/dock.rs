@@ -77,7 +77,7 @@ pub(super) const EXPLAINER: Explainer = Explainer {
     shines: Example { room: "bedroom", why: "In a single room the beams are found quickly." },
     fails: Example {
         room: "flat",
-        why: "From other rooms no beam is seen, so the robot must first find the right door by chance.",
+        why: "From other rooms the robot sees no beam, so it must first find the right door by chance.",
     },
     source: "iRobot Create 2 Open Interface specification: packets 17, 52 and 53, infrared characters; the driving \
         strategy is ours",

@@ -56,7 +56,7 @@ pub(super) const EXPLAINER: Explainer = Explainer {
     complexity: "O(1) time and memory per step.",
     use_when: "To clean one spot, to get to know a robot and its sensors, or to see how hard complete coverage is.",
     shines: Example { room: "empty", why: "Lanes are long: there is little to steer." },
-    fails: Example { room: "maze", why: "Narrow ways turn every few steps: you steer all the time." },
+    fails: Example { room: "maze", why: "Narrow passages turn every few steps: you steer all the time." },
     source: "Hasan, Al-Nahid & Reza 2014, Path planning algorithm development for autonomous vacuum cleaner robots, ICIEV: \
              section IV.B, Tables I and II",
     link: "https://ieeexplore.ieee.org/document/6850799",

@@ -62,7 +62,7 @@ const PATIENCE: (f64, f64) = (12.0, 15.0);
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "online_snake",
     title: "Snake in an unknown room",
-    summary: "Walks the improved snake from cell to cell in a room that it discovers with its laser scanner.",
+    summary: "Follows the rules of the improved snake in a room that it discovers with its laser scanner.",
     claims: BehaviourClaims { ends: true, cleans: true, needs_laser: true, ..BehaviourClaims::NONE },
     params: &[ParamSpec {
         id: "cell",
@@ -75,8 +75,8 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
 /// Its explanation.
 pub(super) const EXPLAINER: Explainer = Explainer {
     idea: "The robot knows nothing of the room and maps it as it drives. After each cell it decides by the rules of \
-           the planner Improved snake, with the cells that it has seen so far. With a scanner that sees the \
-           thesis' room at once, it walks exactly as planned there.",
+           the planner Improved snake, with the cells that it has seen so far. If its scanner sees all of the thesis' \
+           room at once, it walks exactly as the planner does.",
     complexity: "O(k) time for each cell, with k cells in sight; O(n) memory for n cells.",
     use_when: "To clean an unknown room in straight lanes. It needs a laser scanner: choose the CBot or the Roomba \
                with laser.",

@@ -54,7 +54,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
         ParamSpec {
             id: "random",
             label: "Random turn",
-            help: "Most that is added at random, as a multiple of the same angle.",
+            help: "Largest random addition, as a multiple of the same angle.",
             kind: ParamKind::Number { min: 0.0, max: 5.0, step: 0.1, default: 1.0, unit: "× paper's" },
         },
         ParamSpec {

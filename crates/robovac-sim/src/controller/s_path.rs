@@ -60,7 +60,7 @@ pub(super) const INFO: BehaviourInfo = BehaviourInfo {
             id: "by",
             label: "Measure moves",
             help: "Measure turns and distances by time, by the wheel encoders, or by the paper's times, which ignore \
-                   that motors need time to get to speed.",
+                   the time that motors need to get up to speed.",
             kind: ParamKind::Choice {
                 options: &[("time", "by time"), ("encoder", "by encoders"), ("printed", "printed times")],
             },

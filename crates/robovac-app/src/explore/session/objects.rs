@@ -18,7 +18,7 @@ impl Session {
     pub(in crate::explore) fn refuse_mover(&mut self, at: Point) {
         let is_wall = self.plan().occupancy.contains(self.plan().cell_at(at));
         let place = if is_wall { "there is no floor there" } else { "that is outside the room" };
-        self.say("error", format!("Nobody was placed: {place}. Click on free floor."));
+        self.say("error", format!("Not placed: {place}. Click on free floor."));
     }
 
     /// Replaces an object; returns whether the new one fits.

@@ -88,10 +88,10 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
 
 /// Its explanation.
 pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
-    idea: "The robot drives forward until its bumper is pressed, and rotates until only the outer light sensor on \
-           that side detects the obstacle. Then it follows the edge; where the edge ends, it drives on a fixed \
-           distance, rotates towards it, and searches in a zig-zag. If a rotation doesn't end, it abandons the \
-           edge after a random time and drives straight on.",
+    idea: "The robot drives forward until its bumper is pressed, and rotates until only the outer light sensor on that \
+           side detects the obstacle. Then it follows the edge; where that ends, it continues for a fixed distance, \
+           rotates towards the edge, and searches in a zig-zag. If a rotation doesn't end, it abandons the edge after \
+           a random time and drives straight on.",
     complexity: "O(1) time and memory per call, ten calls a second; it stores two sides, two counters, a step and \
         a random number.",
     use_when: "To map the border of a room with a light bumper. Slow, and circles free-standing furniture for \

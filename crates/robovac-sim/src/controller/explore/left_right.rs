@@ -40,7 +40,8 @@ pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
     idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
         to the right. When it ends, the next one is chosen. Sensor readings don't influence the choice.",
     complexity: "O(1) time and memory per step; it stores at most the last contact.",
-    use_when: "To see what a second direction of rotation changes: the heading wanders instead of going round.",
+    use_when: "To see what a second direction of rotation changes: the heading wanders instead of always turning one \
+               way.",
     shines: Example { room: "room12ft", why: "In a small room chance leads it to most walls in time." },
     fails: Example {
         room: "flat",

@@ -38,9 +38,9 @@ pub(in crate::controller) const INFO: BehaviourInfo = BehaviourInfo {
 
 /// Its explanation.
 pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
-    idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or \
-        to the right. Driving forward is excluded if something is ahead, and so is turning towards the only \
-        side on which something is detected. Then it chooses again.",
+    idea: "One of three motions is chosen at random: a fixed distance forward, or a fixed rotation to the left or to \
+           the right. The robot doesn't drive forward if something is ahead, nor turn towards a side if something is \
+           detected on that side only. In these cases it chooses again.",
     complexity: "O(1) time and memory per step; it stores at most the last contact.",
     use_when: "To see the effect of checking the sides: the robot leaves walls sooner, but still moves at random.",
     shines: Example { room: "kitchen", why: "It turns away from obstacles beside it and soon leaves corners." },

@@ -21,7 +21,7 @@
 //! let (robot, params) = (model("roomba600").unwrap(), Params::defaults(info.params));
 //! let mut learned = info.build(&Setup { robot, params: &params, seed: 1 }).unwrap();
 //! learned.step(&SensorReadings::default(), 0.015);
-//! assert_eq!(learned.activity(), "sweeping where its network leads it");
+//! assert_eq!(learned.activity(), "sweeping as its network steers");
 //! ```
 
 mod inputs;
@@ -97,7 +97,7 @@ const TRYING_M: f64 = 1.0;
 pub(super) const INFO: BehaviourInfo = BehaviourInfo {
     id: "learned",
     title: "Learned",
-    summary: "Drives where a small neural network, trained in generated flats, leads it.",
+    summary: "Steers by a small neural network that was trained in generated flats.",
     claims: BehaviourClaims { cleans: true, ..BehaviourClaims::NONE },
     params: &[TRACKING, GO_HOME, LEAVE_HOME],
 };
@@ -355,7 +355,7 @@ impl Behaviour for Learned {
     }
 
     fn activity(&self) -> &'static str {
-        if self.is_searching { "relocalising on its map" } else { "sweeping where its network leads it" }
+        if self.is_searching { "relocalising on its map" } else { "sweeping as its network steers" }
     }
 
     fn mapper(&self) -> Option<&Mapper> {
