@@ -82,7 +82,7 @@ mod tests {
         assert_eq!(error, "line 7: division by zero");
         for bad in ["hello", "{\"left\": \"fast\"}", "[1]", "{\"cells\": [[1]]}", "\u{1b}[31m{"] {
             let error = Reply::parse(bad.as_bytes()).unwrap_err();
-            assert!(error.contains("no line of the protocol") && !error.contains('\u{1b}'), "{error}");
+            assert!(error.contains("isn't a line of the protocol") && !error.contains('\u{1b}'), "{error}");
         }
     }
 }
