@@ -23,7 +23,7 @@ export async function showWays(app, link, done, moment) {
 function whereTo({ view }, moment) {
   const tab = currentTab();
   if (tab === "program") return "The link contains the program. Whoever opens it can read the program and run it from the start.";
-  if (tab === "map") return "It opens with these settings. Mapping starts again there.";
+  if (tab === "map") return "It opens with these settings and shows the whole map. Mapping starts again there.";
   if (tab === "compare") return "It opens with these settings. Results are computed again there, and a race starts at 0:00.";
   if (tab === "connection") return "It opens this tab. It doesn't connect a robot.";
   // The drawing's files may be large, and aren't for everybody.

@@ -2,7 +2,7 @@
 // The tab Compare: the entrants, the progress of trials, and the current view of them.
 import { Comparison, SessionMirror } from "../../workshop.js";
 import { startAbout } from "./about.js";
-import { button, byId, input, select, setText } from "../dom.js";
+import { button, byId, input, select, setHidden, setText } from "../dom.js";
 import { startExports } from "./exports.js";
 import { clock } from "../format.js";
 import { startMirror } from "../session-mirror.js";
@@ -164,6 +164,7 @@ function updatePlace({ app: { playground, catalogue, view: session }, view: { se
   const place = several ? `${several} (${rooms.length})` : room.title;
   setText(byId("compare-room"), place);
   const title = own || twin ? playground.robot().title : catalogue.robots.find(({ id }) => id === robot)?.title;
+  setHidden(byId("race-estimate"), slip === "none");
   const slips = slip === "none" ? "" : `, ${slip} wheel slip${shownView() === "runs" ? "" : " in the race"}`;
   const size = several ? "" : `${room.width_m.toFixed(1)} × ${room.height_m.toFixed(1)} m, `;
   // Each of many runs has its own.

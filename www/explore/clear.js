@@ -24,7 +24,10 @@ export function startClear(app) {
   for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => (isPressed = false), { capture: true });
   const below = (/** @type {string} */ what, gap = GAP) => {
     const node = document.querySelector(what);
-    return node?.checkVisibility() ? node.getBoundingClientRect().bottom - stage.getBoundingClientRect().top + gap : 0;
+    if (!node?.checkVisibility()) return 0;
+    const [box, all] = [node.getBoundingClientRect(), stage.getBoundingClientRect()];
+    // Where the floor is low, messages are beside it.
+    return box.left < all.right ? box.bottom - all.top + gap : 0;
   };
   const above = (/** @type {Element} */ node) => (node.checkVisibility() ? stage.getBoundingClientRect().bottom - node.getBoundingClientRect().top + GAP : 0);
 

@@ -20,8 +20,6 @@ export async function fitCells({ playground, act }, percent) {
     });
     // Whatever was changed meanwhile counts.
     if (playground.link() !== asked) return;
-    const size = String(metres);
-    if (![...menu.options].some(({ value }) => value === size)) menu.append(new Option(`${+(metres * 100).toFixed(2)} cm`, size));
     act((p) => p.set_cell_size(metres));
   } catch (error) {
     act(() => {

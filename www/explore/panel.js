@@ -28,7 +28,14 @@ export function startPanel(app) {
   byId("odometry-field").setAttribute("data-tip", ODOMETRY_TIP);
   fill(select("robot"), [...robots.map(({ id, title }) => /** @type {[string, string]} */ ([id, title])), [OWN, "Own robot"]]);
   const cells = select("cell-size");
-  fill(cells, [...cell_sizes_m, ...COVERAGES].map((size) => [String(size), size < 2 ? `${+(size * 100).toFixed(2)} cm` : `for ${size} %`]));
+  const inCentimetres = (/** @type {number} */ size) => `${+(size * 100).toFixed(2)} cm`;
+  fill(cells, [...cell_sizes_m, ...COVERAGES].map((size) => [String(size), size < 2 ? inCentimetres(size) : `for ${size} %`]));
+  /** Own robots, links and choices for a coverage bring other sizes. @param {number} size */
+  const showCells = (size) => {
+    const value = String(size);
+    if (![...cells.options].some((option) => option.value === value)) cells.append(new Option(inCentimetres(size), value));
+    show(cells, value);
+  };
 
   // Own rooms stand in the menu by their ids, behind a colon.
   bind("room", (p, id) => (id === FLAT ? newFlat() : id.startsWith(":") ? void openOwnRoom(app, id.slice(1)) : p.select_room(id)));
@@ -77,7 +84,7 @@ export function startPanel(app) {
     showRobot(view);
     const title = showAlgorithm(view);
     setText(byId("now"), `${title}, ${select("robot").selectedOptions[0]?.textContent ?? ""}`);
-    show(cells, String(view.cell_size_m));
+    showCells(view.cell_size_m);
     warnOfCells(view, robots);
     showRealism(view);
     show(select("odometry"), view.odometry);

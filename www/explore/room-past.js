@@ -4,7 +4,7 @@
 /** @typedef {import("../main.js").App} App */
 
 /** Most states of a room, and letters of all of them. */
-const MOST = { states: 20, letters: 200_000 };
+const MOST = { states: 20, letters: 1_500_000 };
 
 /** Lineages whose past was recalled, or is known. @type {Set<number>} */
 const recalled = new Set();

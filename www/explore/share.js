@@ -20,7 +20,7 @@ export async function copyLink(app) {
     if (!map || map.length > MOST_PACKED) {
       const why = map ? `takes ${Math.ceil(map.length / 1000)} KB in a link, more than the ${MOST_PACKED / 1000} KB that every other program passes on` : "can't be put into a link by this browser";
       const { openSave } = await import("../save.js");
-      return openSave(app, undefined, `No link was copied: ${currentTab() === "floor-plan" ? "the room in Explore" : "this room"} ${why}. Save it as a scenario file and send that.`);
+      return openSave(app, "scenario", `No link was copied: ${currentTab() === "floor-plan" ? "the room in Explore" : "this room"} ${why}. Save it as a scenario file and send that.`);
     }
     hash = aboutRoom(hash, `map=${map}`);
   }

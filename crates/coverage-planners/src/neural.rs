@@ -213,7 +213,7 @@ impl Reasons for Field<'_> {
     }
 
     fn rule(&self, _at: Cell, _heading: Direction, _towards: Direction) -> &'static str {
-        "Activity in thousandths"
+        "By activity (of 1000)"
     }
 }
 

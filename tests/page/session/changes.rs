@@ -140,6 +140,10 @@ fn what_is_clean_stays_clean_when_the_room_is_changed() {
     session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
     session.go_on_stroke(Point::new(2.4, 1.5));
     session.end_stroke();
+    // So it is while the new path is planned, which can take long.
+    let view = session.view();
+    assert!(view.state == SessionState::Planning && (view.coverage - before).abs() < 0.05, "{}", view.coverage);
+    assert_eq!(view.swept_before, view.coverage);
     session.plan_now(|| 0.0);
     let view = session.view();
     assert!(view.overlap < 0.02, "the new run has swept next to nothing again: {}", view.overlap);

@@ -125,11 +125,10 @@ impl CoverageTracker {
     /// Takes over what was swept before, where it is reachable here, from an earlier tracker over the same grid. It counts as swept
     /// once: what was swept again then, no later distance or time accounts for. Does nothing if the grids differ.
     pub fn take_over(&mut self, floor: &ReachableFloor, earlier: &Self) {
-        let Self { visits, covered, passes, dirty, .. } = self;
-        let is_same = (visits.width(), visits.height()) == (earlier.visits.width(), earlier.visits.height());
-        if !is_same || self.resolution.to_bits() != earlier.resolution.to_bits() {
+        if !earlier.is_over(self.visits.width(), self.visits.height(), self.resolution) {
             return;
         }
+        let Self { visits, covered, passes, dirty, .. } = self;
         let cells = visits.values_mut().iter_mut().zip(floor.floor.values()).zip(earlier.visits.values());
         for ((count, &is_reachable), &before) in cells {
             if is_reachable && before > 0 {
@@ -179,6 +178,20 @@ impl CoverageTracker {
     /// Swept share of the reachable floor, 0 to 1.
     pub fn coverage(&self, floor: &ReachableFloor) -> f64 {
         self.covered as f64 / floor.floor_cells as f64
+    }
+
+    /// Share of another floor over the same grid that was swept here, 0 to 1; 0 if the grids differ.
+    pub fn coverage_on(&self, floor: &ReachableFloor) -> f64 {
+        if !self.is_over(floor.floor.width(), floor.floor.height(), floor.resolution) {
+            return 0.0;
+        }
+        let cells = floor.floor.values().iter().zip(self.visits.values());
+        cells.filter(|&(&is_reachable, &visits)| is_reachable && visits > 0).count() as f64 / floor.floor_cells as f64
+    }
+
+    fn is_over(&self, width: usize, height: usize, resolution: f64) -> bool {
+        (self.visits.width(), self.visits.height()) == (width, height)
+            && self.resolution.to_bits() == resolution.to_bits()
     }
 
     /// Passes beyond the first, as a share of the swept floor: 0.3 means that 30 % were swept twice on average.

@@ -56,6 +56,8 @@ pub struct Session {
     program: LoggedProgram,
     /// The run before the room was changed; what it has swept stays swept.
     before: Option<Run>,
+    /// The share of the floor that it has swept.
+    swept_before: f64,
     /// Number of runs begun.
     runs: u32,
     playing: bool,
@@ -117,6 +119,7 @@ impl Session {
             recording: None,
             program: LoggedProgram::default(),
             before: None,
+            swept_before: 0.0,
             runs: 0,
             playing: true,
             awaited: None,
@@ -291,6 +294,7 @@ impl Session {
     /// Returns to the start and pauses. What was swept before the room was changed isn't any more.
     pub fn reset(&mut self) {
         self.pause();
+        self.swept_before = 0.0;
         match self.before.take().and_then(|_| self.fresh_run()) {
             Some(run) => self.record(run),
             None => self.seek(0.0),

@@ -280,7 +280,9 @@ impl Session {
             Some(before) => run.after(before),
             None => run,
         };
-        self.recording = Some(RunRecording::new(run));
+        let recording = RunRecording::new(run);
+        self.swept_before = if self.before.is_some() { recording.first_coverage() } else { 0.0 };
+        self.recording = Some(recording);
         self.go_to_awaited();
     }
 
@@ -311,6 +313,7 @@ impl Session {
         // A program's own simulation begins with a floor that nobody has swept.
         self.before = before.filter(|_| !self.program_drives());
         self.program.restart();
+        self.swept_before = 0.0;
         self.planning = None;
         self.pacer.restart();
         self.is_opening = self.is_opening
@@ -337,6 +340,8 @@ impl Session {
                     Algorithm::Behaviour(_) => {}
                 }
                 self.warn_of_closed_off(&prepared);
+                let before = self.before.as_ref();
+                self.swept_before = before.map_or(0.0, |run| run.tracker().coverage_on(&prepared.floor));
                 self.prepared = Some(prepared);
                 if self.planning.is_none()
                     && let Some(run) = self.fresh_run()

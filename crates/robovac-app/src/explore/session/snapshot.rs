@@ -116,13 +116,10 @@ impl Session {
             speed: self.settings.speed,
             speed_factor: self.pacer.speed_factor(),
             time_s: run.map_or(0.0, Run::time_s),
-            swept_before: self
-                .recording
-                .as_ref()
-                .filter(|_| self.before.is_some())
-                .map_or(0.0, RunRecording::first_coverage),
+            swept_before: self.swept_before,
             run_end_s: self.recording.as_ref().map_or(0.0, RunRecording::end_s),
-            coverage: run.map_or(0.0, Run::coverage),
+            // While another path is planned, what was swept before counts.
+            coverage: run.map_or(self.swept_before, Run::coverage),
             overlap: run.map_or(0.0, |r| r.tracker().overlap()),
             distance_m: run.map_or(0.0, Run::distance_m),
             least_m: run.filter(|_| state == SessionState::Finished).and_then(|run| self.least_m(run)),
