@@ -84,7 +84,7 @@ async function start() {
       return worked;
     },
     takeFiles: async (files, isRoom = false) => {
-      /** @type {import("./worker-types").ReadMap} */
+      /** @type {Uint8Array} */
       let map;
       try {
         const { readMap } = await import("./workers.js");
