@@ -150,7 +150,7 @@ async function start() {
     requestAnimationFrame(frame);
     guard(() => {
       const request = playground.take_plan_request();
-      if (request) void planning.start({ .../** @type {import("./worker-types").PlanRequest} */ (request), place: playground.snapshot() });
+      if (request) void planning.start({ ...request, place: playground.snapshot() });
       if (isOnFloor()) {
         stage.resized();
         playground.frame(now);

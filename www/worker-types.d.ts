@@ -2,7 +2,7 @@
 import type { BenchResult, SessionSnapshot } from "./types";
 
 /** A planning request, the result of `take_plan_request` and the argument of `plan`. */
-export type PlanRequest = { id: number; planner?: string; place?: import("./types").SessionSnapshot };
+export type PlanRequest = { id: number; planner: string; bytes: Uint8Array; place?: import("./types").SessionSnapshot };
 
 /** A run to be written as a bag: of Explore, or of the Map tab with its link and stored state. */
 export type BagRequest = { snapshot: SessionSnapshot } & ({ corners: Float64Array; inputs: Float64Array; end_s: number; log?: Uint8Array | undefined } | { link: string; stored: string; log?: Uint8Array | undefined });

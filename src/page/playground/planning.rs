@@ -15,7 +15,7 @@ const OPENING_S: f64 = 600.0;
 #[wasm_bindgen]
 impl Playground {
     /// The pending planning request, returned once; pass it to `plan` in a worker. To be called in every frame.
-    #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
+    #[wasm_bindgen(unchecked_return_type = "{ id: number; planner: string; bytes: Uint8Array } | undefined")]
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
         let request = self.session.take_plan_request();
         // A changed opening scene starts at its beginning.
