@@ -84,7 +84,7 @@ async function start() {
       return worked;
     },
     takeFiles: async (files, isRoom = false) => {
-      /** @type {import("./worker-types").ReadMap} */
+      /** @type {Uint8Array} */
       let map;
       try {
         const { readMap } = await import("./workers.js");
@@ -150,7 +150,7 @@ async function start() {
     requestAnimationFrame(frame);
     guard(() => {
       const request = playground.take_plan_request();
-      if (request) void planning.start({ .../** @type {import("./worker-types").PlanRequest} */ (request), place: playground.snapshot() });
+      if (request) void planning.start({ ...request, place: playground.snapshot() });
       if (isOnFloor()) {
         stage.resized();
         playground.frame(now);

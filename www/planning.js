@@ -6,7 +6,7 @@
  * @typedef {import("./worker-types").Proof | undefined} Proof
  * @typedef {object} Listeners
  * @property {(id: number, done: number, cells: import("./worker-types").WirePath, proof: Proof) => void} progress
- * @property {(id: number, cells: import("./worker-types").WirePath, seconds: number, trace: unknown, proof: Proof, knots: import("./worker-types").Knots, film: import("./worker-types").FilmPictures) => void} finished
+ * @property {(id: number, cells: import("./worker-types").WirePath, seconds: number, trace: Uint8Array, proof: Proof, knots: import("./worker-types").Knots, film: import("./worker-types").FilmPictures) => void} finished
  * @property {(id: number, film: unknown[]) => void} [filmed] Receives the film of a plan that was kept.
  * @property {(id: number, knots: Float64Array) => void} [smoothed] Receives the rounded corners of a plan that was kept.
  * @property {(id: number, proof: Proof, least: Float64Array | undefined) => void} [proven] Receives what is proven of a plan already received.

@@ -2,7 +2,7 @@
 import type { BenchResult, SessionSnapshot } from "./types";
 
 /** A planning request, the result of `take_plan_request` and the argument of `plan`. */
-export type PlanRequest = { id: number; planner?: string; place?: import("./types").SessionSnapshot };
+export type PlanRequest = { id: number; planner: string; bytes: Uint8Array; place?: import("./types").SessionSnapshot };
 
 /** A run to be written as a bag: of Explore, or of the Map tab with its link and stored state. */
 export type BagRequest = { snapshot: SessionSnapshot } & ({ corners: Float64Array; inputs: Float64Array; end_s: number; log?: Uint8Array | undefined } | { link: string; stored: string; log?: Uint8Array | undefined });
@@ -32,7 +32,7 @@ export type Proof = Float64Array;
 export type FromWorker =
   | { type: "progress"; id: number; done: number; cells: WirePath; proof: Proof | undefined; frames: unknown[] }
   /** The planner's own proof; the proof in the weights of comparisons comes later. */
-  | { type: "finished"; id: number; cells: WirePath; seconds: number; trace: unknown; proof: Proof | undefined; knots: Knots; film: FilmPictures }
+  | { type: "finished"; id: number; cells: WirePath; seconds: number; trace: Uint8Array; proof: Proof | undefined; knots: Knots; film: FilmPictures }
   /** What was rounded of a plan that was kept, and its film. */
   | { type: "smoothed"; id: number; knots: Knots }
   | { type: "filmed"; id: number; film: FilmPictures }
@@ -48,10 +48,8 @@ export type FromTrial =
 /** Outcomes of runs, the argument of `MonteCarlo.batch_finished`. */
 export type FromRuns = { type: "ran"; id: number; outcomes: Float64Array } | { type: "failed"; id: number; message: string };
 
-/** A map as `read_map` has read it, or `flat` made it. */
-export type ReadMap = { name: string; width: number; cells: Uint8Array };
-
-export type FromReader = { type: "read"; id: number; map: ReadMap } | { type: "failed"; id: number; message: string };
+/** `map`: as `read_map` has read it, or `flat` made it. */
+export type FromReader = { type: "read"; id: number; map: Uint8Array } | { type: "failed"; id: number; message: string };
 
 /** Planning cells for a coverage. */
 export type FromFit = { type: "fitted"; id: number; metres: number } | { type: "failed"; id: number; message: string };

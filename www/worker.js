@@ -49,7 +49,7 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
       tellProof(message.request, message.cells);
     } else if (message.type === "read" || message.type === "flat") {
       const map = message.type === "read" ? read_map(message.request.files) : flat(message.request.flat);
-      answer({ type: "read", id, map }, [map.cells.buffer]);
+      answer({ type: "read", id, map }, [map.buffer]);
     } else if (message.type === "fit") {
       answer({ type: "fitted", id, metres: fit_cells(message.request.snapshot, message.request.percent) });
     } else if (message.type === "bag") {

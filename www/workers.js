@@ -35,14 +35,14 @@ export async function hire() {
  * Reads a map from files that belong together, in a worker of its own: a large one takes its time. Their bytes are handed
  * over. Throws messages for users.
  * @param {{ name: string, bytes: Uint8Array }[]} files
- * @returns {Promise<import("./worker-types").ReadMap>}
+ * @returns {Promise<Uint8Array>}
  */
 export const readMap = (files) => mapFrom({ type: "read", request: { id: 0, files } }, files.map(({ bytes }) => bytes.buffer));
 
 /** Makes the furnished flat with that name, such as 7, or 7~area:40..60. Throws messages for users. @param {string} flat */
 export const makeFlat = (flat) => mapFrom({ type: "flat", request: { id: 0, flat } });
 
-/** @param {import("./worker-types").ToWorker} message @param {ArrayBufferLike[]} [transfer] @returns {Promise<import("./worker-types").ReadMap>} */
+/** @param {import("./worker-types").ToWorker} message @param {ArrayBufferLike[]} [transfer] @returns {Promise<Uint8Array>} */
 async function mapFrom(message, transfer = []) {
   const worker = await hire();
   try {

@@ -161,8 +161,8 @@ impl FloorPlanSession {
     // ---- export
 
     /// The room for `Playground.take_map`; `sweeps` also chooses the planner of the sweep.
-    pub fn room(&self, sweeps: bool) -> Result<JsValue, JsValue> {
-        map_file::import_to_js(self.session.as_ref().ok_or("there is no floor plan yet")?.import(sweeps)?)
+    pub fn room(&self, sweeps: bool) -> Result<Vec<u8>, JsValue> {
+        map_file::import_to_bytes(self.session.as_ref().ok_or("there is no floor plan yet")?.import(sweeps)?)
     }
 
     /// The sweep as a file: `{ name, media, bytes }`.

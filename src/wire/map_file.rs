@@ -1,13 +1,10 @@
-//! Map files, read in a worker; the room is returned as a plain object.
+//! Map files, read in a worker; the room is returned as bytes.
 
-use js_sys::Array;
-use js_sys::{Float64Array, Reflect, Uint8Array};
-use robovac_app::pack;
-use robovac_app::unpack;
-use robovac_app::{Import, ScenarioChoices};
-use robovac_core::floor_plan::SourceFile;
+use super::bytes::{from_bytes, to_bytes};
+use js_sys::{Array, Reflect, Uint8Array};
+use robovac_app::{Import, ScenarioChoices, pack, unpack};
 use robovac_core::{
-    floor_plan::FloorPlan,
+    floor_plan::{FloorPlan, SourceFile},
     geometry::Pose,
     grid::{Grid, Occupancy},
 };
@@ -17,11 +14,13 @@ use wasm_bindgen::JsValue;
 /// A map in the form for the page; its cells are passed as bytes, and its objects as numbers. Poses are x, y, heading
 /// in metres and radians.
 #[derive(Debug, Serialize, Deserialize)]
-struct WireMap {
+struct WireMap<'a> {
     name: String,
     note: String,
     resolution: f64,
     width: usize,
+    cells: &'a [u8],
+    objects: Vec<f64>,
     start: Option<[f64; 3]>,
     origin: [f64; 3],
     choices: Option<ScenarioChoices>,
@@ -31,17 +30,21 @@ struct WireMap {
 const CODES: [Occupancy; 3] = [Occupancy::Free, Occupancy::Occupied, Occupancy::Unknown];
 
 /// The argument of `Playground.take_map`.
-pub fn import_to_js(Import { plan, choices }: Import) -> Result<JsValue, JsValue> {
+pub fn import_to_bytes(Import { plan, choices }: Import) -> Result<Vec<u8>, JsValue> {
     let numbers = |pose: Pose| [pose.x, pose.y, pose.heading];
-    let (width, origin) = (plan.occupancy.width(), numbers(plan.origin));
-    let (resolution, start) = (plan.resolution, plan.start.map(numbers));
     let code = |cell: &Occupancy| CODES.iter().position(|code| code == cell).unwrap_or_default() as u8;
     let cells: Vec<u8> = plan.occupancy.values().iter().map(code).collect();
-    let wire = WireMap { name: plan.name, note: plan.note, resolution, width, start, origin, choices };
-    let object = crate::wire::to_js(&wire)?;
-    Reflect::set(&object, &"cells".into(), &Uint8Array::from(cells.as_slice()))?;
-    Reflect::set(&object, &"objects".into(), &Float64Array::from(pack(&plan.objects).as_slice()))?;
-    Ok(object)
+    to_bytes(&WireMap {
+        name: plan.name,
+        note: plan.note,
+        resolution: plan.resolution,
+        width: plan.occupancy.width(),
+        cells: &cells,
+        objects: pack(&plan.objects),
+        start: plan.start.map(numbers),
+        origin: numbers(plan.origin),
+        choices,
+    })
 }
 
 /// Files from an array of `{ name, bytes }`.
@@ -55,18 +58,17 @@ fn source_file(file: &JsValue) -> Result<SourceFile, JsValue> {
     Ok(SourceFile { name, bytes })
 }
 
-/// The import of an object made by [`import_to_js`].
-pub fn import_from_js(object: &JsValue) -> Result<Import, JsValue> {
-    let wire: WireMap = serde_wasm_bindgen::from_value(object.clone()).map_err(|e| e.to_string())?;
-    let cells = Uint8Array::new(&Reflect::get(object, &"cells".into())?).to_vec();
-    let cells = cells.into_iter().map(|code| CODES[usize::from(code).min(CODES.len() - 1)]).collect();
+/// The import of bytes made by [`import_to_bytes`].
+pub fn import_from_bytes(bytes: &[u8]) -> Result<Import, JsValue> {
+    let wire: WireMap = from_bytes(bytes)?;
+    let cells = wire.cells.iter().map(|&code| CODES[usize::from(code).min(CODES.len() - 1)]).collect();
     let pose = |[x, y, heading]: [f64; 3]| Pose::new(x, y, heading);
     let plan = FloorPlan {
         name: wire.name,
         note: wire.note,
         resolution: wire.resolution,
         occupancy: Grid::from_rows(wire.width, cells).ok_or("the map has no cells")?,
-        objects: unpack(&Float64Array::new(&Reflect::get(object, &"objects".into())?).to_vec()),
+        objects: unpack(&wire.objects),
         start: wire.start.map(pose),
         origin: pose(wire.origin),
     };

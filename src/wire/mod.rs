@@ -1,6 +1,8 @@
-//! Values passed between the page and its workers, and between Rust and JavaScript: plain objects and arrays.
+//! Values passed between the page and its workers, and between Rust and JavaScript: plain objects and arrays,
+//! or bytes if JavaScript only hands them on.
 
 pub mod benchmark;
+pub mod bytes;
 pub mod frames;
 pub mod map_file;
 pub mod pictures;

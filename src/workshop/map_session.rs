@@ -217,10 +217,10 @@ impl MapSession {
 
     /// The map as a room for `Playground.take_map`: gaps between lanes are floor, as for a robot that cleans with it. Throws a
     /// sentence for users if there is none.
-    pub fn room(&self) -> Result<JsValue, JsValue> {
+    pub fn room(&self) -> Result<Vec<u8>, JsValue> {
         let mut plan = self.mapped()?;
         close_gaps(&mut plan.occupancy, plan.resolution);
-        map_file::import_to_js(Import { plan, choices: None })
+        map_file::import_to_bytes(Import { plan, choices: None })
     }
 
     /// The map as a ROS map: `{ name, bytes, kind }` of its image and its description, named `stem`.
@@ -230,8 +230,8 @@ impl MapSession {
 
     /// Gives the robot a map read by a worker, and kidnaps it to a random place. Throws a sentence for users and
     /// changes nothing if that isn't possible.
-    pub fn open(&mut self, map: &JsValue) -> Result<(), JsValue> {
-        let import = map_file::import_from_js(map)?;
+    pub fn open(&mut self, map: &[u8]) -> Result<(), JsValue> {
+        let import = map_file::import_from_bytes(map)?;
         Ok(self.state.open(&import.plan).map_err(|e| e.to_string())?)
     }
 

@@ -4,9 +4,10 @@ use coverage_planners::{
     Bounds, CoveragePath, Film, ProgressReport, Proof,
     metrics::{DriveMetrics, MetricExcess, WalkMetrics},
 };
-use js_sys::{Array, Float64Array, Function, Object, Reflect};
+use js_sys::{Array, Float64Array, Function, Object, Reflect, Uint8Array};
 use robovac_app::explore::pictures;
 use robovac_playground::wire::{
+    bytes::to_bytes,
     clock,
     frames::{frames_from_js, frames_to_js},
     pictures::pictures_to_js,
@@ -44,7 +45,7 @@ pub fn plan(request: &JsValue, on_progress: &Function) -> Result<JsValue, JsValu
     let result = Object::new();
     Reflect::set(&result, &"cells".into(), &path_to_js(&answer.path.cells, &answer.path.line))?;
     Reflect::set(&result, &"seconds".into(), &answer.seconds.into())?;
-    Reflect::set(&result, &"trace".into(), &robovac_playground::wire::to_js(&answer.trace)?)?;
+    Reflect::set(&result, &"trace".into(), &Uint8Array::from(to_bytes(&answer.trace)?.as_slice()))?;
     Reflect::set(&result, &"proof".into(), &proof_to_js(answer.proof))?;
     Ok(result.into())
 }

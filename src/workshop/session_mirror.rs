@@ -90,7 +90,7 @@ fn read(snapshot: JsValue, algorithm: Option<String>) -> Result<SessionSnapshot,
 impl SessionMirror {
     /// The pending planning request of the chosen algorithm, returned once; pass it to `plan` in a worker. `undefined`
     /// for a behaviour, and for a finished plan.
-    #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
+    #[wasm_bindgen(unchecked_return_type = "{ id: number; planner: string; bytes: Uint8Array } | undefined")]
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
         let request = self.session.take_plan_request();
         let Some(request) = request else { return Ok(JsValue::UNDEFINED) };

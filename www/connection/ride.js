@@ -101,7 +101,6 @@ export function startRide(it) {
   /** Corners of the line to drive; `undefined` if there is none. @returns {Promise<Float64Array | undefined>} */
   const corners = async () => {
     if (room.algorithm?.kind === "behaviour") return new Float64Array();
-    /** @type {import("../worker-types").PlanRequest | undefined} */
     const request = room.mirror.take_plan_request();
     if (request) {
       setText(byId("connection-planning"), "Planning…");

@@ -92,7 +92,7 @@ export function startFloorPlan(app, module) {
     },
     use: async (sweeps) => {
       const answer = await it.ask({ type: "room", sweeps }, "Making the room");
-      if (!answer || !app.act((p) => p.take_map(answer.result))) return;
+      if (!answer || !app.act((p) => p.take_map(/** @type {Uint8Array} */ (answer.result)))) return;
       const isAssumed = it.view?.assumes_size === true;
       toast(`Loaded ${client.files.map((file) => file.name).join(" and ")}${isAssumed ? ". Its size is only assumed: set it in Floor plan" : ""}`);
       byId("tab-explore").click();

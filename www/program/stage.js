@@ -110,7 +110,7 @@ export class Stage {
     const [request, seconds] = [this.#request, (performance.now() - this.#began) / 1000];
     this.#request = undefined;
     if (!request) return;
-    this.#app.act((p) => p.plan_finished(request.id, cells, seconds, [], undefined));
+    this.#app.act((p) => p.plan_finished(request.id, cells, seconds, undefined, undefined));
     if (this.#app.playground.view().state !== "failed") this.#judge.prove(request, cells);
   }
 

@@ -4,7 +4,7 @@ use super::Playground;
 use coverage_planners::{ProgressReport, TraceStep, metrics::SweepBound};
 use js_sys::Array;
 use robovac_playground::wire::{
-    pictures::pictures_from_js, proof::proof_from_js, request, trajectory::trajectory_from_js, walk,
+    bytes::from_bytes, pictures::pictures_from_js, proof::proof_from_js, request, trajectory::trajectory_from_js, walk,
 };
 use robovac_sim::experiment::planning::PlanAnswer;
 use wasm_bindgen::prelude::*;
@@ -15,7 +15,7 @@ const OPENING_S: f64 = 600.0;
 #[wasm_bindgen]
 impl Playground {
     /// The pending planning request, returned once; pass it to `plan` in a worker. To be called in every frame.
-    #[wasm_bindgen(unchecked_return_type = "{ id: number } | undefined")]
+    #[wasm_bindgen(unchecked_return_type = "{ id: number; planner: string; bytes: Uint8Array } | undefined")]
     pub fn take_plan_request(&mut self) -> Result<JsValue, JsValue> {
         let request = self.session.take_plan_request();
         // A changed opening scene starts at its beginning.
@@ -43,10 +43,11 @@ impl Playground {
         id: u32,
         path: &JsValue,
         seconds: f64,
-        trace: JsValue,
+        trace: Option<Vec<u8>>,
         proof: Option<Vec<f64>>,
     ) -> Result<(), JsValue> {
-        let trace: Vec<TraceStep> = serde_wasm_bindgen::from_value(trace).map_err(|e| e.to_string())?;
+        let trace: Option<Vec<TraceStep>> = trace.map(|bytes| from_bytes(&bytes)).transpose()?;
+        let trace = trace.unwrap_or_default();
         let path = walk::path_from_js(path);
         let proof = proof_from_js(proof);
         self.session.plan_finished(id, PlanAnswer { path, seconds, proof, trace });

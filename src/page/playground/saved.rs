@@ -8,14 +8,14 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 impl Playground {
     /// Takes a map or scenario read by `read_map` in a worker.
-    pub fn take_map(&mut self, read: &JsValue) -> Result<(), JsValue> {
-        let import = map_file::import_from_js(read)?;
+    pub fn take_map(&mut self, read: &[u8]) -> Result<(), JsValue> {
+        let import = map_file::import_from_bytes(read)?;
         self.session.take_import(import).map_err(|e| JsValue::from(e.to_string()))
     }
 
     /// Takes only the room of a scenario read by `read_map`; all of it if a path was planned in that room.
-    pub fn take_room(&mut self, read: &JsValue) -> Result<(), JsValue> {
-        let import = map_file::import_from_js(read)?;
+    pub fn take_room(&mut self, read: &[u8]) -> Result<(), JsValue> {
+        let import = map_file::import_from_bytes(read)?;
         self.session.take_room(import).map_err(|e| JsValue::from(e.to_string()))
     }
 
@@ -71,8 +71,8 @@ impl Playground {
     }
 
     /// Adds an older state of the room, read by `read_map`, to what can be undone, before all that is known of it.
-    pub fn recall_map(&mut self, read: &JsValue) -> Result<(), JsValue> {
-        self.session.recall_room(map_file::import_from_js(read)?.plan, None);
+    pub fn recall_map(&mut self, read: &[u8]) -> Result<(), JsValue> {
+        self.session.recall_room(map_file::import_from_bytes(read)?.plan, None);
         Ok(())
     }
 
