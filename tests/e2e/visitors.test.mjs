@@ -346,6 +346,24 @@ for (const [name, viewport] of Object.entries({ "200 %": { width: 720, height: 4
   });
 }
 
+for (const [width, height] of [[844, 390], [610, 343]]) {
+  test(`in a window of ${width} x ${height} px, the end and messages lie beside the floor`, async (t) => {
+    const { page, app } = await openApp(t, { viewport: { width, height }, address: "#room=empty&planner=snake&speed=0" });
+    await app.until("finished");
+    const told = await app.poll(() => page.locator("#ending").innerText(), (text) => /above the minimum/.test(text));
+    assert.match(told, /^Done: .* floor swept in \d+:\d\d\. .*Try next: \S/s);
+    await page.evaluate(() => (location.hash = "planner=no_such"));
+    await app.says(/There is no algorithm "no_such/);
+    const { stage, over, cut, sideways } = await page.evaluate(() => {
+      const [stage, ...over] = ["stage", "message", "ending"].map((id) => document.getElementById(id));
+      const cut = over.filter((one) => [one, ...one.querySelectorAll("*")].some((part) => part.scrollWidth > part.clientWidth + 1 && part.clientWidth > 0));
+      return { stage: stage.getBoundingClientRect().right, over: over.map((one) => one.getBoundingClientRect().left), cut: cut.map(({ id }) => id), sideways: document.documentElement.scrollWidth - innerWidth };
+    });
+    assert.ok(over.every((left) => left >= stage), `${over} px, and the floor ends at ${stage}`);
+    assert.deepEqual([cut, sideways], [[], 0]);
+  });
+}
+
 test("a sheet closes when it is swiped down", async (t) => {
   const { page } = await openApp(t, { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true, address: "#room=empty" });
   // The first touch is for what is there, and changes nothing of the bar.
