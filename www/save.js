@@ -25,11 +25,12 @@ export async function openSave(app, kind, why = "") {
     made = undefined;
     throw error;
   });
-  (await made)(app, why);
+  const show = await made;
   const proposed = kind && document.querySelector(`input[name=kind][value=${kind}]`);
-  if (!(proposed instanceof HTMLInputElement)) return;
-  proposed.click();
-  proposed.scrollIntoView({ block: "center" });
+  // Before it is shown: a choice takes back what was said.
+  if (proposed instanceof HTMLInputElement) proposed.click();
+  show(app, why);
+  if (proposed instanceof HTMLInputElement) proposed.scrollIntoView({ block: "center" });
 }
 
 async function build() {

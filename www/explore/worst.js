@@ -2,6 +2,7 @@
 // Break it: draw the room in which a planner does worst, measured by how far its plan is above the proven minimum.
 import { make, setText } from "../dom.js";
 import { perMilleAbove, shareAbove } from "../format.js";
+import { toast } from "../messages.js";
 import { act, send } from "./games.js";
 import { addRoom } from "./own-rooms.js";
 import { emptyRoom } from "./rooms.js";
@@ -49,7 +50,11 @@ export function startWorst(app, card) {
       best = undefined;
       toBeat = null;
       const isPlanner = app.view.kind === "planner" && planners.some(({ id, fast }) => fast && id === app.view.algorithm);
-      if (!isPlanner) app.act((p) => p.select_algorithm(planners[0]?.id ?? ""));
+      if (!isPlanner) {
+        const why = app.view.kind === "planner" ? `${titleOf(app.view.algorithm)} searches too long for this game` : "This game is about planners";
+        toast(`${why}: it is played with ${planners[0]?.title}.`);
+        app.act((p) => p.select_algorithm(planners[0]?.id ?? ""));
+      }
       // Own rooms are taken as they are.
       isReady = app.view.room.id === "";
       if (!isReady) void addRoom(app, "Break it", emptyRoom(WIDTH, DEPTH)).then(() => (isReady = app.act((p) => p.set_tool("wall"))));

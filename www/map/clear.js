@@ -6,8 +6,11 @@ import { byId, changed } from "../dom.js";
 const GAP = 10;
 
 /** @param {import("./tab.js").MapTab} it @returns {() => void} */
-export function startClear({ session }) {
+export function startClear(it) {
+  const { session } = it;
   const stage = byId("map-stage");
+  /** Where what the robot does is said over the map; as in map.css. */
+  const isSmall = matchMedia("(max-width: 900px)");
   let isPressed = false;
   /** Where the note about a robot in the hand ends. */
   let held = 0;
@@ -17,7 +20,9 @@ export function startClear({ session }) {
   return () => {
     // The map stays while one presses where to put the robot.
     if (!isPressed) held = low("map-held");
-    const below = Math.max(held, ...["map-end", "map-began", "map-return"].map(low));
+    // The end stays; what it does before changes all the time.
+    const end = isSmall.matches && it.view.phase === "finished" ? low("map-activity") : 0;
+    const below = Math.max(held, end, ...["map-end", "map-began", "map-return"].map(low));
     if (changed(stage, "below", below)) session.keep_clear(below);
   };
 }

@@ -35,6 +35,8 @@ export function startKeeping(it) {
   let written = "";
   let last = 0;
   let warned = false;
+  /** Whether a map was just left by another choice. */
+  let hasParted = false;
 
   /** @param {unknown} error */
   const warn = (error) => {
@@ -56,6 +58,8 @@ export function startKeeping(it) {
       // Another run can have been started meanwhile.
       if (recipe !== now || session.recipe() !== now) return;
       if (found && it.view.time_s === 0 && it.view.end_s === 0) void bring(found);
+      else if (hasParted) toast("A new map begins. To return to the last one, choose the previous settings again.");
+      hasParted = false;
       isKnown = true;
     } catch (error) {
       warn(error);
@@ -162,6 +166,8 @@ export function startKeeping(it) {
 
   return {
     save,
+    /** Another choice has left a map. */
+    parted: () => void (hasParted = true),
     /** Once a frame while the tab is shown. */
     tend() {
       const now = session.recipe();

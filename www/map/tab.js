@@ -2,7 +2,7 @@
 // The tab Map: a robot explores a room that it has never seen, and its map is drawn next to the truth.
 import { MapSession, SessionMirror } from "../../workshop.js";
 import { byId, changed, setAttribute, setHidden, setText, typed } from "../dom.js";
-import { complain, textOf, toast } from "../messages.js";
+import { complain, textOf } from "../messages.js";
 import { settingsOf, without } from "../settings-link.js";
 import { startMirror } from "../session-mirror.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
@@ -58,7 +58,7 @@ export function startMap(app) {
       keeping.save();
       const before = session.view().end_s;
       const worked = it.act((s) => s.set(key, value));
-      if (before > WORTH && session.view().end_s === 0) toast("A new map begins. To return to the last one, choose the previous settings again.");
+      if (before > WORTH && session.view().end_s === 0) keeping.parted();
       return worked;
     },
     toggle: (layer) => void it.act((s) => s.show(layer, !it.view.layers.includes(layer))),

@@ -213,7 +213,7 @@ impl Reasons for Field<'_> {
     }
 
     fn rule(&self, _at: Cell, _heading: Direction, _towards: Direction) -> &'static str {
-        "By activity (of 1000)"
+        "Up the slope of activity (0 to 1000)"
     }
 }
 
