@@ -71,6 +71,12 @@ export function keepState(app) {
   if (hash !== location.hash) write(hash, isElsewhere);
 }
 
+/** Undoes the last change of the room, also of one that is just coming back. @param {App} app */
+export async function undo(app) {
+  await own?.pastOf(app);
+  if (app.view.can.undo) app.act((p) => p.undo());
+}
+
 /** Tab and room of a link. @param {string} hash */
 function place(hash) {
   const pairs = new URLSearchParams(hash.slice(1));

@@ -3,6 +3,7 @@
 import { pickUp } from "./explore/carry.js";
 import { button, byId, input, typed } from "./dom.js";
 import { objectKey } from "./explore/objects.js";
+import { undo } from "./keep.js";
 import { currentTab, isOnFloor } from "./tabs.js";
 
 /**
@@ -55,11 +56,14 @@ function cancels({ view }, { target, ctrlKey, metaKey, altKey }) {
 }
 
 /** Ctrl or Cmd and a key. @param {App} app @param {KeyboardEvent} event */
-function withControl({ act, view }, event) {
+function withControl(app, event) {
+  const { act, view } = app;
   if (!isOnFloor() && currentTab() !== "compare") return false;
   const key = event.key.toLowerCase();
   if (key === "y" || (key === "z" && event.shiftKey)) return view.can.redo && act((p) => p.redo());
-  return key === "z" && view.can.undo && act((p) => p.undo());
+  if (key !== "z" || !view.can.undo) return false;
+  void undo(app);
+  return true;
 }
 
 /** @param {App} app @param {KeyboardEvent} event @param {Element} target @param {HTMLDialogElement} dialog @param {Part[]} parts */

@@ -222,6 +222,33 @@ test("back to an own room that was changed since leads to the room as it is now,
   assert.deepEqual(await page.evaluate(() => JSON.parse(localStorage.getItem("own-rooms") ?? "").map(({ name }) => name)), [name]);
 });
 
+test("undo in an own room takes its last change back at once after a reload and a way through another room", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=empty&speed=1" });
+  const whole = await app.reachableArea();
+  await app.tool("wall");
+  await app.drag([0.4, 0.3], [0.4, 0.6]);
+  await app.settled();
+  const one = await app.reachableArea();
+  await app.linked("map");
+  await app.choose("room", "maze");
+  await app.linked("room", (room) => room === "maze");
+  const name = await page.locator("#room optgroup[label='Your rooms'] option").first().textContent();
+  await page.locator("#room").selectOption({ label: name });
+  await app.poll(() => app.reachableArea(), (area) => area === one);
+  await app.linked("map");
+  await page.reload();
+  // The room is left as soon as it is there, whatever of its past is.
+  await app.poll(() => app.reachableArea(), (area) => area === one);
+  await page.goBack();
+  await app.poll(() => app.room(), (shown) => shown === "Maze");
+  await page.goBack();
+  await app.poll(() => app.reachableArea(), (area) => area === one);
+  await page.locator("#undo:enabled").click();
+  await app.poll(() => app.reachableArea(), (area) => area === whole);
+  await app.press("Redo");
+  await app.poll(() => app.reachableArea(), (area) => area === one);
+});
+
 test("back and forward go through tabs and rooms, and the run goes on", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty" });
   await app.linked("planner");

@@ -4,7 +4,7 @@ import { toast } from "../messages.js";
 import { aboutRoom, settingsOf } from "../settings-link.js";
 import { flatOf } from "./flat.js";
 import { pack } from "./pack.js";
-import { forgetPast, keepPast, recall, settlePast } from "./room-past.js";
+import { forgetPast, keepPast, pastIsBack, recall, settlePast } from "./room-past.js";
 import { renamed, roomIn } from "./scenario.js";
 
 /**
@@ -93,6 +93,9 @@ export function freeName(name, id) {
 
 /** The room that is shown, if it is an own one. @param {App} app */
 export const currentId = (app) => (app.view.room.id ? undefined : ids.get(app.playground.room_lineage()));
+
+/** When the changes of the shown room that were made before the page was loaded can be undone. @param {App} app */
+export const pastOf = (app) => pastIsBack(app.playground.room_lineage());
 
 /** The pair of links that tells the shown room from other own ones. @param {App} app */
 export function pairOf(app) {

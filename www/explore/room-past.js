@@ -6,8 +6,10 @@
 /** Most states of a room, and letters of all of them. */
 const MOST = { states: 20, letters: 1_500_000 };
 
-/** Lineages whose past was recalled, or is known. @type {Set<number>} */
-const recalled = new Set();
+/** What isn't back yet of each lineage's past, as in `read`; nothing of what was done since. @type {Map<number, string[]>} */
+const missing = new Map();
+/** The lineages whose past is coming back. @type {Map<number, Promise<void>>} */
+const coming = new Map();
 
 /** A stroke is one change, however often it is kept meanwhile: the room before it. @type {{ id: string, before: string } | undefined} */
 let held;
@@ -70,19 +72,27 @@ export function forgetPast(id) {
 
 /** Once for each lineage, lets the changes of the shown room be undone that were made before the page was loaded. @param {App} app @param {number} lineage @param {string} id Empty for a new room. */
 export function recall(app, lineage, id) {
-  if (recalled.has(lineage)) return;
-  recalled.add(lineage);
-  const past = id ? read(id) : [];
-  if (past.length > 0) void bringBack(app, lineage, past).catch((error) => console.warn(error));
+  const past = missing.get(lineage) ?? (id ? read(id) : []);
+  missing.set(lineage, past);
+  if (past.length === 0 || coming.has(lineage)) return;
+  const back = bringBack(app, lineage, past).catch((error) => {
+    past.length = 0;
+    console.warn(error);
+  });
+  coming.set(lineage, back.finally(() => void coming.delete(lineage)));
 }
+
+/** When what is shown can be undone as far as it is known. @param {number} lineage */
+export const pastIsBack = (lineage) => coming.get(lineage);
 
 /** @param {App} app @param {number} lineage @param {string[]} past */
 async function bringBack(app, lineage, past) {
   const { readMap } = await import("../workers.js");
-  for (const state of past.reverse()) {
+  for (let state = past.at(-1); state; state = past.at(-1)) {
     const map = state.startsWith("{") ? await readMap([{ name: "room.json", bytes: new TextEncoder().encode(state) }]) : undefined;
-    // Another room may have been chosen meanwhile.
+    // Another room may have been chosen meanwhile. The rest comes back with this one.
     if (app.playground.room_lineage() !== lineage) return;
+    past.pop();
     app.act((p) => (map ? p.recall_map(map) : p.recall_room(state)));
   }
 }

@@ -2,6 +2,7 @@
 // The floor: what hands and keys do to it, and its tools.
 import { button, byId, typed } from "../dom.js";
 import { pickUp, startCarry } from "./carry.js";
+import { undo } from "../keep.js";
 import { fitSize, startHands, startZoom } from "../shared/pan-zoom.js";
 
 /**
@@ -65,7 +66,7 @@ function startToolbar(app) {
     });
   }
   button("lift").addEventListener("click", () => pickUp(app));
-  button("undo").addEventListener("click", () => app.view.can.undo && app.act((p) => p.undo()));
+  button("undo").addEventListener("click", () => void undo(app));
   button("redo").addEventListener("click", () => app.view.can.redo && app.act((p) => p.redo()));
   button("planning-cancel").addEventListener("click", () => app.cancelPlanning());
   button("planning-keep").addEventListener("click", () => app.view.can.keep && app.keepPlan());

@@ -44,6 +44,13 @@ impl Life {
         Self { movers, discs, spots, dirt: [dirt; 2] }
     }
 
+    /// The same with the dirt that was left in `earlier`, where a spot is as it was.
+    pub fn after(world: &World, floor: &ReachableFloor, seed: u64, earlier: &Self) -> Self {
+        let mut life = Self::new(world, floor, seed);
+        life.take_over(earlier);
+        life
+    }
+
     /// Advances by one simulation step. `is_taken` returns whether a disc would touch the robot, which movers avoid.
     pub fn step(&mut self, world: &World, mut is_taken: impl FnMut(Point, f64) -> bool) {
         for ((mover, disc), (_, path)) in self.movers.iter_mut().zip(&mut self.discs).zip(&world.movers) {

@@ -166,6 +166,25 @@ fn what_is_clean_stays_clean_when_the_room_is_changed() {
 }
 
 #[test]
+fn dirt_that_is_gone_stays_gone_while_another_path_is_planned_and_when_that_is_cancelled() {
+    let mut session = opened();
+    session.select_room("living").expect("it ships");
+    session.plan_now(|| 0.0);
+    session.run_ahead(3600.0);
+    let before = session.view().dirt_left.expect("there is dirt");
+    assert!(before < 0.9, "{before}");
+    session.begin_stroke(Brush::Wall, Point::new(2.0, 1.5));
+    session.end_stroke();
+    for state in [SessionState::Planning, SessionState::Failed] {
+        let view = session.view();
+        let left = view.dirt_left.expect("there is dirt");
+        assert!(view.state == state && (left - before).abs() < 1e-9, "{:?}: {left} after {before}", view.state);
+        assert!(!session.scene().life.expect("the room has a cat").movers().is_empty());
+        session.cancel_plan();
+    }
+}
+
+#[test]
 fn what_is_clean_stays_clean_with_rounded_corners_too() {
     let mut session = opened();
     session

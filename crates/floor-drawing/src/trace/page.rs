@@ -23,12 +23,15 @@ const TITLE_BLOCK: f64 = 0.25;
 /// Least floor that walls within a frame enclose, as a share of the frame's area: without a building it is a room. A flat of 50 m² at
 /// 1:100 is a twelfth of an A4 sheet.
 const BUILDING: f64 = 0.05;
-/// Cells along the longer side for that, and openings that are closed for it, in cells.
+/// Cells along the longer side for that, and openings that are closed for it, in cells: doors, and wide ones of walls that are
+/// called so.
 const CELLS: f64 = 200.0;
 const DOOR: f64 = 6.0;
+const WIDE_DOOR: f64 = 18.0;
 
 /// The drawing with a page's frame and title block on layers of their own, which are ignored. What lies on layers that
-/// are called walls, and a rectangle around anything but a building, stays.
+/// are called walls, and a rectangle around anything but a building, stays; so does one without the sides of a sheet, unless the
+/// building's walls are called so.
 pub(crate) fn without_page(mut drawing: Drawing) -> Drawing {
     let Some((frame, title)) = found(&drawing) else { return drawing };
     for (name, strokes) in [("page frame", frame), ("title block", title)] {
@@ -66,9 +69,10 @@ fn found(drawing: &Drawing) -> Option<(Vec<usize>, Vec<usize>)> {
     let size = all.high - all.low;
     let (longer, shorter) = (size.max(), size.min());
     let near = NEAR * longer;
-    if shorter <= 0.0 || !(ASPECT[0]..=ASPECT[1]).contains(&(longer / shorter)) {
+    if shorter <= 0.0 {
         return None;
     }
+    let is_sheet = (ASPECT[0]..=ASPECT[1]).contains(&(longer / shorter));
     let is_frame = |index: usize| {
         let (stroke, b) = (&drawing.strokes[index], &boxes[index]);
         let inside = b.high - b.low;
@@ -111,7 +115,9 @@ fn found(drawing: &Drawing) -> Option<(Vec<usize>, Vec<usize>)> {
     let house: Vec<usize> = rest.into_iter().filter(|index| !title.contains(index)).collect();
     // Walls that are called so are a building, however wide its doors.
     let is_named = house.iter().any(|&index| says_wall(&drawing.layers[drawing.strokes[index].layer as usize].name));
-    (is_named || floor_share(drawing, &house, &all, longer)? >= BUILDING).then_some((frame, title))
+    let has_building = |door| Some(floor_share(drawing, &house, &all, longer, door)? >= BUILDING);
+    let is_frame = if is_sheet { is_named || has_building(DOOR)? } else { is_named && has_building(WIDE_DOOR)? };
+    is_frame.then_some((frame, title))
 }
 
 fn area(b: &BoundingBox) -> f64 {
@@ -136,9 +142,9 @@ fn is_rectangle(corners: &[Point], is_closed: bool, b: &BoundingBox, near: f64) 
         && sides.is_some_and(|s| s.windows(2).all(|pair| (pair[0].0 != pair[1].0) != (pair[0].1 != pair[1].1)))
 }
 
-/// The share of the area `all` that strokes enclose, with openings like doors closed.
-fn floor_share(drawing: &Drawing, strokes: &[usize], all: &BoundingBox, longer: f64) -> Option<f64> {
-    let frame = RasterFrame::around(all, longer / CELLS, ceil(DOOR) + 2);
+/// The share of the area `all` that strokes enclose, with openings up to `door` cells closed.
+fn floor_share(drawing: &Drawing, strokes: &[usize], all: &BoundingBox, longer: f64, door: f64) -> Option<f64> {
+    let frame = RasterFrame::around(all, longer / CELLS, ceil(door) + 2);
     let mut canvas = RasterCanvas::new(frame.size);
     for &index in strokes {
         let stroke = &drawing.strokes[index];
@@ -150,7 +156,7 @@ fn floor_share(drawing: &Drawing, strokes: &[usize], all: &BoundingBox, longer: 
             canvas.segment(frame.cells(a), frame.cells(b)).ok()?;
         }
     }
-    let outside = openings::part(&canvas.cells, [Cell::new(0, 0)], DOOR);
+    let outside = openings::part(&canvas.cells, [Cell::new(0, 0)], door);
     let inside = outside.cells.values().iter().zip(canvas.cells.values());
     let inside = inside.filter(|&(&is_outside, &is_wall)| !is_outside && !is_wall).count();
     Some(inside as f64 * frame.side * frame.side / area(all))
@@ -214,6 +220,17 @@ mod tests {
         let found = |layer| layers(&[[frame].as_slice(), &open(layer)].concat());
         assert_eq!(walls(&found("Waende")), 3);
         assert_eq!(walls(&found("0")), 4, "who knows what they are");
+    }
+
+    #[test]
+    fn a_rectangle_of_any_shape_round_walls_that_are_called_so_is_a_frame() {
+        let frame = ("0", 0.0, 0.0, 420.0, 400.0);
+        let called = HOUSE.map(|(_, l, b, r, t)| ("Waende", l, b, r, t));
+        assert_eq!(walls(&layers(&[frame, called[0], called[1]])), 2);
+        assert_eq!(walls(&layers(&[frame, called[0]])), 1, "a single room");
+        // Pillars in a hall, and partitions that reach its walls.
+        assert_eq!(walls(&layers(&[frame, ("Waende", 90.0, 90.0, 110.0, 110.0)])), 2);
+        assert_eq!(walls(&layers(&[frame, called[0], ("Waende", 0.0, 300.0, 420.0, 310.0)])), 3);
     }
 
     #[test]

@@ -38,6 +38,8 @@ pub struct Editor {
     now: EditorState,
     undo: Vec<EditorState>,
     redo: Vec<EditorState>,
+    /// What could be redone in the room that was left last, and in which state that was.
+    left: Option<(Arc<FloorPlan>, Vec<EditorState>)>,
     stroke: Option<(Brush, Point)>,
     version: u64,
     /// Number of rooms so far.
@@ -48,7 +50,7 @@ impl Editor {
     /// Starts with a room; `id` if it is built in.
     pub fn new(plan: FloorPlan, id: Option<&'static str>) -> Self {
         let now = EditorState { plan: Arc::new(plan), room: id, start: None, lineage: 0 };
-        Self { now, undo: Vec::new(), redo: Vec::new(), stroke: None, version: 0, lineages: 0 }
+        Self { now, undo: Vec::new(), redo: Vec::new(), left: None, stroke: None, version: 0, lineages: 0 }
     }
 
     /// The floor plan.
@@ -83,6 +85,12 @@ impl Editor {
 
     /// Replaces the room, with a start chosen by the user if there is one; can be undone.
     pub fn replace(&mut self, plan: FloorPlan, id: Option<&'static str>, start: Option<Pose>) {
+        let mut redo = std::mem::take(&mut self.redo);
+        let others = redo.iter().rposition(|state| state.lineage != self.now.lineage).map_or(0, |index| index + 1);
+        redo.drain(..others);
+        if !redo.is_empty() {
+            self.left = Some((Arc::clone(&self.now.plan), redo));
+        }
         self.remember();
         self.lineages += 1;
         self.now = EditorState { plan: Arc::new(plan), room: id, start, lineage: self.lineages };
@@ -101,8 +109,11 @@ impl Editor {
             state.lineage == lineage && before.occupancy == now.occupancy && before.objects == now.objects
         };
         let Some(index) = self.undo.iter().rposition(is_left) else { return false };
-        self.undo.truncate(index);
         self.redo.clear();
+        if let Some((_, redo)) = self.left.take_if(|(plan, _)| Arc::ptr_eq(plan, &self.undo[index].plan)) {
+            self.redo = redo;
+        }
+        self.undo.truncate(index);
         self.now.lineage = lineage;
         true
     }
@@ -130,6 +141,7 @@ impl Editor {
     pub fn forget(&mut self) {
         self.undo.clear();
         self.redo.clear();
+        self.left = None;
     }
 
     /// Moves the start.
@@ -321,6 +333,24 @@ mod tests {
         // Another state than the one that was left has no changes to take back.
         editor.replace(own, None, None);
         assert!(!editor.resume(lineage));
+    }
+
+    #[test]
+    fn what_was_undone_can_be_redone_after_a_way_through_another_room() {
+        let (mut editor, maze) = (editor(), editor().plan().as_ref().clone());
+        for x in [0.5, 0.9] {
+            editor.begin(Brush::Wall, Point::new(x, 0.5));
+            editor.end();
+        }
+        assert!(editor.undo());
+        let (own, lineage) = (editor.plan().as_ref().clone(), editor.lineage());
+        editor.replace(maze, Some("maze"), None);
+        assert!(!editor.can_redo(), "not in another room");
+        editor.replace(own, None, None);
+        assert!(editor.resume(lineage) && editor.redo());
+        assert_eq!((walls(&editor), editor.can_redo()), (2, false));
+        assert!(editor.undo() && editor.undo());
+        assert_eq!((walls(&editor), editor.room()), (0, Some("empty")));
     }
 
     #[test]

@@ -23,7 +23,7 @@ use robovac_core::{
     geometry::{Point, Pose},
 };
 use robovac_sim::{
-    Input, Run, RunRecording, STEP_S,
+    Input, Life, Run, RunRecording, STEP_S,
     controller::{self, Behaviours, Joystick, LIFTED},
     experiment::{
         Settings, SettingsError,
@@ -58,6 +58,8 @@ pub struct Session {
     before: Option<Run>,
     /// The share of the floor that it has swept.
     swept_before: f64,
+    /// The dirt that it has left, and where people and pets are, until the next run.
+    life_before: Option<Life>,
     /// Number of runs begun.
     runs: u32,
     playing: bool,
@@ -120,6 +122,7 @@ impl Session {
             program: LoggedProgram::default(),
             before: None,
             swept_before: 0.0,
+            life_before: None,
             runs: 0,
             playing: true,
             awaited: None,
@@ -294,7 +297,7 @@ impl Session {
     /// Returns to the start and pauses. What was swept before the room was changed isn't any more.
     pub fn reset(&mut self) {
         self.pause();
-        self.swept_before = 0.0;
+        (self.swept_before, self.life_before) = (0.0, None);
         match self.before.take().and_then(|_| self.fresh_run()) {
             Some(run) => self.record(run),
             None => self.seek(0.0),

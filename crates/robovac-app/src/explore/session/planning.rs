@@ -7,7 +7,7 @@ use coverage_planners::{
 };
 use robovac_core::{coverage::FloorError, floor_plan, geometry::Point, trajectory::Trajectory};
 use robovac_sim::{
-    Run, RunRecording,
+    Life, Run, RunRecording,
     experiment::{
         Algorithm, Settings,
         planning::{PlanAnswer, PlanRequest, Planned, RoomSetup},
@@ -313,7 +313,7 @@ impl Session {
         // A program's own simulation begins with a floor that nobody has swept.
         self.before = before.filter(|_| !self.program_drives());
         self.program.restart();
-        self.swept_before = 0.0;
+        (self.swept_before, self.life_before) = (0.0, None);
         self.planning = None;
         self.pacer.restart();
         self.is_opening = self.is_opening
@@ -342,6 +342,8 @@ impl Session {
                 self.warn_of_closed_off(&prepared);
                 let before = self.before.as_ref();
                 self.swept_before = before.map_or(0.0, |run| run.tracker().coverage_on(&prepared.floor));
+                let after = |run: &Run| Life::after(&prepared.world, &prepared.floor, seed, run.life());
+                self.life_before = before.map(after);
                 self.prepared = Some(prepared);
                 if self.planning.is_none()
                     && let Some(run) = self.fresh_run()

@@ -19,7 +19,7 @@ use robovac_core::{
     trajectory::DriveLimits,
 };
 use robovac_sim::experiment::Shows;
-use robovac_sim::{Run, RunRecording, SensorKind, SlipLevel, What};
+use robovac_sim::{Life, Run, RunRecording, SensorKind, SlipLevel, What};
 
 impl Session {
     /// The scene, without the pointer's tools.
@@ -47,7 +47,7 @@ impl Session {
             film,
             planned_version: u64::from(self.requests) + self.previews,
             trail: run.filter(|_| film.is_none()).map_or(&[], Run::trail),
-            life: run.map(Run::life),
+            life: run.map_or(self.life_before.as_ref(), |run| Some(run.life())),
             steps: run.map_or(0, Run::steps),
             believed: run.filter(|_| estimate).map_or(&[], Run::believed_trail),
             robot,
@@ -65,6 +65,7 @@ impl Session {
     pub fn view(&self) -> SessionView {
         let state = self.state();
         let run = self.recording.as_ref().map(RunRecording::run);
+        let life = run.map_or(self.life_before.as_ref(), |run| Some(run.life()));
         let (plan, conditions) = (self.plan(), self.settings.conditions);
         let custom = self.settings.custom.as_ref();
         let (flat, about) = match FlatId::in_note(&plan.note) {
@@ -101,7 +102,7 @@ impl Session {
             diary: run.map_or(0.0, diary_version),
             is_lifted: self.is_lifted(),
             blocked: run.and_then(Run::blocked).map(|b| [b.forward, b.left, b.right, b.backward]),
-            dirt_left: run.filter(|run| !run.life().spots().is_empty()).map(Run::dirt_left),
+            dirt_left: life.filter(|life| !life.spots().is_empty()).map(Life::dirt_left),
             params: self.settings.params.clone(),
             cell_size_m: self.settings.cell_size,
             seed: self.settings.seed,
