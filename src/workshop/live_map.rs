@@ -204,9 +204,9 @@ impl LiveMap {
         self.has_changed = true;
     }
 
-    /// Keeps so many CSS pixels of the lower right corner free where all of the paper is shown.
-    pub fn keep_clear(&mut self, right: f64, low: f64) {
-        self.viewport.keep_clear(0.0, None, Vector::new(right, low), Vector::zeros());
+    /// Keeps the uppermost `told` CSS pixels free where all of the paper is shown, and `right` x `low` of the lower right corner.
+    pub fn keep_clear(&mut self, told: f64, right: f64, low: f64) {
+        self.viewport.keep_clear(told, None, Vector::new(right, low), Vector::zeros());
         self.has_changed = true;
     }
 

@@ -47,6 +47,14 @@ test("an own robot is built in a form that loses nothing, and survives a reload"
   await page.waitForFunction(() => document.getElementById("robot")?.value === "own");
   await page.locator("#robot-edit").click();
   assert.equal(await page.locator("#own-corners").inputValue(), "0.2 -0.15; 0.2 0.15; -0.1 0.15; -0.2 0; -0.1 -0.15");
+  // The form says of a rectangle that it is one, though links and scenarios have its corners.
+  await page.locator("#own-shape").selectOption("rectangle");
+  await page.locator("#own-first").fill("0.3");
+  await page.locator("#own-second").fill("0.32");
+  await page.locator("#own-use").click();
+  await page.waitForFunction(() => location.hash.includes("own=corners:0.16_-0.15_"));
+  await page.locator("#robot-edit").click();
+  assert.deepEqual(await Promise.all(["shape", "first", "second"].map((id) => page.locator(`#own-${id}`).inputValue())), ["rectangle", "0.3", "0.32"]);
   await page.locator("#own-cancel").click();
   await page.locator("#robot").selectOption("dvr1");
   await page.waitForFunction(() => document.getElementById("robot").value === "dvr1" && document.getElementById("robot-edit").hidden);

@@ -3,7 +3,7 @@
 import { LiveMap } from "../../workshop.js";
 import { byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { clock } from "../format.js";
-import { joystickCorner } from "../shared/corner.js";
+import { joystickCorner, lowerEnd } from "../shared/corner.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { fitSize, startHands, startZoom } from "../shared/pan-zoom.js";
 
@@ -72,7 +72,8 @@ export function startMap(it) {
     draw() {
       fitSize(canvas, map);
       const corner = joystickCorner(stage, "connection-") ?? [0, 0];
-      if (changed(canvas, "clear", corner.join())) map.keep_clear(...corner);
+      const told = lowerEnd(byId("message"), stage);
+      if (changed(canvas, "clear", [told, ...corner].join())) map.keep_clear(told, ...corner);
       map.draw();
     },
     key: startZoom(stage, map),

@@ -1,7 +1,7 @@
 // @ts-check
 // Messages over the floor never lie on the room, when all of that is shown, nor does the joystick: the room gives way.
 import { byId, changed } from "../dom.js";
-import { GAP, joystickCorner } from "../shared/corner.js";
+import { GAP, joystickCorner, lowerEnd } from "../shared/corner.js";
 
 /** Height of the bar of a selected object, pixels. */
 const BAR = 50;
@@ -22,13 +22,7 @@ export function startClear(app) {
   let isPressed = false;
   addEventListener("pointerdown", () => (isPressed = true), { capture: true });
   for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => (isPressed = false), { capture: true });
-  const below = (/** @type {string} */ what, gap = GAP) => {
-    const node = document.querySelector(what);
-    if (!node?.checkVisibility()) return 0;
-    const [box, all] = [node.getBoundingClientRect(), stage.getBoundingClientRect()];
-    // Where the floor is low, messages are beside it.
-    return box.left < all.right ? box.bottom - all.top + gap : 0;
-  };
+  const below = (/** @type {string} */ what, gap = GAP) => lowerEnd(document.querySelector(what), stage, gap);
   const above = (/** @type {Element} */ node) => (node.checkVisibility() ? stage.getBoundingClientRect().bottom - node.getBoundingClientRect().top + GAP : 0);
 
   /** Width and height of the lower right corner that the joystick takes, or in a small frame the zoom; beside a lesson on a

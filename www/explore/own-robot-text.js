@@ -54,6 +54,20 @@ export function cornersOf({ shape, first, second, corners }) {
   });
 }
 
+/** The shape with these corners, each x and y, and its figures. @param {number[]} numbers @returns {Pick<OwnForm, "shape" | "first" | "second" | "corners">} */
+function shapeOf(numbers) {
+  const plain = (/** @type {number} */ value) => String(+value.toFixed(6));
+  const most = (/** @type {number} */ axis) => plain(2 * Math.max(...numbers.filter((_, index) => index % 2 === axis)));
+  const [first, second] = [most(1), most(0)];
+  for (const shape of ["rectangle", "octagon"]) {
+    const own = cornersOf(/** @type {OwnForm} */ ({ shape, first, second }))?.flat() ?? [];
+    const isIt = own.length === numbers.length && own.every((value, index) => Math.abs(value - (numbers[index] ?? NaN)) < 1e-5);
+    if (isIt) return { shape, first, second: shape === "rectangle" ? second : "", corners: "" };
+  }
+  const corners = numbers.flatMap((x, i) => (i % 2 ? [] : [`${plain(x)} ${plain(numbers[i + 1] ?? 0)}`])).join("; ");
+  return { shape: "polygon", first: "", second: "", corners };
+}
+
 /** The text of a link. Throws a sentence for users if a field can't be read. @param {OwnForm} own */
 export function writeOwn(own) {
   /** @type {string[]} */
@@ -79,12 +93,10 @@ export function readOwn(text) {
   const of = (/** @type {string} */ key) => parts.find(([name, value]) => name === key && value !== "body")?.[1] ?? "";
   const plain = (/** @type {number} */ value) => String(+value.toFixed(6));
   const numbers = of("corners").split("_").map(Number);
-  const corners = numbers.length > 2 ? numbers.flatMap((x, i) => (i % 2 ? [] : [`${plain(x)} ${plain(numbers[i + 1] ?? 0)}`])).join("; ") : "";
+  const round = { shape: "circle", first: plain(2 * Number(of("radius"))), second: "", corners: "" };
+  const model = { shape: "model", first: "", second: "", corners: "" };
   return {
-    shape: of("radius") ? "circle" : corners ? "polygon" : "model",
-    first: of("radius") ? plain(2 * Number(of("radius"))) : "",
-    second: "",
-    corners,
+    ...(of("radius") ? round : numbers.length > 2 ? shapeOf(numbers) : model),
     cleansAll: text.split(",").includes("tool:body"),
     tool: of("tool"),
     at: of("at") ? of("at").split("_") : ["", ""],

@@ -1,9 +1,7 @@
 // @ts-check
 // Messages never lie on the map, when all of it is shown: it gives way.
 import { byId, changed } from "../dom.js";
-
-/** Pixels between a message and the map. */
-const GAP = 10;
+import { GAP, lowerEnd } from "../shared/corner.js";
 
 /** @param {import("./tab.js").MapTab} it @returns {() => void} */
 export function startClear(it) {
@@ -16,13 +14,22 @@ export function startClear(it) {
   let held = 0;
   addEventListener("pointerdown", () => (isPressed = true), { capture: true });
   for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => (isPressed = false), { capture: true });
-  const low = (/** @type {string} */ id) => (byId(id).checkVisibility() ? byId(id).getBoundingClientRect().bottom + GAP - stage.getBoundingClientRect().top : 0);
+  /** Where the card with the button to start lies over all of the map's width. */
+  const isLow = matchMedia("(max-width: 900px) and (max-height: 540px)");
+  const low = (/** @type {string} */ id) => lowerEnd(byId(id), stage);
+  /** Width and height of that card's corner. @returns {[number, number]} */
+  const corner = () => {
+    const hint = byId("map-hint");
+    if (!isLow.matches || !hint.checkVisibility()) return [0, 0];
+    const [box, all] = [hint.getBoundingClientRect(), stage.getBoundingClientRect()];
+    return [all.right - box.left + GAP, all.bottom - box.top + GAP];
+  };
   return () => {
     // The map stays while one presses where to put the robot.
     if (!isPressed) held = low("map-held");
     // The end stays; what it does before changes all the time.
     const end = isSmall.matches && it.view.phase === "finished" ? low("map-activity") : 0;
-    const below = Math.max(held, end, ...["map-end", "map-began", "map-return"].map(low));
-    if (changed(stage, "below", below)) session.keep_clear(below);
+    const clear = /** @type {const} */ ([Math.max(held, end, ...["map-end", "map-began", "map-return", "message"].map(low)), ...corner()]);
+    if (changed(stage, "clear", clear.join())) session.keep_clear(...clear);
   };
 }

@@ -1,5 +1,5 @@
 // @ts-check
-// The corner of the floor that a joystick takes: the room keeps clear of it.
+// What floats over a floor: the room keeps clear of it.
 import { byId } from "../dom.js";
 
 /** Pixels between what floats over the floor and the room. */
@@ -8,6 +8,13 @@ export const GAP = 10;
 const NOTE = 48;
 
 const isNarrow = matchMedia("(max-width: 900px)");
+
+/** Where what floats over a stage ends, with the gap below it, pixels from the upper edge; 0 if it isn't there or lies beside the stage. @param {Element | null} node @param {Element} stage */
+export function lowerEnd(node, stage, gap = GAP) {
+  if (!node?.checkVisibility()) return 0;
+  const [box, all] = [node.getBoundingClientRect(), stage.getBoundingClientRect()];
+  return box.left < all.right ? box.bottom - all.top + gap : 0;
+}
 
 /**
  * Width and height of the lower right corner with the joystick, pixels; `undefined` if there is none.

@@ -7,7 +7,7 @@ use super::{
 use robovac_core::{
     geometry::{Point, Vector},
     grid::Grid,
-    math::{PI, ceil, cos, sin},
+    math::{PI, ceil, cos, floor, sin},
 };
 
 /// Share of the samples on a line that are dark, at least.
@@ -31,6 +31,8 @@ const MOST_MISSED: i32 = 4;
 const FROM_END: f64 = 10.0;
 const LEAST_ANGLE: f64 = 72.0;
 const MOST_ANGLE: f64 = 95.0;
+/// Angles at which lines are looked for between them, where there are few.
+const WITHIN: [f64; 6] = [20.0, 29.0, 38.0, 47.0, 56.0, 65.0];
 /// Directions of the first samples: at 45, 28, 15 and 65 degrees.
 const LOOKS: [[f64; 2]; 4] = [[0.707, 0.707], [0.883, 0.469], [0.966, 0.259], [0.423, 0.906]];
 /// A leaf that swings from the doorway.
@@ -68,6 +70,9 @@ impl Swing {
         if LOOKS.into_iter().any(|look| strokes.to_thin(guess.look(look, 1.0)) > near) {
             return None;
         }
+        if guess.is_cluttered(strokes) {
+            return None;
+        }
         let mut best: Option<Self> = None;
         // The leaf can hang within the wall, or at a frame.
         for index in 0..5 * 6 * 4 {
@@ -82,6 +87,15 @@ impl Swing {
             }
         }
         best.filter(|swing| swing.drawn >= LEAST_FIT && swing.is_clear(strokes))
+    }
+
+    /// Whether lines are in much of what a leaf swings over, well within its lines: a look at a few places spares trying all leaves
+    /// in a picture full of specks.
+    fn is_cluttered(&self, strokes: &Strokes) -> bool {
+        let near = self.near();
+        let places = WITHIN.iter().flat_map(|&degrees| [0.3, 0.42, 0.54, 0.66].map(|share| self.at(degrees, share)));
+        let dark = places.filter(|&at| strokes.to_thin(at).min(strokes.to_thick(at)) <= near).count();
+        dark as f64 > CLUTTER * 4.0 * WITHIN.len() as f64
     }
 
     /// The place in a direction, and at a share of the radius.
@@ -150,14 +164,19 @@ impl Swing {
         found
     }
 
-    /// The share of the leaf at an angle in degrees that is drawn, or is close to a wall.
+    /// The share of the leaf at an angle in degrees that is drawn, or is close to a wall; 0 if that is too little.
     fn leaf(&self, strokes: &Strokes, degrees: f64) -> f64 {
         let near = self.near();
         let count = ceil(0.7 * self.radius / STEP);
         let tip = self.at(degrees, 1.0) - self.hinge;
-        let samples = (0..count).map(|step| self.hinge + tip * (0.2 + 0.7 * f64::from(step) / f64::from(count)));
-        let drawn = samples.filter(|&at| strokes.to_thin(at).min(strokes.to_thick(at)) <= near);
-        drawn.count() as f64 / f64::from(count)
+        let mut samples = (0..count).map(|step| self.hinge + tip * (0.2 + 0.7 * f64::from(step) / f64::from(count)));
+        let mut left_to_miss = floor((1.0 - DRAWN) * f64::from(count) + 1e-9);
+        let missed = samples.try_fold(0, |missed, at| {
+            let is_missed = strokes.to_thin(at).min(strokes.to_thick(at)) > near;
+            left_to_miss -= i32::from(is_missed);
+            (left_to_miss >= 0).then_some(missed + i32::from(is_missed))
+        });
+        missed.map_or(0.0, |missed| f64::from(count - missed) / f64::from(count))
     }
 
     /// Whether there is hardly anything between the doorway, the leaf and the arc, nor beyond the arc.
