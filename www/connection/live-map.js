@@ -72,7 +72,7 @@ export function startMap(it) {
     draw() {
       fitSize(canvas, map);
       const corner = joystickCorner(stage, "connection-") ?? [0, 0];
-      const told = lowerEnd(byId("message"), stage);
+      const told = Math.max(lowerEnd(byId("message"), stage), lowerEnd(byId("connection-drop"), stage));
       if (changed(canvas, "clear", [told, ...corner].join())) map.keep_clear(told, ...corner);
       map.draw();
     },

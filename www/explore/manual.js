@@ -21,6 +21,8 @@ export async function startManual(app) {
   let sent = STILL;
   /** When a letter was last typed in the menu, ms. */
   let typed = -Infinity;
+  /** Whether the setup may still lie over the robot that is to be driven. */
+  let isCovered = false;
 
   const isManual = () => app.catalogue.behaviours.find(({ id }) => id === app.view.algorithm)?.manual ?? false;
 
@@ -78,11 +80,15 @@ export async function startManual(app) {
     const manual = isManual() && view.tool === "view";
     if (changed(byId("manual"), "on", manual)) {
       setHidden(byId("manual"), !manual);
-      // On a small screen the setup lies over the robot that is to be driven.
-      if (manual && byId("setup").classList.contains("open")) byId("setup").dispatchEvent(new Event("swiped", { bubbles: true }));
+      isCovered = manual;
       stop();
     }
     if (!manual) return;
+    // On a small screen. The rest of a name that is being typed goes to the menu.
+    if (isCovered && !(document.activeElement === menu && performance.now() - typed < TYPING)) {
+      isCovered = false;
+      if (byId("setup").classList.contains("open")) byId("setup").dispatchEvent(new Event("swiped", { bubbles: true }));
+    }
     const { command, hasGamepad } = stick.read();
     stick.showBlocked(view.blocked, sent);
     const turned = changed(pad, "state", view.state);

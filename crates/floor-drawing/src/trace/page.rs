@@ -10,7 +10,11 @@ use crate::{
     model::{DrawingLayer, drop_empty_layers},
     roles::says_wall,
 };
-use robovac_core::{geometry::Point, grid::Cell, math::ceil};
+use robovac_core::{
+    geometry::{Point, Vector},
+    grid::Cell,
+    math::ceil,
+};
 
 /// Longer by shorter side of a frame: sheets have the square root of 2 (ISO 216), with margins a little more or less.
 const ASPECT: [f64; 2] = [1.36, 1.48];
@@ -18,6 +22,8 @@ const ASPECT: [f64; 2] = [1.36, 1.48];
 const NEAR: f64 = 0.004;
 /// Least size of a second frame within the first, as a share of it.
 const NESTED: f64 = 0.85;
+/// Most lines that may be the left or right side of a frame: more are hatching.
+const MOST_SIDES: usize = 40;
 /// Largest area of a title block, as a share of the frame's.
 const TITLE_BLOCK: f64 = 0.25;
 /// Least floor that walls within a frame enclose, as a share of the frame's area: without a building it is a room. A flat of 50 m² at
@@ -73,24 +79,35 @@ fn found(drawing: &Drawing) -> Option<(Vec<usize>, Vec<usize>)> {
         return None;
     }
     let is_sheet = (ASPECT[0]..=ASPECT[1]).contains(&(longer / shorter));
-    let is_frame = |index: usize| {
-        let (stroke, b) = (&drawing.strokes[index], &boxes[index]);
+    let is_large = |b: &BoundingBox| {
         let inside = b.high - b.low;
-        inside.x >= NESTED * size.x
-            && inside.y >= NESTED * size.y
-            && is_rectangle(drawing.corners(stroke), stroke.is_closed, b, near)
-            && !says_wall(&drawing.layers[stroke.layer as usize].name)
+        inside.x >= NESTED * size.x && inside.y >= NESTED * size.y
     };
-    let frame: Vec<usize> = walls.iter().copied().filter(|&index| is_frame(index)).collect();
-    let is_outermost = |index: &usize| {
-        let b = &boxes[*index];
-        (b.low - all.low).amax() <= near && (b.high - all.high).amax() <= near
+    let nameless = || {
+        let is_nameless = |&index: &usize| !says_wall(&drawing.layers[drawing.strokes[index].layer as usize].name);
+        walls.iter().copied().filter(is_nameless)
     };
-    if !frame.iter().any(is_outermost) {
+    let is_frame = |&index: &usize| {
+        let (stroke, b) = (&drawing.strokes[index], &boxes[index]);
+        is_large(b) && is_rectangle(drawing.corners(stroke), stroke.is_closed, b, near)
+    };
+    let mut frames: Vec<BoundingBox> = Vec::new();
+    let mut frame: Vec<usize> = nameless().filter(is_frame).collect();
+    frames.extend(frame.iter().map(|&index| boxes[index]));
+    let lines: Vec<(usize, BoundingBox)> = nameless()
+        .filter(|&index| drawing.strokes[index].points.len() == 2)
+        .map(|index| (index, boxes[index]))
+        .collect();
+    for (b, sides) in rectangles_of_lines(&lines, size, near) {
+        frames.push(b);
+        frame.extend(sides);
+    }
+    let is_outermost = |b: &BoundingBox| (b.low - all.low).amax() <= near && (b.high - all.high).amax() <= near;
+    if !frames.iter().any(is_outermost) {
         return None;
     }
     // The innermost one is what a title block stands at.
-    let inner = frame.iter().map(|&index| &boxes[index]).min_by(|a, b| area(a).total_cmp(&area(b)))?;
+    let inner = frames.iter().min_by(|a, b| area(a).total_cmp(&area(b)))?;
     let rest: Vec<usize> = walls.iter().copied().filter(|index| !frame.contains(index)).collect();
     let touches = |b: &BoundingBox| {
         let apart = (b.low - inner.low).inf(&(inner.high - b.high));
@@ -142,6 +159,40 @@ fn is_rectangle(corners: &[Point], is_closed: bool, b: &BoundingBox, near: f64) 
         && sides.is_some_and(|s| s.windows(2).all(|pair| (pair[0].0 != pair[1].0) != (pair[0].1 != pair[1].1)))
 }
 
+/// Large rectangles of four single lines, as some programs draw frames: each with its lines.
+fn rectangles_of_lines(lines: &[(usize, BoundingBox)], size: Vector, near: f64) -> Vec<(BoundingBox, [usize; 4])> {
+    let lies = |axis: usize| {
+        let across = 1 - axis;
+        lines.iter().filter(move |(_, b)| {
+            b.high[across] - b.low[across] <= near && b.high[axis] - b.low[axis] >= NESTED * size[axis]
+        })
+    };
+    let upright: Vec<_> = lies(1).collect();
+    let mut found = Vec::new();
+    if upright.len() > MOST_SIDES {
+        return found;
+    }
+    for (left, l) in &upright {
+        for (right, r) in &upright {
+            if r.low.x - l.high.x < NESTED * size.x {
+                continue;
+            }
+            let whole = BoundingBox { low: l.low.inf(&r.low), high: l.high.sup(&r.high) };
+            // Both sides and both of the others end at its corners.
+            let is_side = |b: &BoundingBox, axis: usize| {
+                (b.low[axis] - whole.low[axis]).abs() <= near && (b.high[axis] - whole.high[axis]).abs() <= near
+            };
+            let at = |y: f64| lies(0).find(|(_, b)| is_side(b, 0) && (b.low.y - y).abs() <= near);
+            if let (true, Some((foot, _)), Some((head, _))) =
+                (is_side(l, 1) && is_side(r, 1), at(whole.low.y), at(whole.high.y))
+            {
+                found.push((whole, [*left, *right, *foot, *head]));
+            }
+        }
+    }
+    found
+}
+
 /// The share of the area `all` that strokes enclose, with openings up to `door` cells closed.
 fn floor_share(drawing: &Drawing, strokes: &[usize], all: &BoundingBox, longer: f64, door: f64) -> Option<f64> {
     let frame = RasterFrame::around(all, longer / CELLS, ceil(door) + 2);
@@ -171,13 +222,18 @@ mod tests {
 
     /// A DXF with rectangles: layer, left, bottom, right, top.
     fn layers(rectangles: &[Rectangle]) -> Vec<DrawingLayer> {
+        layers_with(rectangles, "")
+    }
+
+    /// The same with other entities.
+    fn layers_with(rectangles: &[Rectangle], others: &str) -> Vec<DrawingLayer> {
         let polyline = |&(layer, l, b, r, t): &Rectangle| {
             format!(
                 "0\nLWPOLYLINE\n8\n{layer}\n70\n1\n10\n{l}\n20\n{b}\n10\n{r}\n20\n{b}\n10\n{r}\n20\n{t}\n10\n{l}\n20\n{t}\n"
             )
         };
         let entities: String = rectangles.iter().map(polyline).collect();
-        let bytes = format!("0\nSECTION\n2\nENTITIES\n{entities}0\nENDSEC\n0\nEOF\n").into_bytes();
+        let bytes = format!("0\nSECTION\n2\nENTITIES\n{entities}{others}0\nENDSEC\n0\nEOF\n").into_bytes();
         read(&SourceFile { name: "a.dxf".into(), bytes }).unwrap().layers
     }
 
@@ -231,6 +287,24 @@ mod tests {
         // Pillars in a hall, and partitions that reach its walls.
         assert_eq!(walls(&layers(&[frame, ("Waende", 90.0, 90.0, 110.0, 110.0)])), 2);
         assert_eq!(walls(&layers(&[frame, called[0], ("Waende", 0.0, 300.0, 420.0, 310.0)])), 3);
+    }
+
+    #[test]
+    fn a_frame_of_four_single_lines_is_one() {
+        let lines = |&(layer, l, b, r, t): &Rectangle| {
+            let line = |[x, y, to_x, to_y]: [f64; 4]| {
+                format!("0\nLINE\n8\n{layer}\n10\n{x}\n20\n{y}\n11\n{to_x}\n21\n{to_y}\n")
+            };
+            [[l, b, r, b], [r, b, r, t], [r, t, l, t], [l, t, l, b]].map(line).concat()
+        };
+        let frame = lines(&PAGE) + &lines(&INNER);
+        let found = layers_with(&[TITLE, HOUSE[0], HOUSE[1]], &frame);
+        let names: Vec<(&str, usize)> = found.iter().map(|layer| (layer.name.as_str(), layer.strokes)).collect();
+        assert_eq!(names, [("0", 2), ("page frame", 8), ("title block", 1)]);
+        // Of any shape, if walls are called so; and the walls of a house are none.
+        let called = HOUSE.map(|(_, l, b, r, t)| ("Waende", l, b, r, t));
+        assert_eq!(walls(&layers_with(&called, &lines(&("0", 0.0, 0.0, 420.0, 400.0)))), 2);
+        assert_eq!(walls(&layers_with(&[], &(lines(&HOUSE[0]) + &lines(&HOUSE[1])))), 8);
     }
 
     #[test]
