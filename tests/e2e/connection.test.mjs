@@ -12,7 +12,8 @@ test("is driven by keys, and space stops it wherever the focus is", async (t) =>
   // The focus is still on the button that took control.
   await page.keyboard.down("ArrowUp");
   await robot.drives(0.2);
-  assert.equal(await page.locator("#connection-doing").innerText(), "You drive");
+  // It drove while the key is still down, so the page says so with its next frame.
+  await page.waitForFunction(() => document.getElementById("connection-doing")?.innerText === "You drive");
   assert.equal(await page.locator("#connection-pad .way.used").count(), 1);
   await page.keyboard.up("ArrowUp");
   await robot.rests();
