@@ -75,6 +75,13 @@ test("what a call takes is told while it is written, and a double click takes a 
   await page.keyboard.press("Control+Enter");
   await page.getByText("Not started").waitFor();
   await page.getByRole("button", { name: "Play", exact: true }).waitFor();
+  // Another program may have come before the editor hears that the focus has left it.
+  await page.evaluate(() => {
+    document.querySelector(".cm-content")?.focus();
+    document.activeElement?.blur();
+    document.getElementById("program-new")?.click();
+  });
+  await page.waitForFunction(() => document.querySelector(".cm-content")?.textContent !== "def step(robot)");
 });
 
 test("an endless loop is ended, its line named, and the text is untouched", async (t) => {

@@ -36,7 +36,8 @@ export function callHelp(language) {
     provide: (field) => cm.showTooltip.from(field),
   });
   const end = (/** @type {import("@codemirror/view").EditorView} */ view) => {
-    const isShown = view.state.field(field) !== null;
+    // A program in the other language may have been opened since.
+    const isShown = Boolean(view.state.field(field, false));
     if (isShown) view.dispatch({ effects: hide.of(null) });
     return isShown;
   };
