@@ -54,9 +54,11 @@ export function cornersOf({ shape, first, second, corners }) {
   });
 }
 
+/** A figure as it is typed. @param {number} value */
+const plain = (value) => String(+value.toFixed(6));
+
 /** The shape with these corners, each x and y, and its figures. @param {number[]} numbers @returns {Pick<OwnForm, "shape" | "first" | "second" | "corners">} */
 function shapeOf(numbers) {
-  const plain = (/** @type {number} */ value) => String(+value.toFixed(6));
   const most = (/** @type {number} */ axis) => plain(2 * Math.max(...numbers.filter((_, index) => index % 2 === axis)));
   const [first, second] = [most(1), most(0)];
   for (const shape of ["rectangle", "octagon"]) {
@@ -91,7 +93,6 @@ export function writeOwn(own) {
 export function readOwn(text) {
   const parts = text.split(",").map((part) => /** @type {[string, string]} */ (part.split(":")));
   const of = (/** @type {string} */ key) => parts.find(([name, value]) => name === key && value !== "body")?.[1] ?? "";
-  const plain = (/** @type {number} */ value) => String(+value.toFixed(6));
   const numbers = of("corners").split("_").map(Number);
   const round = { shape: "circle", first: plain(2 * Number(of("radius"))), second: "", corners: "" };
   const model = { shape: "model", first: "", second: "", corners: "" };
