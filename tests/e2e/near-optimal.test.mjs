@@ -78,8 +78,8 @@ test("in a small room the search is a film: construction, and what every improve
   }
   assert.ok(told.some((text) => /^Improvement.* of \d+: the tinted cells will change\.$/.test(text)), told.join("\n"));
   assert.ok(told.some((text) => /is cut there; \d+ parts? remains?\.$/.test(text)));
-  assert.ok(told.some((text) => /rejoined, .* (fewer|more|saved) \(.* % of the bound\); now (proven optimal|with an optimality gap of [\d.]+ %)/.test(text)));
-  assert.match(told.at(-1), /^Search finished: a plan (proven optimal|with an optimality gap of [\d.]+ %)( by the planner's own weight of turns)?\.$/);
+  assert.ok(told.some((text) => /rejoined, .* (fewer|more|saved) \(.* % of the bound\); now (proven optimal|at most [\d.]+ % above the minimum)/.test(text)));
+  assert.match(told.at(-1), /^Search finished: a plan (proven optimal|at most [\d.]+ % above the minimum)( by the planner's own weight of turns)?\.$/);
   assert.ok(seen.size > told.length / 2, "every picture is another");
   await page.getByRole("button", { name: "Play again" }).click();
   await app.poll(note, (text) => /^Construction, 1 of 3/.test(text));

@@ -252,7 +252,8 @@ impl DrawingSession {
             room: self.room_view(),
             doors: self.doors(),
             closes: self.leak_that_closes().map(|leak| leak.width).or(self.left_open().then_some(OUTER_DOOR)),
-            opens: self.keeps_indoors(),
+            opens: self.keeps_indoors()
+                && self.room().is_some_and(|room| room.leak.is_none() && room.free_standing.is_none()),
             notice: self.notice(),
             fault: self.fault().to_owned(),
             tool: self.hand.tool,

@@ -26,7 +26,12 @@ pub fn pictures(frames: &[FilmFrame], planning_grid: &PlanningGrid) -> Vec<FilmP
     for (index, frame) in firsts.iter().enumerate() {
         let is_chosen = begun == Some(index);
         let seconds = search.first().filter(|begun| is_chosen && begun.path.is_in_metres()).map(|begun| seconds(begun));
-        pictures.push(first(frame, (index + 1, firsts.len()), is_chosen, seconds, planning_grid));
+        let chosen = match (is_chosen, search.len()) {
+            (false, _) => "",
+            (true, 1) => " The search finds nothing better.",
+            (true, _) => " The search starts from it.",
+        };
+        pictures.push(first(frame, (index + 1, firsts.len()), chosen, seconds, planning_grid));
     }
     let total = search.last().map_or(0, |last| last.number);
     for pair in largest(&search) {
@@ -58,7 +63,7 @@ fn largest<'f>(search: &[&'f FilmFrame]) -> Vec<[&'f FilmFrame; 2]> {
 fn first(
     frame: &FilmFrame,
     (number, all): (usize, usize),
-    is_chosen: bool,
+    chosen: &str,
     seconds: Option<f64>,
     planning_grid: &PlanningGrid,
 ) -> FilmPicture {
@@ -72,7 +77,6 @@ fn first(
         || format!("{} and {}", amount(steps(&path.cells), "step"), amount(turns(&path.cells), "turn")),
         |seconds| format!("{}, with a stop at each corner", time(seconds)),
     );
-    let chosen = if is_chosen { " The search starts from it." } else { "" };
     FilmPicture {
         lines: vec![(FilmInk::Path, line(path, planning_grid))],
         tinted: Vec::new(),
@@ -221,6 +225,8 @@ mod tests {
                 "Improvement 1 of 1: rejoined, 2.5 s saved; now 58.5 s.",
             ]
         );
+        let alone = pictures(&frames[..2], &room.planning_grid);
+        assert!(alone.len() == 1 && alone[0].text.ends_with(" The search finds nothing better."), "{}", alone[0].text);
         assert_eq!(shown[1].lines, [(FilmInk::Part(0), former.line[..2].to_vec())]);
         assert_eq!(shown[2].lines, [(FilmInk::Path, latter.line.clone()), (FilmInk::New, latter.line[1..].to_vec())]);
     }

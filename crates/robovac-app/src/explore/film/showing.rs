@@ -101,5 +101,5 @@ pub(super) fn good(proof: Proof) -> String {
         return "proven optimal".to_owned();
     }
     // Rounded up, as on the page: only an optimal walk is 0 % above.
-    format!("with an optimality gap of {:.1} %", (1000.0 * gap - 1e-6).ceil() / 10.0)
+    format!("at most {:.1} % above the minimum", (1000.0 * gap - 1e-6).ceil() / 10.0)
 }
