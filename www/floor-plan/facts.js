@@ -58,7 +58,7 @@ function show(view) {
 /** Floor that a robot can't get to: the inside of furniture, or a fault; which of them, only its owner knows. @param {FloorPlanView | undefined} view */
 function showCut(view) {
   // Beside a question and a notice it would be too much at once, and outside of closed doors it is meant.
-  const isIndoors = view?.opens || (view?.notice && view.room?.outer_doors);
+  const isIndoors = view?.settings.part.kind === "whole" && view.room?.outer_doors;
   const cut = view?.doors || isIndoors || (view?.asks && view.notice) ? 0 : (view?.room?.cut_off_m2 ?? 0);
   setHidden(byId("floor-plan-cut"), !cut);
   if (!view?.room || !cut) return;

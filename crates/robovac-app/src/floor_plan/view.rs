@@ -10,6 +10,8 @@ use floor_drawing::{FreeStandingBuilding, OUTER_DOOR, OutsideLeak, Role};
 use robovac_core::{cspace::Outline, geometry::Point};
 use serde::Serialize;
 
+/// What is said of openings that were closed, and can be left open.
+const INDOORS: &str = "Outer doors are closed, so a robot stays indoors.";
 /// Lengths of a floor plan's longer side, m, that nobody is asked about (ours): from a closet to a house.
 const USUAL: [f64; 2] = [2.0, 60.0];
 /// Floors of flats and houses, m², likewise, where the file doesn't state its unit.
@@ -252,8 +254,7 @@ impl DrawingSession {
             room: self.room_view(),
             doors: self.doors(),
             closes: self.leak_that_closes().map(|leak| leak.width).or(self.left_open().then_some(OUTER_DOOR)),
-            opens: self.keeps_indoors()
-                && self.room().is_some_and(|room| room.leak.is_none() && room.free_standing.is_none()),
+            opens: self.notice() == INDOORS,
             notice: self.notice(),
             fault: self.fault().to_owned(),
             tool: self.hand.tool,
@@ -369,7 +370,7 @@ impl DrawingSession {
             return beside(building);
         }
         if self.keeps_indoors() {
-            return "Outer doors are closed, so a robot stays indoors.".to_owned();
+            return INDOORS.to_owned();
         }
         if room.goes_out && !self.assumes_size() {
             return "The floor round the building counts, too, and a robot gets out to it through an opening in the walls. \
