@@ -294,6 +294,11 @@ impl FloorPlanSession {
         self.viewport.fit();
     }
 
+    /// Keeps the uppermost `height` CSS pixels free when all of it is shown.
+    pub fn keep_clear(&mut self, height: f64) {
+        self.viewport.keep_clear(height, None, Vector::zeros(), Vector::zeros());
+    }
+
     /// Draws. If `hurries` is set, slow lines are only moved; returns whether they were, and so should be drawn again
     /// at rest.
     pub fn draw(&mut self, hurries: bool) -> Result<bool, JsValue> {

@@ -583,6 +583,30 @@ test("fits a phone, with sheets under the drawing", async (t) => {
   await page.locator("#floor-plan-setup").waitFor({ state: "hidden" });
 });
 
+test("a message lay on the walls of the drawing", async (t) => {
+  const { page, app, screenshot } = await openFloorPlan(t);
+  await app.bring(textMap("walls.txt", openRoom(100, 88)));
+  /** Where the walls begin, the darkest that there is, CSS pixels from the upper edge of the stage. */
+  const walls = () =>
+    page.evaluate(() => {
+      const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("floor-plan-floor"));
+      const copy = new OffscreenCanvas(canvas.clientWidth, canvas.clientHeight).getContext("2d");
+      copy.drawImage(canvas, 0, 0, canvas.clientWidth, canvas.clientHeight);
+      const { data } = copy.getImageData(0, 0, canvas.clientWidth, canvas.clientHeight);
+      const first = data.findIndex((red, at) => at % 4 === 0 && red < 120 && data[at + 3] === 255);
+      return first / 4 / canvas.clientWidth;
+    });
+  const before = await app.poll(walls, (top) => top > 0);
+  await app.drop(anyFile("broken.dxf", "  0\nSECTION\n  2\nENTITIES\n  0\nLINE\n  8\nWALLS\n 10\nabc\n"));
+  await app.says(/"broken\.dxf".*needs a number/);
+  const end = await page.evaluate(() => document.getElementById("message").getBoundingClientRect().bottom - document.getElementById("floor-plan-stage").getBoundingClientRect().top);
+  assert.ok(before < end, `the message is high enough to lie on them: ${before} px, ${end} px`);
+  await app.poll(walls, (top) => top >= end, "the walls begin below the message");
+  await screenshot("floor-plan-message");
+  await app.press("Dismiss");
+  await app.poll(walls, (top) => Math.abs(top - before) < 1, "the drawing takes its place again");
+});
+
 test("one screen on a laptop, in words too", async (t) => {
   const { page, app } = await openFloorPlan(t, { viewport: { width: 1366, height: 768 } });
   await sample(app);

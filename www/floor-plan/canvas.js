@@ -1,6 +1,7 @@
 // @ts-check
 // The canvas of the Floor plan tab: size, pointers, keys. Their effects are decided in the worker.
-import { byId, setAttribute, setHidden, setText } from "../dom.js";
+import { byId, changed, setAttribute, setHidden, setText } from "../dom.js";
+import { lowerEnd } from "../shared/corner.js";
 import { startHands, startZoom } from "../shared/pan-zoom.js";
 
 /** @typedef {import("./tab.js").FloorPlanTab} FloorPlanTab */
@@ -45,7 +46,16 @@ export function startCanvas(it) {
       },
     });
   };
-  return { onStage, key: startZoom(stage, picture) };
+  return {
+    onStage,
+    /** Messages never lie on the drawing, when all of it is shown: it gives way. */
+    clear() {
+      const height = lowerEnd(byId("message"), stage);
+      const canvas = byId("floor-plan-floor");
+      if (changed(canvas, "clear", height)) it.client.say({ type: "clear", height });
+    },
+    key: startZoom(stage, picture),
+  };
 }
 
 /** The drawing, as far as hands move it. @param {FloorPlanTab} it @returns {import("../shared/pan-zoom.js").Picture} */

@@ -158,6 +158,7 @@ export function startFloorPlan(app, module) {
   return {
     take,
     frame() {
+      picture.clear();
       return { message: "", message_kind: "" };
     },
     key: picture.key,

@@ -23,8 +23,8 @@ export type Said =
   | { type: "key"; action: string; fine: boolean }
   | { type: "pan"; dx: number; dy: number }
   | { type: "zoom"; x: number; y: number; factor: number }
-  | { type: "middle"; factor: number }
   | { type: "fit" }
+  | { type: "clear"; height: number }
   | { type: "resize"; width: number; height: number; ratio: number }
   | { type: "dark"; dark: boolean };
 

@@ -133,6 +133,8 @@ function hear(said) {
       return void session.zoom(said.x, said.y, said.factor);
     case "fit":
       return void session.fit();
+    case "clear":
+      return void session.keep_clear(said.height);
     case "resize":
       return void session.resize(said.width, said.height, said.ratio);
     case "dark":
