@@ -169,7 +169,7 @@ pub(super) struct Frontier {
     is_lifted: bool,
     search: RelocaliseSearch,
     /// Its scanner; `None` for a robot that sees no farther than its light bumper.
-    lookout: Option<Lookout>,
+    pub(super) lookout: Option<Lookout>,
 }
 
 #[derive(Clone)]

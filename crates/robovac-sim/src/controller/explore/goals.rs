@@ -5,8 +5,9 @@ use super::{
     frontier::{DriveGoal, ExplorePhase, Frontier},
 };
 use crate::controller::parts::AttemptBudget;
-use crate::controller::parts::{Pilot, Route};
+use crate::controller::parts::{Move, Pilot, Route};
 use robovac_core::geometry::{Point, Pose};
+use std::f64::consts::PI;
 
 /// Time limit for a route: s, and s/m.
 const PATIENCE: (f64, f64) = (8.0, 8.0);
@@ -14,12 +15,16 @@ const PATIENCE: (f64, f64) = (8.0, 8.0);
 const AT_END: f64 = 0.2;
 /// By how much the end of a wall can be farther away than unknown floor and still be chosen first, m.
 const WALL_FIRST: f64 = 3.0;
-/// How often it looks around again when nothing seems left.
+/// How often it looks again when nothing seems left.
 const DOUBTS: u32 = 2;
 
 impl Frontier {
     /// Chooses the next goal. As maps can wrongly show no way, it then accepts narrower gaps.
     pub(super) fn decide(&mut self, pilot: &mut Pilot) {
+        if self.lookout.is_some() && self.doubts == 0 && self.mapper.map().bounds().is_none() {
+            // It waits for its first scan.
+            return;
+        }
         let here = self.mapper.pose().position();
         let trace = &self.trace;
         self.ends.retain(|&end| !trace.has(beyond(end)));
@@ -33,9 +38,17 @@ impl Frontier {
         if self.doubts < DOUBTS {
             self.doubts += 1;
             self.barred.forget();
-            self.follow(pilot);
+            self.look_again(pilot);
         } else if !self.go_home(pilot, here) {
             self.phase = ExplorePhase::Done;
+        }
+    }
+
+    /// Follows the next wall. A robot with a laser turns around for more scans: noise in the first can shut it in.
+    fn look_again(&mut self, pilot: &mut Pilot) {
+        self.follow(pilot);
+        if self.lookout.is_some() {
+            pilot.go(&[Move::Turn(if self.doubts.is_multiple_of(2) { -PI } else { PI })]);
         }
     }
 
@@ -103,4 +116,34 @@ impl Frontier {
 fn beyond(pose: Pose) -> Pose {
     let Point { coords, .. } = pose.to_world(Point::new(0.3, 0.0));
     Pose::new(coords.x, coords.y, pose.heading)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::controller::{Setup, find};
+    use robovac_core::{
+        registry::Params,
+        robot::{SensorReadings, model},
+    };
+
+    const DT_S: f64 = 0.015;
+
+    #[test]
+    fn exploring_by_laser_ended_at_once_when_the_first_scan_shut_the_robot_in() {
+        let (robot, info) = (model("cbot").unwrap(), find("explore_frontier").unwrap());
+        let setup = Setup { robot, params: &Params::defaults(info.params), seed: 1 };
+        let mut explorer = info.build(&setup).unwrap();
+        let blind = SensorReadings::default();
+        for _ in 0..100 {
+            let drive = explorer.step(&blind, DT_S);
+            assert!(drive.left == 0.0 && drive.right == 0.0 && !explorer.is_done(), "it waits for its first scan");
+        }
+        let beams = robot.sensors.laser.unwrap().beams;
+        let shut_in = SensorReadings { laser: Some(vec![0.3; beams].into()), ..blind };
+        let turns = (0..200).any(|_| {
+            let drive = explorer.step(&shut_in, DT_S);
+            drive.left == -drive.right && drive.right > 0.0
+        });
+        assert!(turns && !explorer.is_done(), "{}", explorer.activity());
+    }
 }
