@@ -259,7 +259,7 @@ caption: Caption, };
 
 /** Effect of closing doors. */
 export type Doors = {
-/** Openings that would be closed in addition. */
+/** Openings that would be closed in addition; 0 if it isn't known where. */
 count: number,
 /** Gap setting that closes them, m. */
 gap: number,

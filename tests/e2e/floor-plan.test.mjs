@@ -137,7 +137,7 @@ test("a room that continues through doors offers to close them", async (t) => {
   await page.locator("#floor-plan-doors").waitFor();
   const open = await floor(app);
   assert.ok(open > 0.8 * whole, `${open} of ${whole} m²`);
-  const [, told] = /through 3 openings as wide as a door\. Closing them leaves ([\d.]+) m²/.exec(await text(app, "#floor-plan-doors-text"));
+  const [, told] = /through 3 openings as wide as a door, where the rings are\. Closing them leaves ([\d.]+) m²/.exec(await text(app, "#floor-plan-doors-text"));
   await page.getByRole("button", { name: "Close gaps up to 0.85 m" }).click();
   await app.poll(() => floor(app), (area) => area === Number(told));
   assert.ok(await page.locator("#floor-plan-doors").isHidden());

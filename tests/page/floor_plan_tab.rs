@@ -394,12 +394,18 @@ fn a_room_that_reaches_on_through_doors_says_so_and_how_to_close_them() {
     let mut board = open(dxf("flat.dxf", Some(6), &FLAT));
     assert_eq!(board.doors(), None, "nobody has marked a room");
     board.set_part(DrawingPart::Room { at: [1.0, 1.5] }).unwrap();
-    let (both, doors) = (board.floor_m2(), board.doors().expect("there is a door"));
+    let (both, doors) = (board.floor_m2(), board.doors().cloned().expect("there is a door"));
     assert!(both > 17.0 && doors.count == 1, "{both} {doors:?}");
     assert!((0.75..=1.0).contains(&doors.gap) && (8.0..9.5).contains(&doors.floor_m2), "{doors:?}");
     assert!(board.view().words.contains("one opening as wide as doors"), "{}", board.view().words);
+    let rings: Vec<_> = board.marks().map(|mark| (mark.at, mark.width)).collect();
+    assert!(
+        matches!(rings[..], [(at, width)] if (at - Point::new(3.1, 1.6)).norm() < 0.15 && (0.7..1.0).contains(&width)),
+        "{rings:?}"
+    );
     change(&mut board, |settings| settings.gap = doors.gap);
     assert_eq!((board.floor_m2(), board.doors()), (doors.floor_m2, None));
+    assert_eq!(board.marks().count(), 0);
     // A room without a door reaches nowhere.
     change(&mut board, |settings| settings.gap = 0.1);
     board.set_part(DrawingPart::Room { at: [8.0, 1.5] }).unwrap();
@@ -432,10 +438,10 @@ fn a_room_that_leads_outside_through_doors_says_one_thing() {
     ];
     let mut board = open(dxf("open.dxf", Some(6), &flat));
     board.set_part(DrawingPart::Room { at: [1.0, 1.5] }).unwrap();
-    let doors = board.doors().expect("there are doors");
+    let doors = board.doors().cloned().expect("there are doors");
     assert!(doors.count == 2 && (10.0..12.5).contains(&doors.floor_m2), "{doors:?}");
     assert_eq!(board.view().fault, "This room isn't closed: close its doors, or choose a rectangle.");
-    assert!(board.mark().is_none());
+    assert!(board.mark().is_none() && board.marks().count() == 2, "both doors are ringed, and nothing else");
     change(&mut board, |settings| settings.gap = doors.gap);
     assert_eq!(board.view().fault, "");
 }
@@ -451,7 +457,7 @@ fn closing_a_room_s_door_leaves_the_passages_beside_a_bed_open() {
     ];
     let mut board = open(dxf("bedroom.dxf", Some(6), &flat));
     board.set_part(DrawingPart::Room { at: [1.0, 1.5] }).unwrap();
-    let doors = board.doors().expect("there is a door");
+    let doors = board.doors().cloned().expect("there is a door");
     assert!((0.7..0.9).contains(&doors.gap) && (19.0..20.5).contains(&doors.floor_m2), "{doors:?}");
     change(&mut board, |settings| settings.gap = 1.0);
     assert!(board.floor_m2() < doors.floor_m2 - 3.0, "so wide a gap takes the passages, too: {}", board.floor_m2());

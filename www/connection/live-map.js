@@ -55,7 +55,8 @@ export function startMap(it) {
       const isThere = view.phase === "connected";
       if (isThere && !wasThere) begin(view);
       wasThere = isThere || (wasThere && view.is_open);
-      map.follow(way);
+      // Readings that come after the end would bring the robot back.
+      if (wasThere) map.follow(way);
       const { is_lifted: isLifted, bumper } = view.readings?.sensors ?? { is_lifted: false, bumper: [false, false] };
       if (wasThere) map.show_robot(...view.pose, isLifted, bumper[0] === true, bumper[1] === true);
       else if (changed(canvas, "there", false)) map.hide_robot();

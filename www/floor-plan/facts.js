@@ -87,8 +87,8 @@ function showDoors(view) {
   setHidden(byId("floor-plan-doors"), !doors);
   if (doors) {
     const { count, gap, floor_m2 } = doors;
-    const opening = count === 1 ? "an opening" : `${count} openings`;
-    setText(byId("floor-plan-doors-text"), `This room continues through ${opening} as wide as a door. Closing ${count === 1 ? "it" : "them"} leaves ${metres(floor_m2)} m² of floor.`);
+    const [opening, where] = count > 1 ? [`${count} openings`, ", where the rings are"] : ["an opening", count === 1 ? ", where the ring is" : ""];
+    setText(byId("floor-plan-doors-text"), `This room continues through ${opening} as wide as a door${where}. Closing ${count > 1 ? "them" : "it"} leaves ${metres(floor_m2)} m² of floor.`);
     setText(button("floor-plan-doors-close"), `Close gaps up to ${gap.toFixed(2)} m`);
   }
 }

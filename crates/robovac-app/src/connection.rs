@@ -77,7 +77,7 @@ pub struct LiveMapWords<'a> {
 impl fmt::Display for LiveMapWords<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Live map of {}: ", self.room)?;
-        let Some(Pose { x, y, heading }) = self.estimate else { return f.write_str("no robot yet") };
+        let Some(Pose { x, y, heading }) = self.estimate else { return f.write_str("no robot") };
         let degrees = heading.to_degrees().round() as i64;
         let mode = if self.mode.is_empty() { "unknown" } else { self.mode };
         let by = if self.driver.is_empty() { "" } else { ", driven by " };

@@ -160,26 +160,28 @@ pub(super) fn part(
     dash(context, &[])
 }
 
-/// The place that an error is about: a ring around an opening, a cross on a point.
-pub(super) fn fault(
+/// The places that an error or a hint is about: a ring around an opening, a cross on a point.
+pub(super) fn faults(
     context: &Context,
     session: &DrawingSession,
     viewport: &Viewport,
     palette: &Palette,
 ) -> Result<(), JsValue> {
-    let (Some(mark), Some(metre)) = (session.mark(), session.settings().metre) else { return Ok(()) };
-    let at = viewport.to_screen(session.sheet().place(mark.at));
-    context.begin_path();
-    if mark.width > 0.0 {
-        let radius = 0.75 * mark.width / metre * session.sheet().scale * viewport.scale;
-        context.arc(at.x, at.y, radius.clamp(12.0, 120.0), 0.0, TAU)?;
-    } else {
-        for (x, y) in [(7.0, 7.0), (7.0, -7.0)] {
-            context.move_to(at.x - x, at.y - y);
-            context.line_to(at.x + x, at.y + y);
+    let Some(metre) = session.settings().metre else { return Ok(()) };
+    for mark in session.marks() {
+        let at = viewport.to_screen(session.sheet().place(mark.at));
+        context.begin_path();
+        if mark.width > 0.0 {
+            let radius = 0.75 * mark.width / metre * session.sheet().scale * viewport.scale;
+            context.arc(at.x, at.y, radius.clamp(12.0, 120.0), 0.0, TAU)?;
+        } else {
+            for (x, y) in [(7.0, 7.0), (7.0, -7.0)] {
+                context.move_to(at.x - x, at.y - y);
+                context.line_to(at.x + x, at.y + y);
+            }
         }
+        stroke(context, palette.warning, 3.0, palette);
     }
-    stroke(context, palette.warning, 3.0, palette);
     Ok(())
 }
 

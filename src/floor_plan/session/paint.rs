@@ -154,7 +154,7 @@ impl FloorPlanPainter {
             }
         }
         marks::part(&self.context, session, viewport, palette)?;
-        marks::fault(&self.context, session, viewport, palette)?;
+        marks::faults(&self.context, session, viewport, palette)?;
         marks::hand(&self.context, session, viewport, palette)?;
         if let Some(metre) = session.settings().metre {
             marks::scale_bar(&self.context, viewport, metre / session.sheet().scale, palette)?;

@@ -188,7 +188,7 @@ fn the_live_map_is_told_in_words() {
     );
     let blank = LiveMapWords { driver: "", mode: "", coverage: None, ..map };
     assert!(blank.to_string().contains("mode unknown. The robot has swept 3.0 square metres"), "{blank}");
-    assert_eq!(LiveMapWords { estimate: None, ..map }.to_string(), "Live map of Flat: no robot yet");
+    assert_eq!(LiveMapWords { estimate: None, ..map }.to_string(), "Live map of Flat: no robot");
 }
 
 #[test]

@@ -110,7 +110,7 @@ impl<'a> Scan<'a> {
                         return Err(ScanStop::At(pair.at, DrawingFlaw::Structure { what }));
                     }
                     b"ENTITIES" => self.model()?,
-                    _ => while !is_end(&self.must("inside a skipped section")?, b"ENDSEC") {},
+                    _ => while !is_end(&self.must("inside a section")?, b"ENDSEC") {},
                 },
                 (0, _) => {
                     let what = "a section should begin here";

@@ -438,7 +438,9 @@ impl<'a> RoomTracer<'a> {
             }
             let (place, width) = region::leak(&blocked, start).unwrap_or((start.centre(1.0), 1.0));
             let place = frame.point(place);
-            return Err(DrawingFlaw::Leak { x: place.x, y: place.y, width: width * self.how.resolution });
+            // Ends of lines lie somewhere within cells of wall, and the square is an odd number of cells wide.
+            let wider = if self.picture.is_some() { 1.0 } else { 3.0 };
+            return Err(DrawingFlaw::Leak { x: place.x, y: place.y, width: (width + wider) * self.how.resolution });
         }
     }
 

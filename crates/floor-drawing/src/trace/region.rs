@@ -83,8 +83,8 @@ fn flood(blocked: &Grid<bool>, start: Cell, marked: &mut Grid<bool>, mut seen: i
     }
 }
 
-/// The likely opening of a room that isn't closed: the cell before the narrowest place of the widest way from `start`
-/// to the border, and the width there in cells.
+/// The likely opening of a room that isn't closed: the middle of the narrowest place of the widest way from `start` to the
+/// border, and the width there in cells.
 pub(super) fn leak(blocked: &Grid<bool>, start: Cell) -> Option<(Point, f64)> {
     let moves = chessboard(blocked);
     let (right, top) = (blocked.width() as i32 - 1, blocked.height() as i32 - 1);
@@ -94,30 +94,52 @@ pub(super) fn leak(blocked: &Grid<bool>, start: Cell) -> Option<(Point, f64)> {
         let width = moves.get(cell).map_or(0, |&moves| i32::from(moves));
         if width > from_border(cell) { 255 } else { width as usize }
     };
-    // Cells to continue from, by the width of the way to them, each with its narrowest place.
+    // Whoever clicks beside a wall means the room before it.
+    let mut start = start;
+    while let Some(wider) =
+        start.block().into_iter().filter(|&cell| width(cell) > width(start)).max_by_key(|&c| width(c))
+    {
+        start = wider;
+    }
+    // Cells to continue from, by the width of the way to them, each with the cell before it.
     let mut waiting: Vec<VecDeque<(Cell, Cell)>> = vec![VecDeque::new(); 256];
-    let mut seen = blocked.map(|_| false);
+    let mut before = blocked.map(|_| None);
     let mut level = width(start);
     waiting[level].push_back((start, start));
     loop {
-        let Some((cell, narrowest)) = waiting[level].pop_front() else {
+        let Some((cell, from)) = waiting[level].pop_front() else {
             level = level.checked_sub(1)?;
             continue;
         };
-        if seen[cell] {
+        if before[cell].is_some() {
             continue;
         }
-        seen[cell] = true;
+        before[cell] = Some(from);
         if from_border(cell) == 0 {
-            return Some((narrowest.centre(1.0), 2.0 * level as f64 - 1.0));
+            let mut way = vec![cell];
+            while let Some(from) = before[way[way.len() - 1]].filter(|&from| from != way[way.len() - 1]) {
+                way.push(from);
+            }
+            // Squares of that width begin half of it before the opening. The nearest wall is nearest within it.
+            let narrow = way.iter().rev().skip_while(|&&cell| width(cell) > level).take(2 * level + 1);
+            let rooms: Vec<_> = narrow.map(|&cell| (cell, nearest_wall(blocked, cell, 2 * level as i32))).collect();
+            let least = rooms.iter().map(|room| room.1).min()?;
+            let within: Vec<_> = rooms.into_iter().filter(|room| room.1 == least).collect();
+            return Some((within[within.len() / 2].0.centre(1.0), 2.0 * level as f64 - 1.0));
         }
         for next in cell.neighbours() {
-            if blocked.get(next) == Some(&false) && !seen[next] {
-                let is_narrower = width(next) < level;
-                waiting[width(next).min(level)].push_back((next, if is_narrower { next } else { narrowest }));
+            if blocked.get(next) == Some(&false) && before[next].is_none() {
+                waiting[width(next).min(level)].push_back((next, cell));
             }
         }
     }
+}
+
+/// Square of the distance to the nearest cell of wall, cells, if it is within `most`.
+fn nearest_wall(blocked: &Grid<bool>, from: Cell, most: i32) -> i32 {
+    let offsets = (-most..=most).flat_map(|y| (-most..=most).map(move |x| (x, y)));
+    let walls = offsets.filter(|&(x, y)| blocked.get(Cell::new(from.x + x, from.y + y)) == Some(&true));
+    walls.map(|(x, y)| x * x + y * y).min().unwrap_or(i32::MAX)
 }
 
 #[cfg(test)]
@@ -190,6 +212,24 @@ mod tests {
         let start = Cell::new(4, 4);
         let (_, meets_border) = room(&blocked, start);
         assert!(meets_border);
-        assert_eq!(leak(&blocked, start), Some((Point::new(9.5, 3.5), 1.0)));
+        assert_eq!(leak(&blocked, start), Some((Point::new(10.5, 3.5), 1.0)));
+    }
+
+    #[test]
+    fn a_wide_leak_was_found_before_its_opening() {
+        // Outside there is little or much of the grid.
+        for margin in [2, 20] {
+            let (low, high) = (margin, margin + 40);
+            let mut blocked = Grid::filled((high + margin) as usize + 1, (high + margin) as usize + 1, false);
+            for i in low..=high {
+                for cell in [Cell::new(i, high), Cell::new(low, i), Cell::new(high, i)] {
+                    blocked[cell] = true;
+                }
+                blocked[Cell::new(i, low)] = !(low + 14..low + 25).contains(&i);
+            }
+            let (at, width) = leak(&blocked, Cell::new(low + 4, high - 5)).unwrap();
+            let middle = Point::new(f64::from(low) + 19.5, f64::from(low) + 0.5);
+            assert!((at - middle).norm() <= 1.0 && width == 11.0, "{at} {width}, not {middle}");
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! Rooms that extend through open doors, and their size with these doors closed.
 
+use super::FaultMark;
 use floor_drawing::{DrawingError, DrawingRegion, Traced, Tracing};
 use robovac_core::geometry::Point;
 use serde::Serialize;
@@ -17,15 +18,18 @@ const BEHIND: f64 = 0.05;
 const TRIED: usize = 4;
 
 /// Effect of closing doors.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Doors {
-    /// Openings that would be closed in addition.
+    /// Openings that would be closed in addition; 0 if it isn't known where.
     pub count: usize,
     /// Gap setting that closes them, m.
     pub gap: f64,
     /// Free floor of the room then, m².
     pub floor_m2: f64,
+    /// Where they are.
+    #[serde(skip)]
+    pub(super) openings: Vec<FaultMark>,
 }
 
 impl Doors {
@@ -63,7 +67,11 @@ impl Doors {
         });
         let (gap, (closed, floor_m2)) = chosen?;
         let is_new = |[a, b]: &&[Point; 2]| (*b - *a).norm() > how.gap;
-        let count = closed.gaps.iter().filter(is_new).count().max(1);
-        Some(Self { count, gap, floor_m2 })
+        let openings = closed.gaps.iter().filter(is_new).map(|gap| {
+            let middle = 0.5 * (gap[0].coords + gap[1].coords);
+            FaultMark { at: Point::from(closed.corner + middle / closed.metre), width: width(gap) }
+        });
+        let openings: Vec<_> = openings.collect();
+        Some(Self { count: openings.len(), gap, floor_m2, openings })
     }
 }

@@ -149,8 +149,8 @@ impl DrawingSession {
     }
 
     /// Open doors through which a chosen room extends.
-    pub fn doors(&self) -> Option<Doors> {
-        self.doors
+    pub fn doors(&self) -> Option<&Doors> {
+        self.doors.as_ref()
     }
 
     /// Error of the room or its settings; empty for none.
@@ -161,6 +161,11 @@ impl DrawingSession {
     /// The place that the error is about.
     pub fn mark(&self) -> Option<FaultMark> {
         self.mark
+    }
+
+    /// That place, and the open doors through which a chosen room extends.
+    pub fn marks(&self) -> impl Iterator<Item = FaultMark> {
+        self.mark.into_iter().chain(self.doors.iter().flat_map(|doors| doors.openings.iter().copied()))
     }
 
     /// Angle by which the walls are askew as the file is turned now, degrees, above -45 to 45; `None` if they are straight
@@ -320,7 +325,7 @@ impl DrawingSession {
             }),
             DrawingSource::Map { .. } => None,
         };
-        if self.room.is_none() && self.doors.is_some_and(|doors| doors.count > 1) {
+        if self.room.is_none() && self.doors.as_ref().is_some_and(|doors| doors.count > 1) {
             // The ring would be at the narrowest opening on the way outside, perhaps that of another room.
             self.mark = None;
             "This room isn't closed: close its doors, or choose a rectangle.".clone_into(&mut self.fault);

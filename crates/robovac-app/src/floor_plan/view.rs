@@ -252,7 +252,7 @@ impl DrawingSession {
             left_out: drawing.map_or(Vec::new(), |drawing| drawing.left_out.clone()),
             settings: settings.clone(),
             room: self.room_view(),
-            doors: self.doors(),
+            doors: self.doors().cloned(),
             closes: self.leak_that_closes().map(|leak| leak.width).or(self.left_open().then_some(OUTER_DOOR)),
             opens: self.notice() == INDOORS,
             notice: self.notice(),
@@ -448,8 +448,8 @@ fn description(view: &DrawingView) -> String {
             }
         }
     }
-    if let Some(Doors { count, gap, floor_m2 }) = view.doors {
-        let openings = if count == 1 { "one opening".to_owned() } else { format!("{count} openings") };
+    if let Some(Doors { count, gap, floor_m2, .. }) = &view.doors {
+        let openings = if *count <= 1 { "one opening".to_owned() } else { format!("{count} openings") };
         say(format!(
             "it extends through {openings} as wide as doors; closing gaps up to {gap:.2} metres leaves \
              {floor_m2:.1} square metres"
