@@ -96,9 +96,7 @@ pub(super) fn leak(blocked: &Grid<bool>, start: Cell) -> Option<(Point, f64)> {
     };
     // Whoever clicks beside a wall means the room before it.
     let mut start = start;
-    while let Some(wider) =
-        start.block().into_iter().filter(|&cell| width(cell) > width(start)).max_by_key(|&c| width(c))
-    {
+    while let Some(wider) = start.block().filter(|&cell| width(cell) > width(start)).max_by_key(|&c| width(c)) {
         start = wider;
     }
     // Cells to continue from, by the width of the way to them, each with the cell before it.
