@@ -143,7 +143,7 @@ test("after Disconnect the console is empty and the map has no robot, and a new 
   assert.equal(await lines.count(), 0);
   // Its last readings, which came after the end, brought it back.
   const described = () => page.locator("#connection-floor").getAttribute("aria-label");
-  await robot.app.poll(described, (text) => text === "Live map of Furnished flat: no robot");
+  await robot.app.poll(described, (text) => text === "Live map of Empty room: no robot");
   await robot.connect();
   await lines.first().waitFor();
   assert.equal(await lines.filter({ hasText: "Safe" }).count(), 0);

@@ -397,7 +397,7 @@ fn a_room_that_reaches_on_through_doors_says_so_and_how_to_close_them() {
     let (both, doors) = (board.floor_m2(), board.doors().cloned().expect("there is a door"));
     assert!(both > 17.0 && doors.count == 1, "{both} {doors:?}");
     assert!((0.75..=1.0).contains(&doors.gap) && (8.0..9.5).contains(&doors.floor_m2), "{doors:?}");
-    assert!(board.view().words.contains("one opening as wide as doors"), "{}", board.view().words);
+    assert!(board.view().words.contains("an opening as wide as a door"), "{}", board.view().words);
     let rings: Vec<_> = board.marks().map(|mark| (mark.at, mark.width)).collect();
     assert!(
         matches!(rings[..], [(at, width)] if (at - Point::new(3.1, 1.6)).norm() < 0.15 && (0.7..1.0).contains(&width)),

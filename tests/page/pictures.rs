@@ -462,7 +462,7 @@ fn a_leak_is_marked_where_it_is() {
     // Before the opening, by half its width: the ring around it shows both.
     assert!((mark.at - Point::new(5500.0, 2060.0)).norm() < 500.0, "{:?}", mark.at);
     assert!((0.6..1.0).contains(&mark.width), "{}", mark.width);
-    assert!(session.fault().contains("opening about 0.") && !session.fault().contains('('), "{}", session.fault());
+    assert!(session.fault().contains("opening at most 0.") && !session.fault().contains('('), "{}", session.fault());
     change(&mut session, |settings| settings.gap = 0.9);
     assert!(session.mark().is_none() && session.room().is_some());
     change(&mut session, |settings| settings.part = DrawingPart::Room { at: [-99.0, -99.0] });

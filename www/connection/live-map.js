@@ -58,15 +58,16 @@ export function startMap(it) {
       // Readings that come after the end would bring the robot back.
       if (wasThere) map.follow(way);
       const { is_lifted: isLifted, bumper } = view.readings?.sensors ?? { is_lifted: false, bumper: [false, false] };
+      const isNews = changed(canvas, "there", wasThere);
       if (wasThere) map.show_robot(...view.pose, isLifted, bumper[0] === true, bumper[1] === true);
-      else if (changed(canvas, "there", false)) map.hide_robot();
-      if (wasThere) changed(canvas, "there", true);
+      else if (isNews) map.hide_robot();
       const truth = wasThere && isKnown() ? view.virtual?.pose : undefined;
       if (truth) map.show_truth(...truth);
       setHidden(byId("connection-legend"), !wasThere);
       setHidden(byId("connection-legend-truth"), !truth);
       showNumbers(map, view, wasThere);
-      if (!isDue()) return;
+      // After the end there may be no other update.
+      if (!isDue() && !isNews) return;
       const { ride, mode } = view;
       setAttribute(canvas, "aria-label", map.words(isKnown() ? it.app.view.room.title : "an unknown room", mode, !ride || ride.done ? "" : ride.manual ? "you" : ride.title));
     },

@@ -18,7 +18,10 @@ export function startSmallRoom(app, isPressed) {
       p.show_search(true);
     });
     if (isFine) toast("Cells of 7 cm: smaller ones are too many for a film");
-    byId("show-search").focus();
+    // The sheet would hide the film.
+    const close = document.querySelector("#setup.open .sheet-close");
+    if (close instanceof HTMLElement) close.click();
+    else byId("show-search").focus();
   };
   byId("search-small").addEventListener("click", show);
   if (isPressed) show();

@@ -185,7 +185,7 @@ pub enum DrawingFlaw {
     },
     /// A chosen room that isn't closed.
     #[error(
-        "the room isn't closed: there is an opening about {width:.2} m wide near ({x:.2}, {y:.2}); raise the gap \
+        "the room isn't closed: there is an opening at most {width:.2} m wide near ({x:.2}, {y:.2}); raise the gap \
          tolerance above that or pick a rectangle"
     )]
     Leak {

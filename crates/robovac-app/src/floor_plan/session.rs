@@ -1,6 +1,6 @@
 //! State of the Floor plan tab: loaded file, settings, and the resulting room.
 
-use super::{Doors, DrawingHand, DrawingPart, DrawingSource, FloorPlanSettings, Sheet, cut_off};
+use super::{Doors, DrawingHand, DrawingPart, DrawingSource, FloorPlanSettings, Sheet, cut_off, settings::MOST_GAP};
 use crate::{Import, ImportError, ScenarioChoices};
 use coverage_planners::{
     metrics::DriveMetrics,
@@ -325,10 +325,11 @@ impl DrawingSession {
             }),
             DrawingSource::Map { .. } => None,
         };
-        if self.room.is_none() && self.doors.as_ref().is_some_and(|doors| doors.count > 1) {
+        if let (None, Some(doors @ 1..)) = (&self.room, self.doors.as_ref().map(|doors| doors.count)) {
             // The ring would be at the narrowest opening on the way outside, perhaps that of another room.
             self.mark = None;
-            "This room isn't closed: close its doors, or choose a rectangle.".clone_into(&mut self.fault);
+            let doors = if doors == 1 { "door" } else { "doors" };
+            self.fault = format!("This room isn't closed: close its {doors}, or choose a rectangle.");
         }
     }
 
@@ -483,9 +484,13 @@ fn told(error: &DrawingError, is_image: bool) -> (String, Option<FaultMark>) {
     let DrawingError::Bad { flaw, .. } = error else { return (error.to_string(), None) };
     match **flaw {
         DrawingFlaw::Leak { x, y, width } => {
+            let mend = if width <= MOST_GAP {
+                format!("Close gaps up to {width:.2} m, or choose a rectangle.")
+            } else {
+                "Choose Indoors or a rectangle.".to_owned()
+            };
             let words = format!(
-                "This room isn't closed: it has an opening about {width:.2} m wide, where the ring is. Close gaps that \
-                 wide, or choose a rectangle."
+                "This room isn't closed: it has an opening at most {width:.2} m wide, where the ring is. {mend}"
             );
             (words, Some(FaultMark { at: Point::new(x, y), width }))
         }

@@ -422,7 +422,9 @@ fn description(view: &DrawingView) -> String {
     match (&view.size, &view.room) {
         (None, _) => say("unit not chosen yet".to_owned()),
         (Some(size), None) if view.fault.is_empty() => say(format!("{size} overall; no room yet")),
-        (Some(size), None) => say(format!("{size} overall; no room could be traced: {}", view.fault)),
+        (Some(size), None) => {
+            say(format!("{size} overall; no room could be traced: {}", view.fault.trim_end_matches('.')));
+        }
         (Some(size), Some(room)) if view.assumes_size => say(format!(
             "{size} overall, and the floor {}, if the assumed scale is right",
             size_in_words(room.width_m, room.height_m)
@@ -449,9 +451,9 @@ fn description(view: &DrawingView) -> String {
         }
     }
     if let Some(Doors { count, gap, floor_m2, .. }) = &view.doors {
-        let openings = if *count <= 1 { "one opening".to_owned() } else { format!("{count} openings") };
+        let openings = if *count <= 1 { "an opening".to_owned() } else { format!("{count} openings") };
         say(format!(
-            "it extends through {openings} as wide as doors; closing gaps up to {gap:.2} metres leaves \
+            "it extends through {openings} as wide as a door; closing gaps up to {gap:.2} metres leaves \
              {floor_m2:.1} square metres"
         ));
     }
