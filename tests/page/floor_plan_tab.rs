@@ -447,6 +447,22 @@ fn a_room_that_leads_outside_through_doors_says_one_thing() {
 }
 
 #[test]
+fn an_opening_that_is_wider_than_gaps_can_be_closed_says_what_can_be_done() {
+    let hall: [Polyline; 1] =
+        [("WALLS", false, &[(2.6, 3.0), (8.0, 3.0), (8.0, 0.0), (0.0, 0.0), (0.0, 3.0), (1.0, 3.0)])];
+    let mut board = open(dxf("hall.dxf", Some(6), &hall));
+    board.set_part(DrawingPart::Room { at: [4.0, 1.5] }).unwrap();
+    let rings: Vec<_> = board.marks().collect();
+    assert!(rings.len() == 1 && (rings[0].at - Point::new(1.8, 3.0)).norm() < 0.15, "{rings:?}");
+    assert!((1.6..=1.75).contains(&rings[0].width), "{rings:?}");
+    assert!(board.view().fault.ends_with("Choose Indoors or a rectangle."), "{}", board.view().fault);
+    board.set_part(DrawingPart::Indoors).unwrap();
+    let outer = board.view().closes.expect("Indoors can close it");
+    change(&mut board, |settings| settings.outer = outer);
+    assert!((22.0..24.0).contains(&board.floor_m2()), "{}", board.floor_m2());
+}
+
+#[test]
 fn closing_a_room_s_door_leaves_the_passages_beside_a_bed_open() {
     // Two rooms, a door of 0.8 m, and a bed with 0.9 m on either side and more behind it.
     let flat: [Polyline; 4] = [
