@@ -484,14 +484,15 @@ fn told(error: &DrawingError, is_image: bool) -> (String, Option<FaultMark>) {
     let DrawingError::Bad { flaw, .. } = error else { return (error.to_string(), None) };
     match **flaw {
         DrawingFlaw::Leak { x, y, width } => {
-            let mend = if width <= MOST_GAP {
-                format!("Close gaps up to {width:.2} m, or choose a rectangle.")
+            let words = if width <= MOST_GAP {
+                format!(
+                    "This room isn't closed: it has an opening at most {width:.2} m wide, where the ring is. Close gaps \
+                     up to {width:.2} m, or choose a rectangle."
+                )
             } else {
-                "Choose Indoors or a rectangle.".to_owned()
+                "This room isn't closed: it has a wide opening, where the ring is. Choose Indoors or a rectangle."
+                    .to_owned()
             };
-            let words = format!(
-                "This room isn't closed: it has an opening at most {width:.2} m wide, where the ring is. {mend}"
-            );
             (words, Some(FaultMark { at: Point::new(x, y), width }))
         }
         DrawingFlaw::NotFloor { what, x, y } => {
