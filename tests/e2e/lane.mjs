@@ -6,14 +6,13 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { ends } from "./ends.mjs";
 
-const { LINK_ROUNDS } = process.env;
-const { files, taken } = JSON.parse(process.env[`E2E_${path.basename(process.argv[1])}`]);
+const { E2E_FILES, E2E_TAKEN, LINK_ROUNDS } = process.env;
 /** What a file may take, in ms: several times what the longest needs where browsers get a third of a slow processor. */
 const LIMIT = 1_800_000 * Math.max(1, Number(LINK_ROUNDS ?? 0) / 10);
-for (const file of files) {
+for (const file of JSON.parse(E2E_FILES)) {
   const name = path.basename(file, ".test.mjs");
   try {
-    fs.mkdirSync(path.join(taken, name));
+    fs.mkdirSync(path.join(E2E_TAKEN, name));
   } catch {
     continue;
   }

@@ -3,7 +3,6 @@
 // all run.
 // ONLY="the page hangs" runs only tests whose name contains that.
 // SLOWEST=20 lists the 20 tests that took longest, PICTURES=1 has all pictures taken that tests offer, in target/e2e.
-import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
@@ -41,8 +40,6 @@ const isUrgent = (file) => /^connection(-bridge|-fake|-motors|-program|-serial|-
  * start delays a stop by 0.1 s.
  */
 const isStop = (file) => /^connection-(bridge|motors|stop|window)\.test/.test(path.basename(file));
-/** Where a ride ends when its page takes long, or a page's time is measured: these need the processor when they want it, too. */
-const isTimely = (file) => isUrgent(file) || /^(connection|rides|twin|program-hostile|frames|firefox|webkit)/.test(path.basename(file));
 const isEngine = (/** @type {string} */ file) => /^(firefox|webkit)\.test/.test(path.basename(file));
 /** That a robot stops in time has to hold at the first try. */
 const hasOneTry = (file) => /^connection-(bridge|stop)\.test/.test(path.basename(file));
@@ -70,15 +67,14 @@ function fileOf({ file, name }, files) {
  * @param {string[]} files
  * @param {number} lanes How many run at a time, each in a process with a browser of its own.
  * @param {(string | RegExp)[]} [testNamePatterns]
- * @param {string} [lane] The program of those processes.
  * @returns {Promise<Set<string>>} The files in which a test failed.
  */
-async function runAll(files, lanes, testNamePatterns = asked, lane = "lane.mjs") {
+async function runAll(files, lanes, testNamePatterns = asked) {
   const failed = new Set();
   if (files.length === 0) return failed;
   const taken = fs.mkdtempSync(path.join(os.tmpdir(), "robovac-e2e-"));
-  process.env[`E2E_${lane}`] = JSON.stringify({ files, taken });
-  const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, lane)), concurrency: lanes, testNamePatterns })
+  Object.assign(process.env, { E2E_FILES: JSON.stringify(files), E2E_TAKEN: taken });
+  const report = run({ files: Array(Math.min(lanes, files.length)).fill(path.join(here, "lane.mjs")), concurrency: lanes, testNamePatterns })
     .on("test:pass", (test) => {
       note(test);
       const file = fileOf(test, files);
@@ -100,21 +96,11 @@ async function runAll(files, lanes, testNamePatterns = asked, lane = "lane.mjs")
   return failed;
 }
 
-/** Those in which a robot's stop or ride depends on the processor, one group after the other; they wait for most of their time. */
-async function runTimely() {
-  const timely = files.filter(isTimely);
-  const failed = await runAll(timely.filter(isStop), 1);
-  for (const some of [(/** @type {string} */ file) => isUrgent(file) && !isStop(file), (/** @type {string} */ file) => !isUrgent(file)]) {
-    for (const file of await runAll(timely.filter(some), 3)) failed.add(file);
-  }
-  return failed;
-}
-/** All others take what that leaves of the processor. */
-const runOthers = () => runAll(files.filter((file) => !isTimely(file)), 3, asked, "idle-lane.mjs");
-const canYield = spawnSync("chrt", ["--idle", "0", "true"]).status === 0;
-const failed = [];
-if (canYield) failed.push(...(await Promise.all([runTimely(), runOthers()])).flatMap((some) => [...some]));
-else for (const part of [runOthers, runTimely]) failed.push(...(await part()));
+const urgent = files.filter(isUrgent);
+const failed = [...(await runAll(files.filter((file) => !isUrgent(file)), 3))];
+// They wait for most of their time.
+failed.push(...(await runAll(urgent.filter((file) => !isStop(file)), 3)));
+failed.push(...(await runAll(urgent.filter(isStop), 1)));
 // A process that ended by itself says nothing of any file.
 if (process.exitCode === undefined) for (const file of files.filter((file) => !failed.includes(file))) passed?.add(file);
 // A busy machine may have made it fail; what fails alone, too, is broken.
