@@ -452,6 +452,8 @@ test("every definition is a sentence, and each label that a lesson explains lead
     await app.settled();
     const tab = new URLSearchParams(place).get("tab") ?? "explore";
     await page.locator(`#panel-${tab} [data-tip]`).first().waitFor({ state: "attached" });
+    // The rows of the numbers come with the first frame after that.
+    if (tab === "explore") await page.locator("#metrics-plan [data-tip]").last().waitFor({ state: "attached" });
     if (place.includes("explore_")) {
       await page.locator("#runs-go").click();
       await page.locator("#panel-compare th").filter({ hasText: "90 % found" }).waitFor();
