@@ -2,6 +2,13 @@
 // On a small screen the panels are sheets over the floor, one at a time.
 import { byId } from "./dom.js";
 
+/** Puts a sheet away that hides what was asked for. @param {string} id */
+export function dismissSheet(id) {
+  const close = document.querySelector(`#${id}.open .sheet-close`);
+  if (close instanceof HTMLElement) close.click();
+  return close !== null;
+}
+
 /** @param {HTMLElement} root The tab whose panels they are; some come later. @param {HTMLElement} floor */
 export function startSheets(root, floor) {
   const openers = () => [...root.querySelectorAll("button[data-sheet]")];

@@ -206,7 +206,7 @@ test("algorithms are chosen by keyboard, and all robots have one clock", async (
   await page.getByRole("button", { name: "Pause" }).waitFor();
   await page.locator("#race-speed").selectOption("0");
   await page.waitForFunction(() => [...document.querySelectorAll("#lanes output")].every((output) => / in \d/.test(output.textContent)), undefined, { timeout: 120_000 });
-  await page.locator("#toast").getByText(/^The race is over\. First: .+, \d+\.\d % in [\d:]+\./).waitFor({ state: "attached" });
+  await page.locator("#trying").getByText(/^The race is over\. First: .+, \d+\.\d % in [\d:]+\./).waitFor({ state: "attached" });
   const words = await page.locator("#lanes canvas").evaluateAll((all) => all.map((canvas) => canvas.getAttribute("aria-label")));
   for (const text of words) assert.match(text, /^[A-Z].*: \d+\.\d % of the reachable floor is clean after [\d:]+ and [\d.,]+ m, done; place \d\.$/);
 });

@@ -82,7 +82,8 @@ test("the search fits a phone", async (t) => {
   await app.pause();
   await page.locator("button[data-sheet=setup]").tap();
   await page.getByRole("checkbox", { name: "Show the search" }).tap();
-  await page.locator("#setup .sheet-close").tap();
+  // The sheet would hide it.
+  await page.locator("#setup.open").waitFor({ state: "detached" });
   await page.locator("#search-note").waitFor();
   for (let i = 0; i < 60 && !(await app.text("#search-note")).includes("cells to clean"); i++) {
     await page.getByRole("button", { name: "One step" }).tap();

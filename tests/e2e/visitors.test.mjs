@@ -390,6 +390,10 @@ for (const [width, height] of [[844, 390], [610, 343]]) {
     await app.until("finished");
     const told = await app.poll(() => page.locator("#ending").innerText(), (text) => /above the minimum/.test(text));
     assert.match(told, /^Done: .* floor swept in \d+:\d\d\. .*Try next: \S/s);
+    const [card, curve] = await page.evaluate(() => [document.getElementById("ending").getBoundingClientRect().bottom, document.getElementById("scrubber").getBoundingClientRect().top]);
+    assert.ok(card < curve - 5, `the card ends at ${card}, the curve begins at ${curve} px`);
+    const marks = await page.locator("#ticks span").evaluateAll((ticks) => ticks.map((tick) => tick.getBoundingClientRect()).map(({ left, right }) => [left, right]));
+    assert.ok(marks.length > 1 && marks.slice(1).every(([left], i) => left > marks[i][1]), `marks of the time axis: ${marks}`);
     await page.evaluate(() => (location.hash = "planner=no_such"));
     await app.says(/There is no algorithm "no_such/);
     const { stage, over, cut, sideways } = await page.evaluate(() => {

@@ -3,7 +3,7 @@
 import { byId, changed, make, setAttribute, setHidden, setText } from "../dom.js";
 import { nameOf, swatch } from "./entrants.js";
 import { clock, metres, percent } from "../format.js";
-import { sentence, textOf, toast } from "../messages.js";
+import { sentence, textOf } from "../messages.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
 import { fitSize } from "../shared/pan-zoom.js";
 import { startRange } from "../shared/range.js";
@@ -34,8 +34,6 @@ export function startRace(it) {
   });
   const showRange = startRange("race-scrub", (seconds) => act((c) => c.seek(seconds)));
   const isDue = atMostEvery(REDRAW);
-  /** @type {RaceView["state"] | undefined} */
-  let before;
 
   /** @param {CompareView} view */
   const update = (view) => {
@@ -51,8 +49,6 @@ export function startRace(it) {
     if (pane) fitSize(pane, it.comparison);
     const can = Boolean(race);
     transport.update({ play: can, step: can, reset: can }, isRunning(), race?.speed, "Start the race");
-    if (before === "playing" && race?.state === "finished") sayWinner(it, race);
-    before = race?.state;
     if (!race) return;
     setText(byId("race-time"), clock(race.time_s));
     showRange(rangeOf(race), race.state === "seeking" ? undefined : race.time_s);
@@ -64,13 +60,12 @@ export function startRace(it) {
   return { update, key: transport.key };
 }
 
-/** The end of a race. @param {Comparing} it @param {RaceView} race */
-function sayWinner({ view }, race) {
-  const first = race.lanes.find(({ place }) => place === 1);
-  if (!first) return;
-  const stopped = race.lanes.filter(({ finished }) => !finished).length;
-  const rest = stopped === 0 ? "" : ` Behaviours that don't stop were stopped at ${clock(race.time_s)}.`;
-  toast(`The race is over. First: ${view.entrants[first.entrant]?.title}, ${percent(first.coverage)} % in ${clock(first.won_s ?? first.time_s)}.${rest}`);
+/** The end of a race; "" while it goes on. @param {CompareView} view */
+export function winner({ entrants, race }) {
+  const first = race?.state === "finished" && race.lanes.find(({ place }) => place === 1);
+  if (!race || !first) return "";
+  const rest = race.lanes.every(({ finished }) => finished) ? "" : ` Behaviours that don't stop were stopped at ${clock(race.time_s)}.`;
+  return `The race is over. First: ${entrants[first.entrant]?.title}, ${percent(first.coverage)} % in ${clock(first.won_s ?? first.time_s)}.${rest}`;
 }
 
 /** @param {Comparing} it */

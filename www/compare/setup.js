@@ -3,6 +3,7 @@
 import { button, byId, changed, fill, select, setAttribute, setHidden, setText, typed } from "../dom.js";
 import { showChoice, showTitle } from "./entrants.js";
 import { showItems } from "./items.js";
+import { winner } from "./race.js";
 
 /** @typedef {import("./tab.js").Comparing} Comparing */
 
@@ -56,10 +57,11 @@ export function updateSetup(it) {
 }
 
 /** @param {Comparing["view"]} view */
-function updateTrying({ done, total, cancelled, entrants }) {
+function updateTrying(view) {
+  const { done, total, cancelled, entrants } = view;
   const left = done < total;
   const failed = entrants.filter(({ state }) => state === "failed").length;
-  const words = left ? `${cancelled ? "Stopped" : "Planning"}: ${done} of ${total}` : `${total} ${total === 1 ? "plan" : "plans"} made`;
+  const words = left ? `${cancelled ? "Stopped" : "Planning"}: ${done} of ${total}` : winner(view) || `${total} ${total === 1 ? "plan" : "plans"} made`;
   setText(byId("trying"), `${words}${failed ? `, ${failed} failed` : ""}`);
   setHidden(byId("trying-bar"), !left);
   setAttribute(typed("trying-bar", HTMLProgressElement), "value", String(Math.floor((100 * done) / Math.max(total, 1))));

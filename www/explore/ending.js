@@ -43,10 +43,10 @@ export async function startEnding(app) {
     if (text === "" || !changed(card, "text", text)) return;
     const far = driven(view);
     const start = shown.slice(0, shown.length - far.length - 1);
-    words.replaceChildren(start, make("span", { className: "ending-distance" }, far), ".", make("span", { className: "ending-bound" }, more), make("span", { className: "ending-short" }, inShort(view)));
+    words.replaceChildren(start, make("span", { className: "ending-long" }, far), ".", make("span", { className: "ending-bound" }, more), make("span", { className: "ending-short" }, inShort(view)));
     const ways = suggestions(app, view);
     const before = (/** @type {number} */ i) => (i === 0 ? "" : i === ways.length - 1 ? " or " : ", ");
-    next.replaceChildren("Try next: ", ...ways.map((way, i) => make("span", {}, before(i), way)), make("span", { className: "ending-distance" }, "."));
+    next.replaceChildren("Try next: ", ...ways.map((way, i) => make("span", {}, before(i), way)), make("span", { className: "ending-long" }, "."));
   };
 }
 
@@ -102,14 +102,14 @@ function inShort(view) {
 /** What to try next, the most useful first. @param {App} app @param {View} view @returns {HTMLElement[]} */
 function suggestions(app, view) {
   const { catalogue, act } = app;
-  const link = (/** @type {string} */ text, /** @type {() => void} */ what) => make("button", { type: "button", className: "link", onclick: what }, text);
+  const link = (/** @type {string} */ text, /** @type {() => void} */ what, more = "") => make("button", { type: "button", className: "link", onclick: what }, text, make("span", { className: "ending-long" }, more));
   const ways = [];
   const above = view.plan?.above_bound ?? null;
   const better = catalogue.planners.find(({ anytime }) => anytime);
   const isSearching = catalogue.planners.some(({ id, anytime }) => anytime && id === view.algorithm);
   const usual = catalogue.planners[0];
   if (view.kind === "behaviour" && usual) ways.push(link(`a plan: ${usual.title}`, () => act((p) => p.select_algorithm(usual.id))));
-  else if (above !== null && above > GOOD && better && !isSearching) ways.push(link(`${better.title}, which searches for a shorter plan`, () => act((p) => p.select_algorithm(better.id))));
+  else if (above !== null && above > GOOD && better && !isSearching) ways.push(link(better.title, () => act((p) => p.select_algorithm(better.id)), ", which searches for a shorter plan"));
   const finer = [...catalogue.cell_sizes_m].reverse().find((size) => size < view.cell_size_m - 1e-9);
   // Paths in metres have no cells.
   if ((view.plan?.steps ?? 0) > 0 && view.coverage < CLEAN && finer) ways.push(link(`smaller planning cells (${+(100 * finer).toFixed(1)} cm)`, () => act((p) => p.set_cell_size(finer))));

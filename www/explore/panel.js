@@ -7,6 +7,7 @@ import { complain, textOf } from "../messages.js";
 import { startAlgorithm } from "./algorithm.js";
 import { startForm } from "./form.js";
 import { startRealism } from "./realism.js";
+import { dismissSheet } from "../sheets.js";
 
 /**
  * @typedef {import("../types").PageView} View
@@ -59,7 +60,10 @@ export function startPanel(app) {
   bind("odometry", (p, id) => p.set_odometry(id));
   bindBox("smooth", (p, on) => p.set_smooth(on));
   bind("seed", (p, text) => p.set_seed(seed(text)));
-  bindBox("show-search", (p, on) => p.show_search(on));
+  bindBox("show-search", (p, on) => {
+    p.show_search(on);
+    if (on) dismissSheet("setup");
+  });
   button("reseed").addEventListener("click", () => change((p) => p.set_seed(Math.floor(Math.random() * 1e6))));
   const showAlgorithm = startAlgorithm(app, form);
   const showRealism = startRealism(app, form);

@@ -3,6 +3,7 @@
 import { byId, make } from "../dom.js";
 import { complain } from "../messages.js";
 import { style } from "../parts.js";
+import { dismissSheet } from "../sheets.js";
 import { addRoom, currentId, freeName, list, newId, openRoom, put, remove, scenarioOf } from "./own-rooms.js";
 import { renamed } from "./scenario.js";
 
@@ -48,7 +49,11 @@ async function build(app) {
   close.addEventListener("click", () => dialog.close());
   dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close());
 
-  const done = (/** @type {Promise<boolean>} */ shown) => shown.then((worked) => worked && dialog.close(), (error) => complain(`The room could not be opened (${error}).`));
+  const leave = () => {
+    dialog.close();
+    dismissSheet("setup");
+  };
+  const done = (/** @type {Promise<boolean>} */ shown) => shown.then((worked) => worked && leave(), (error) => complain(`The room could not be opened (${error}).`));
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     done(addRoom(app, name.value.trim() || "My room", emptyRoom(Number(width.value), Number(depth.value))));

@@ -2,6 +2,7 @@
 // Where a room is too large for a search to be shown, a small one is offered.
 import { byId } from "../dom.js";
 import { toast } from "../messages.js";
+import { dismissSheet } from "../sheets.js";
 
 /** Small enough for almost every cell size, and with furniture, so that planners have something to weigh. */
 const ROOM = "bedroom";
@@ -18,10 +19,7 @@ export function startSmallRoom(app, isPressed) {
       p.show_search(true);
     });
     if (isFine) toast("Cells of 7 cm: smaller ones are too many for a film");
-    // The sheet would hide the film.
-    const close = document.querySelector("#setup.open .sheet-close");
-    if (close instanceof HTMLElement) close.click();
-    else byId("show-search").focus();
+    if (!dismissSheet("setup")) byId("show-search").focus();
   };
   byId("search-small").addEventListener("click", show);
   if (isPressed) show();

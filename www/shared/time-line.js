@@ -87,6 +87,13 @@ export function startTimeLine(prefix, look, seek) {
     event.preventDefault();
     go(target);
   });
+  // As many ticks as there is room for.
+  let [span, width] = [0, 0];
+  const showTicks = () => byId(`${prefix}ticks`).replaceChildren(...ticks(span, width));
+  new ResizeObserver(([entry]) => {
+    width = entry?.contentRect.width ?? 0;
+    if (span > 0) showTicks();
+  }).observe(scrubber);
   return (isQuiet, words) => {
     const { at, end, range, canSeek } = look();
     scrubber.style.setProperty("--at", String(at / range));
@@ -96,13 +103,20 @@ export function startTimeLine(prefix, look, seek) {
       setAttribute(scrubber, "aria-valuenow", String(Math.floor(at)));
       setAttribute(scrubber, "aria-valuetext", words);
     }
-    if (changed(scrubber, "range", range)) byId(`${prefix}ticks`).replaceChildren(...ticks(range));
+    if (span !== range) {
+      span = range;
+      showTicks();
+    }
   };
 }
 
-/** @param {number} range */
-function ticks(range) {
-  const step = TICKS.find((s) => range / s <= 6) ?? range;
+/** Most ticks, and the width of a character of their text, px. */
+const [MOST_TICKS, CHARACTER] = [6, 6];
+
+/** @param {number} range s. @param {number} width Of the line, px. */
+function ticks(range, width) {
+  const most = Math.max(2, Math.min(MOST_TICKS, Math.floor(width / (CHARACTER * (clock(range).length + 1)))));
+  const step = TICKS.find((s) => range / s <= most) ?? range;
   return Array.from({ length: Math.ceil((range * 0.97) / step) }, (_, i) => {
     const tick = make("span", {}, clock(i * step));
     tick.style.setProperty("--at", String((i * step) / range));

@@ -18,6 +18,8 @@ const LEAST_WITH_SCALE: [f64; 2] = [240.0, 160.0];
 const LONGEST_SCALE: f64 = 130.0;
 /// Width and height of the lower right corner with a scale bar above the zoom, CSS pixels.
 const SCALE_CORNER: [f64; 2] = [120.0, 98.0];
+/// Share of the canvas's height that messages, tools and zoom may take; the rest is left to the room.
+const MOST_TOLD: f64 = 0.69;
 /// Pixels of the room that stay in view when panning.
 const KEPT: f64 = 60.0;
 
@@ -89,7 +91,7 @@ impl Viewport {
         let (size, mut corner, is_framed) = (self.size, self.corner, self.is_framed());
         let start = view.to_screen(Point::origin());
         if start.x < self.legend.x && start.y > size.y - self.legend.y {
-            bottom = bottom.max(self.legend.y.min(0.67 * size.y - top));
+            bottom = bottom.max(self.legend.y.min(MOST_TOLD * size.y - top));
             view = self.between([left, top, right, bottom]);
         }
         let is_above_zoom = is_framed || (self.cleared.is_none() && size.x < BESIDE_ZOOM);
@@ -241,8 +243,7 @@ impl Viewport {
             let foot = if foot < 0.2 * self.size.y { foot } else { 0.0 };
             [BARE_MARGIN, BARE_MARGIN, BARE_MARGIN, foot.max(BARE_MARGIN)]
         });
-        // At least a third of the canvas is left to the room.
-        [left, top.max(self.told.min(0.67 * self.size.y - bottom)), right, bottom]
+        [left, top.max(self.told.min(MOST_TOLD * self.size.y - bottom)), right, bottom]
     }
 
     /// Keeps some of the room in view.
@@ -287,11 +288,11 @@ mod tests {
         assert!(view.to_screen(Point::new(0.0, 6.0)).y >= 130.0 - 1e-9);
         view.keep_clear(0.0, None, Vector::zeros(), Vector::zeros());
         assert_eq!(view.scale, before.scale);
-        // The tallest card on a phone leaves the room a third of the canvas.
-        let mut phone = Viewport::new(10.6, 8.4, 390.0, 458.0, 1.0);
-        phone.keep_clear(239.7, None, Vector::zeros(), Vector::zeros());
-        assert!(phone.to_screen(Point::new(0.0, 8.4)).y >= 239.7 - 1e-9 && phone.scale > 10.0);
-        // Never more than two thirds of it, and not when zoomed in.
+        // The tallest card on a phone leaves the room three tenths of the canvas.
+        let mut phone = Viewport::new(10.6, 8.4, 390.0, 452.0, 1.0);
+        phone.keep_clear(245.7, None, Vector::zeros(), Vector::zeros());
+        assert!(phone.to_screen(Point::new(0.0, 8.4)).y >= 245.7 - 1e-9 && phone.scale > 10.0);
+        // Never more of it, and not when zoomed in.
         view.keep_clear(5000.0, None, Vector::zeros(), Vector::zeros());
         assert!(view.scale > 0.0 && view.to_screen(Point::new(0.0, 6.0)).y < 420.0);
         view.zoom_at(300.0, 200.0, 2.0);

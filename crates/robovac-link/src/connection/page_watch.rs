@@ -12,6 +12,9 @@ const PATIENCE: f64 = 2.0;
 const MEMORY_S: f64 = 10.0;
 /// Share of its speed that a robot keeps while its page is slow.
 const SLOW_SHARE: f64 = 0.5;
+/// A slow page is told about once it has been slow for this long, s: a single late sign of life, as at the start of a
+/// program, is over before one has read that.
+const TOLD_AFTER_S: f64 = 2.0;
 /// Longest step of time that counts as the page's silence, s. Whoever watches can be held up, too, and then finds the signs
 /// of life only later.
 const LONGEST_STEP_S: f64 = 0.1;
@@ -28,6 +31,8 @@ pub(super) struct PageWatch {
     silent_s: f64,
     /// Longest recent silence, s.
     slowest_s: f64,
+    /// Since when the page has been slow.
+    slow_since: Option<f64>,
     /// The robot was stopped for another reason, and no sign of life has come since: whether the page hangs, too, isn't known.
     is_awaited: bool,
 }
@@ -70,6 +75,12 @@ impl PageWatch {
     pub fn tick(&mut self, now: f64) {
         self.silent_s += (now - self.now).clamp(0.0, LONGEST_STEP_S);
         self.now = now;
+        self.slow_since = if self.is_slow() { self.slow_since.or(Some(now)) } else { None };
+    }
+
+    /// Whether the page has been slow for so long that the user should know.
+    pub fn stays_slow(&self) -> bool {
+        self.slow_since.is_some_and(|since| self.now - since > TOLD_AFTER_S)
     }
 
     /// Whether the page was silent for so long recently that the robot stood still.
@@ -131,7 +142,7 @@ mod tests {
     fn slow_page_keeps_control_at_half_the_speed() {
         let mut watch = PageWatch::default();
         pass(&mut watch, 5.0, 0.3);
-        assert!(watch.is_slow() && !watch.hangs());
+        assert!(watch.is_slow() && watch.stays_slow() && !watch.hangs());
         watch.heard(watch.now);
         assert_eq!(watch.share(), SLOW_SHARE);
         // Twice its usual silence isn't a hang, but a second is.
@@ -139,6 +150,19 @@ mod tests {
         assert!(!watch.hangs());
         pass(&mut watch, 0.6, f64::INFINITY);
         assert!(watch.hangs());
+    }
+
+    #[test]
+    fn a_single_late_sign_of_life_is_not_told() {
+        let mut watch = PageWatch::default();
+        pass(&mut watch, 1.0, 0.04);
+        pass(&mut watch, 0.16, f64::INFINITY);
+        watch.heard(watch.now);
+        assert!(watch.is_slow());
+        for _ in 0..20 {
+            pass(&mut watch, 0.2, 0.04);
+            assert!(!watch.stays_slow());
+        }
     }
 
     #[test]

@@ -53,7 +53,7 @@ impl Connection {
             lights: self.lights(),
             wheels: [metres(left), metres(right)],
             is_moving,
-            is_slowed: self.rides() && self.page.is_slow(),
+            is_slowed: self.rides() && self.page.stays_slow(),
             moves_alone: !is_moving && self.wheel_watch.moves_alone(now),
             transport: self.transport.clone(),
             statistics: self.statistics(now),

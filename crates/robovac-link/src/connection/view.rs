@@ -40,7 +40,7 @@ pub struct ConnectionView {
     pub wheels: [f64; 2],
     /// Whether the robot is driven by this program, or is about to be.
     pub is_moving: bool,
-    /// Whether it drives at half its speed because the page responds slowly.
+    /// Whether it has driven at half its speed for a while because the page responds slowly.
     pub is_slowed: bool,
     /// Whether it moves otherwise: by its own program, by raw bytes, or pushed.
     pub moves_alone: bool,
