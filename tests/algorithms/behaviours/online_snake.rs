@@ -1,10 +1,13 @@
 //! The snake in a room that it discovers.
 
-use super::support::{conditions, lay_out, run, run_with};
+use super::support::{conditions, drive, lay_out, run, run_with};
 use coverage_planners::{CoverageJob, PlanContext};
 use rand::RngExt;
 use robovac_core::{
-    floor_plan::{FloorPlan, Sketch},
+    floor_plan::{
+        FloorPlan, Sketch,
+        generate::{FlatSpec, generate_flat},
+    },
     geometry::{Point, Vector},
     grid::{Cell, Direction, from_picture},
     registry::{ParamValue, Params},
@@ -107,6 +110,20 @@ fn cleaned(robot: &str, seed: u64) -> f64 {
 #[test]
 fn it_comes_to_the_cells_of_rooms_that_nobody_has_seen_and_ends() {
     assert!(cleaned("cbot", 1) > 0.95);
+}
+
+#[test]
+fn narrow_places_of_flats_that_nobody_has_seen_do_not_end_it() {
+    let (info, robot) = (controller::find("online_snake").unwrap(), model("cbot").unwrap());
+    for flat in [7, 8] {
+        let plan = generate_flat(flat, &FlatSpec::default());
+        let setup = lay_out(&plan, robot, conditions(NoiseLevel::Typical)).unwrap();
+        let mut run = run(&setup, info, 1);
+        drive(&mut run, 10.0);
+        // It was done after 3 and 6 minutes when what noise or a corner had closed stayed closed.
+        let coverage = run.coverage();
+        assert!(!run.is_finished() && coverage > 0.3, "{flat}: {coverage} after {} s", run.time_s());
+    }
 }
 
 #[test]

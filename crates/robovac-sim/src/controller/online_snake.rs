@@ -32,7 +32,7 @@ use robovac_core::{
     registry::{Example, Explainer, ParamKind, ParamSpec},
     robot::{Drive, OdometryModel, SensorReadings},
 };
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// Cells on each side of the grid, with the start in its middle.
 const CELLS: usize = 256;
@@ -40,6 +40,10 @@ const CELLS: usize = 256;
 const SIGHT: f64 = 3.0;
 /// How much nearer to the centre of an occupied cell of the map than its radius the body may come, m.
 const SLACK: f64 = 0.01;
+/// The same where the map may be wrong, m: noise can paint a cell that is in truth free.
+const DOUBT: f64 = 0.05;
+/// Longest way on that may be only just too narrow by the map, in cells.
+const LONGEST_NARROW: usize = 8;
 /// Distance from a cell's centre at which the robot has arrived, m.
 const THERE: f64 = 0.03;
 /// Distance off the line between two centres from which on it first returns to the one that it comes from, m.
@@ -53,8 +57,12 @@ const ALIGNED: f64 = 0.99;
 const SHORT: f64 = 0.03;
 /// Way back from obstacles and from edges, m.
 const BACK: f64 = 0.03;
-/// How often it backs off from an obstacle that keeps it from turning, before it takes the way there for blocked.
-const MOST_TURNS: u32 = 4;
+/// How often an obstacle keeps it from turning in a cell, before it takes the way on for blocked.
+const MOST_TURNS: u32 = 5;
+/// How often it meets something in a cell before it never goes there again: at most, and where it has been before, and what
+/// it met may be gone or its own fault.
+const MOST_MET: u32 = 2;
+const MOST_MET_AGAIN: u32 = 6;
 const BACK_FROM_EDGE: f64 = 0.1;
 /// Time for a cell, s: at first, and per metre of the way to it.
 const PATIENCE: (f64, f64) = (12.0, 15.0);
@@ -109,24 +117,27 @@ struct SnakeDrive {
     cell: f64,
     /// Cells in which it met something.
     met: BTreeMap<Cell, Met>,
+    /// Cells that it has come to.
+    been: BTreeSet<Cell>,
     phase: OnlineSnakePhase,
-    /// Whether it has turned round since it came to the cell, and how often it couldn't turn there.
+    /// Whether it has turned round since it came to the cell.
     has_looked: bool,
-    stuck_turns: u32,
+    /// How often it couldn't turn in a cell.
+    stuck_turns: BTreeMap<Cell, u32>,
     lookout: Option<Lookout>,
     is_lifted: bool,
     search: RelocaliseSearch,
 }
 
 /// What it knows of a cell in which it met something.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Met {
+#[derive(Debug, Clone, Copy, Default)]
+struct Met {
+    /// How often it did.
+    times: u32,
     /// It doesn't go there, for now.
-    Once,
-    /// It tries again.
-    Forgiven,
+    is_shut: bool,
     /// It never goes there.
-    Barred,
+    is_barred: bool,
 }
 
 #[derive(Clone)]
@@ -161,9 +172,10 @@ impl SnakeDrive {
             snake: OnlineSnake::new(CELLS, CELLS, middle, Direction::Right),
             cell,
             met: BTreeMap::new(),
+            been: BTreeSet::from([middle]),
             phase: if setup.robot.sensors.laser.is_some() { OnlineSnakePhase::Look } else { OnlineSnakePhase::Blind },
             has_looked: true,
-            stuck_turns: 0,
+            stuck_turns: BTreeMap::new(),
             lookout: Lookout::new(setup.robot),
             is_lifted: false,
             search: RelocaliseSearch::new(setup),
@@ -183,8 +195,9 @@ impl SnakeDrive {
         (self.centre(at.step(towards)) - self.centre(at)).normalize()
     }
 
-    /// Whether the body fits around the centre of a cell by the map; `None` if that isn't known yet. It fits where it is.
-    fn fits(&self, cell: Cell) -> Option<bool> {
+    /// Whether the body fits around the centre of a cell by the map, if obstacles may be `slack` nearer, m; `None` if that
+    /// isn't known yet. It fits where it is.
+    fn fits(&self, cell: Cell, slack: f64) -> Option<bool> {
         let (map, centre, here) = (self.mapper.map(), self.centre(cell), self.centre(self.snake.at()));
         let radius = self.mapper.setup().robot.radius;
         let (middle, reach) = (map.cell_at(centre), (radius / map.resolution()).ceil() as i32);
@@ -194,8 +207,8 @@ impl SnakeDrive {
                 let at = Cell::new(x, y);
                 let away = (map.centre(at) - centre).norm();
                 match map.occupancy(at) {
-                    Occupancy::Occupied if away < radius - SLACK => return Some(false),
-                    Occupancy::Unknown if away < radius - SLACK => {
+                    Occupancy::Occupied if away < radius - slack => return Some(false),
+                    Occupancy::Unknown if away < radius - slack => {
                         is_known &= (map.centre(at) - here).norm() < radius;
                     }
                     _ => {}
@@ -212,11 +225,15 @@ impl SnakeDrive {
         for y in at.y - reach..=at.y + reach {
             for x in at.x - reach..=at.x + reach {
                 let cell = Cell::new(x, y);
-                let is_shut = self.met.get(&cell).is_some_and(|&met| met != Met::Forgiven);
-                if is_shut || self.snake.is_visited(cell) {
+                let slack = match self.met.get(&cell) {
+                    None => SLACK,
+                    Some(met) if met.is_shut => continue,
+                    Some(_) => DOUBT,
+                };
+                if self.snake.is_visited(cell) {
                     continue;
                 }
-                if let Some(fits) = self.fits(cell) {
+                if let Some(fits) = self.fits(cell, slack) {
                     self.snake.see(cell, fits);
                 }
             }
@@ -262,7 +279,8 @@ impl SnakeDrive {
     /// It has come to the next cell; goes on without a stop where the rules lead straight on.
     fn arrive(&mut self, next: Cell, towards: Direction) {
         self.snake.arrive();
-        (self.has_looked, self.stuck_turns) = (false, 0);
+        self.been.insert(next);
+        self.has_looked = false;
         self.look();
         let onward = self.snake.next_cell().filter(|&cell| next.direction_to(cell) == Some(towards));
         let Some(cell) = onward else { return self.choose() };
@@ -281,31 +299,67 @@ impl SnakeDrive {
     /// Something is in the way to the next cell.
     fn meet(&mut self, is_barred: bool) {
         let OnlineSnakePhase::Drive { next, .. } = self.phase else { return };
-        let before = self.met.get(&next);
-        let met = if is_barred || before.is_some() { Met::Barred } else { Met::Once };
-        self.met.insert(next, met);
+        let most = if self.been.contains(&next) { MOST_MET_AGAIN } else { MOST_MET };
+        let met = self.met.entry(next).or_default();
+        met.times += 1;
+        (met.is_shut, met.is_barred) = (true, is_barred || met.times >= most);
         self.snake.see(next, false);
         self.phase = OnlineSnakePhase::Choose;
     }
 
-    /// Tries once more where it met something that can have gone, and where it can't see; whether there is such a place.
+    /// Tries once more where it met something that can have gone, where it can't see, where its map shows room by now, and
+    /// where a way on may be only just too narrow by it; whether there is such a place.
     fn forgive(&mut self) -> bool {
-        let once: Vec<Cell> = self.met.iter().filter(|(_, met)| **met == Met::Once).map(|(cell, _)| *cell).collect();
-        let unseen: Vec<Cell> =
-            self.snake.border().filter(|cell| !self.met.contains_key(cell) && self.fits(*cell).is_none()).collect();
-        let mut is_any = !unseen.is_empty();
-        for cell in unseen {
+        let again: Vec<Cell> =
+            self.met.iter().filter(|(_, met)| met.is_shut && !met.is_barred).map(|(cell, _)| *cell).collect();
+        let border: Vec<Cell> = self.snake.border().filter(|cell| !self.met.contains_key(cell)).collect();
+        let (mut open, shut): (Vec<Cell>, Vec<Cell>) =
+            border.into_iter().partition(|&cell| self.fits(cell, SLACK) != Some(false));
+        if open.is_empty() && again.is_empty() {
+            open = self.narrow_way(&shut);
+            // Until it meets something there.
+            self.met.extend(open.iter().map(|&cell| (cell, Met { times: MOST_MET - 1, ..Met::default() })));
+        }
+        let mut is_any = !open.is_empty();
+        for cell in open {
             self.snake.see(cell, true);
         }
-        for cell in once {
-            let fits = self.fits(cell) != Some(false);
-            self.met.insert(cell, if fits { Met::Forgiven } else { Met::Barred });
+        for cell in again {
+            let slack = if self.been.contains(&cell) { DOUBT } else { SLACK };
+            let fits = self.fits(cell, slack) != Some(false);
+            let met = self.met.entry(cell).or_default();
+            (met.is_shut, met.is_barred) = (!fits, !fits);
             if fits {
                 self.snake.see(cell, true);
                 is_any = true;
             }
         }
         is_any
+    }
+
+    /// The shortest way over cells in which the body may just fit, from one of `border` to a cell that isn't visited and in
+    /// which it fits, or may fit; empty if there is none.
+    fn narrow_way(&self, border: &[Cell]) -> Vec<Cell> {
+        let is_narrow = |cell: &Cell| {
+            !self.met.contains_key(cell) && !self.snake.is_visited(*cell) && self.fits(*cell, DOUBT) != Some(false)
+        };
+        let mut ways: VecDeque<Vec<Cell>> =
+            border.iter().filter(|cell| is_narrow(cell)).map(|&cell| vec![cell]).collect();
+        let mut seen: BTreeSet<Cell> = border.iter().copied().collect();
+        while let Some(way) = ways.pop_front() {
+            for next in way.last().into_iter().flat_map(|cell| cell.neighbours()) {
+                if self.snake.is_visited(next) || !seen.insert(next) {
+                    continue;
+                }
+                if self.fits(next, SLACK) != Some(false) {
+                    return way;
+                }
+                if way.len() < LONGEST_NARROW && is_narrow(&next) {
+                    ways.push_back([&way[..], &[next]].concat());
+                }
+            }
+        }
+        Vec::new()
     }
 
     /// Starts to relocalise.
@@ -379,7 +433,9 @@ impl Behaviour for SnakeDrive {
         let room = self.lookout.as_ref().map_or(f64::INFINITY, |lookout| lookout.room_ahead(sensed));
         let OnlineSnakePhase::Drive { route, .. } = &mut self.phase else { return Drive::STOP };
         let is_on_line = route.is_driving() && route.rest().len() == 1 && left >= THERE;
-        if is_on_line && room < left - SHORT && pose.direction().dot(&along) > ALIGNED {
+        // Where it tries again, touch decides: beside jambs a scan may show less room than there is.
+        let is_again = self.met.contains_key(&next);
+        if is_on_line && !is_again && room < left - SHORT && pose.direction().dot(&along) > ALIGNED {
             self.meet(false);
             return Drive::STOP;
         }
@@ -398,14 +454,23 @@ impl Behaviour for SnakeDrive {
             return self.search.on_obstruction(pilot, obstruction);
         }
         let is_bump = obstruction.kind == ObstructionKind::Bump;
-        let is_turning = matches!(&self.phase, OnlineSnakePhase::Drive { route, .. } if !route.is_driving());
-        if is_bump && is_turning && self.stuck_turns < MOST_TURNS {
-            self.stuck_turns += 1;
+        let turn = match &self.phase {
+            OnlineSnakePhase::Drive { route, towards, .. } if is_bump && !route.is_driving() => {
+                let (heading, along) = (self.mapper.pose().direction(), self.along(*towards));
+                Some(math::atan2(heading.perp(&along), heading.dot(&along)))
+            }
+            _ => None,
+        };
+        let tries = self.stuck_turns.entry(self.snake.at()).or_default();
+        *tries += u32::from(turn.is_some());
+        if turn.is_some() && !tries.is_multiple_of(MOST_TURNS) {
             self.phase = OnlineSnakePhase::Choose;
         } else {
             self.meet(!is_bump);
         }
-        pilot.answer(obstruction, if is_bump { BACK } else { BACK_FROM_EDGE }, &[]);
+        // A body with corners that can't turn where it is gets out of there.
+        let rest: Vec<Move> = turn.into_iter().map(Move::Turn).collect();
+        pilot.answer(obstruction, if is_bump { BACK } else { BACK_FROM_EDGE }, &rest);
     }
 
     fn is_done(&self) -> bool {
