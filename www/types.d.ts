@@ -204,7 +204,7 @@ lights: LightsView,
 wheels: [number, number],
 /** Whether the robot is driven by this program, or is about to be. */
 is_moving: boolean,
-/** Whether it drives at half its speed because the page responds slowly. */
+/** Whether it has driven at half its speed for a while because the page responds slowly. */
 is_slowed: boolean,
 /** Whether it moves otherwise: by its own program, by raw bytes, or pushed. */
 moves_alone: boolean,
