@@ -249,6 +249,27 @@ test("undo in an own room takes its last change back at once after a reload and 
   await app.poll(() => app.reachableArea(), (area) => area === one);
 });
 
+test("a wall that a finger draws is one change, after a reload, too", async (t) => {
+  const { page, app } = await openApp(t, { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true, address: "#room=empty&speed=1" });
+  const whole = await app.reachableArea();
+  await page.locator("#tools [data-tool=wall]").tap();
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  await touch("touchStart", await app.spot(0.5, 0.3));
+  await touch("touchMove", await app.spot(0.5, 0.5));
+  // The room is kept while the finger still draws.
+  const half = await app.linked("map");
+  await touch("touchMove", await app.spot(0.5, 0.7));
+  await touch("touchEnd");
+  await app.settled();
+  const one = await app.reachableArea();
+  await app.linked("map", (map) => map && map !== half);
+  await page.reload();
+  await app.poll(() => app.reachableArea(), (area) => area === one);
+  await page.locator("#undo:enabled").click();
+  await app.poll(() => app.reachableArea(), (area) => area === whole);
+});
+
 test("back and forward go through tabs and rooms, and the run goes on", async (t) => {
   const { page, app } = await openApp(t, { address: "#room=empty" });
   await app.linked("planner");

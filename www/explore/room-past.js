@@ -13,7 +13,8 @@ const coming = new Map();
 
 /** A stroke is one change, however often it is kept meanwhile: the room before it. @type {{ id: string, before: string } | undefined} */
 let held;
-const isDrawing = () => document.getElementById("floor")?.matches(":active") === true;
+// Fingers make nothing active.
+const isDrawing = () => document.getElementById("floor")?.matches(".pressed") === true;
 
 /** @param {string} id */
 const keyOf = (id) => `own-room-${id}-past`;

@@ -64,6 +64,7 @@ export function startHands(canvas, picture, { pointer, hover, draws, hasTool, ke
       gesture = "pinch";
     } else gesture = pointer && pointer("down", at.x, at.y, event.button) !== false ? "tool" : "pan";
     canvas.classList.toggle("grabbed", gesture === "pan" || !hasTool?.());
+    canvas.classList.add("pressed");
   });
   canvas.addEventListener("pointermove", (event) => {
     const [before, at] = [down.get(event.pointerId), spot(event)];
@@ -89,6 +90,7 @@ export function startHands(canvas, picture, { pointer, hover, draws, hasTool, ke
       // The finger that remains after a pinch keeps panning.
       gesture = "pan";
       canvas.classList.toggle("grabbed", down.size > 0);
+      canvas.classList.toggle("pressed", down.size > 0);
     });
   }
 }
