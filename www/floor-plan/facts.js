@@ -88,7 +88,7 @@ function showDoors(view) {
   if (doors) {
     const { count, gap, floor_m2 } = doors;
     const [opening, where] = count > 1 ? [`${count} openings`, ", where the rings are"] : ["an opening", count === 1 ? ", where the ring is" : ""];
-    // The fault says that the room is open, and where.
+    // The fault says that the room is open.
     const [what, them] = view.fault ? ["", count > 1 ? "the openings" : "the opening"] : [`This room continues through ${opening} as wide as a door${where}. `, count > 1 ? "them" : "it"];
     setText(byId("floor-plan-doors-text"), `${what}Closing ${them} leaves ${metres(floor_m2)} m² of floor.`);
     setText(button("floor-plan-doors-close"), `Close gaps up to ${gap.toFixed(2)} m`);

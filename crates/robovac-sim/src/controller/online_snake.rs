@@ -5,7 +5,8 @@
 //! next.
 //!
 //! Ours: the map and the pose estimate of [`Mapper`]; an obstacle that it meets blocks the cell ahead until nothing else
-//! is left to clean, and for ever when it is met again; edges and virtual walls block at once.
+//! is left to clean, and for ever when it is met again, or in a cell where it has been, six times; edges and virtual walls
+//! block at once. Before it is done it also tries ways that are only just too narrow by its map.
 //!
 //! ```
 //! use robovac_sim::controller::*;
@@ -57,13 +58,13 @@ const ALIGNED: f64 = 0.99;
 const SHORT: f64 = 0.03;
 /// Way back from obstacles and from edges, m.
 const BACK: f64 = 0.03;
+const BACK_FROM_EDGE: f64 = 0.1;
 /// How often an obstacle keeps it from turning in a cell, before it takes the way on for blocked.
 const MOST_TURNS: u32 = 5;
 /// How often it meets something in a cell before it never goes there again: at most, and where it has been before, and what
 /// it met may be gone or its own fault.
 const MOST_MET: u32 = 2;
 const MOST_MET_AGAIN: u32 = 6;
-const BACK_FROM_EDGE: f64 = 0.1;
 /// Time for a cell, s: at first, and per metre of the way to it.
 const PATIENCE: (f64, f64) = (12.0, 15.0);
 
