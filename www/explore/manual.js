@@ -90,7 +90,8 @@ export async function startManual(app) {
       if (byId("setup").classList.contains("open")) byId("setup").dispatchEvent(new Event("swiped", { bubbles: true }));
     }
     const { command, hasGamepad } = stick.read();
-    stick.showBlocked(view.blocked, sent);
+    // What stands still needs no room for it.
+    stick.showBlocked(view.state === "playing" ? view.blocked : null, sent);
     const turned = changed(pad, "state", view.state);
     if (view.state === "playing") {
       send(command);

@@ -3,7 +3,7 @@
 import { byId, setText } from "../dom.js";
 import { percent } from "../format.js";
 
-const OPENED = ": 10 minutes already done";
+const OPENED = "10 minutes already done";
 
 /** Explains for a while why the robot has already cleaned. */
 export function tellOpening() {
@@ -17,6 +17,6 @@ export function endOpening() {
 
 /** Says that some floor was clean when the run began. @param {number} share */
 export function tellBefore(share) {
-  if (share > 0.005) setText(byId("opening"), `: ${percent(share)} % from before the change`);
+  if (share > 0.005) setText(byId("opening"), `${percent(share)} % from before the change`);
   else if (byId("opening").textContent !== OPENED) setText(byId("opening"), "");
 }
