@@ -16,4 +16,5 @@ mod own_robot;
 mod pictures;
 mod scenario;
 mod session;
+mod sweep_files;
 mod types;
