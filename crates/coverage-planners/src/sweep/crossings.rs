@@ -58,25 +58,37 @@ fn crossings_of(way: &[Point], other: &[Point]) -> usize {
         for j in (0..two.len()).filter(|&j| is_same(Some(i), Some(j))) {
             let goes_on = |step: isize| is_same(Some(i + 1), beside(j, step));
             let comes = |step: isize| is_same(i.checked_sub(1), beside(j, -step));
+            // Where stretches begin: a way that comes along the other is on one already.
             let steps: &[isize] = match [1, -1].map(|step| (goes_on(step), comes(step))) {
                 [(true, false), (true, false)] => &[1, -1],
-                [(false, false), (false, false)] | [(true, false), _] => &[1],
-                [_, (true, false)] => &[-1],
+                [(_, false), (false, false)] => &[1],
+                [(false, false), (true, false)] => &[-1],
                 _ => &[],
             };
             for &step in steps {
-                let (mut end, mut other_end) = (i, j);
-                while is_same(Some(end + 1), beside(other_end, step)) {
-                    (end, other_end) = (end + 1, other_end.saturating_add_signed(step));
+                let (mut end, mut other_end, mut on) = (i, j, step);
+                loop {
+                    if !is_same(Some(end + 1), beside(other_end, on)) {
+                        // It can lead back along itself.
+                        if end == i || !is_same(Some(end + 1), beside(other_end, -on)) {
+                            break;
+                        }
+                        on = -on;
+                    }
+                    (end, other_end) = (end + 1, other_end.saturating_add_signed(on));
                 }
                 let get = |j: Option<usize>| j.and_then(|j| two.get(j));
-                let ends = (i.checked_sub(1).map(|i| one[i]), one.get(end + 1));
-                let other_ends = (get(beside(j, -step)), get(beside(other_end, step)));
+                let (from, to) = (i.checked_sub(1).map(|i| one[i]), one.get(end + 1));
+                // The other way before and behind both places.
+                let [first, last] = [j, other_end].map(|j| (get(beside(j, -step)), get(beside(j, step))));
                 // At an end of either they touch.
-                let ((Some(from), Some(to)), (Some(before), Some(after))) = (ends, other_ends) else { continue };
-                let on = get(beside(j, step)).copied().unwrap_or(*after);
-                let last = if end == i { *before } else { one[end - 1] };
-                found += usize::from(is_left(*before, one[i], on, from) != is_left(last, one[end], *after, *to));
+                let (Some(from), Some(to)) = (from, to) else { continue };
+                let ((Some(before), Some(after)), (Some(last_before), Some(last_after))) = (first, last) else {
+                    continue;
+                };
+                found += usize::from(
+                    is_left(*before, one[i], *after, from) != is_left(*last_before, one[end], *last_after, *to),
+                );
             }
         }
     }
@@ -145,6 +157,10 @@ mod tests {
         assert_eq!(count(&[level, &[(1.0, -1.0), (1.5, 0.0), (1.0, 1.0)]]), 1);
         assert_eq!(count(&[level, &[(1.0, -1.0), (1.5, 0.0), (2.5, 0.0), (3.0, 1.0)]]), 1);
         assert_eq!(count(&[&[(1.0, -1.0), (1.5, 0.0), (2.5, 0.0), (3.0, 1.0)], level]), 1);
+        // One that leads back along itself first.
+        let back: &[(f64, f64)] = &[(1.0, 1.0), (1.0, 0.0), (2.0, 0.0), (0.5, 0.0), (0.5, -1.0)];
+        assert_eq!(count(&[back, level]), 1);
+        assert_eq!(count(&[level, back]), 1);
         // Through a corner of the other.
         assert_eq!(count(&[&[(0.0, 0.0), (2.0, 0.0), (4.0, 1.0)], &[(2.0, -1.0), (2.0, 1.0)]]), 1);
     }
@@ -160,6 +176,14 @@ mod tests {
         // One leads back along itself before the other leaves.
         let back: &[(f64, f64)] = &[(1.0, 1.0), (1.0, 0.0), (9.0, 0.0), (0.0, 0.0)];
         assert_eq!(count(&[back, &[(0.0, 0.0), (4.0, 0.0), (4.0, -1.0)]]), 0);
+        // One leads back along itself while the other goes on, and ends where that begins.
+        let back: &[(f64, f64)] = &[(1.0, 1.0), (1.0, 0.0), (2.0, 0.0), (0.0, 0.0)];
+        assert_eq!(count(&[back, level]), 0);
+        assert_eq!(count(&[level, back]), 0);
+        // One leads back along itself and leaves on the side from which it came.
+        let back: &[(f64, f64)] = &[(1.0, 1.0), (1.0, 0.0), (2.0, 0.0), (0.5, 0.0), (0.5, 1.0)];
+        assert_eq!(count(&[back, level]), 0);
+        assert_eq!(count(&[level, back]), 0);
         assert_eq!(count(&[]), 0);
     }
 }

@@ -161,9 +161,8 @@ fn links_do_not_cross_in_the_hall_of_the_paper_if_asked() {
 
 /// Rooms of blocks and round columns, with gaps that are wider than a line's distance.
 #[test]
-fn links_seldom_cross_in_rooms_full_of_columns() {
-    let mut crossed = 0;
-    for seed in 0..25 {
+fn links_do_not_cross_in_rooms_full_of_columns() {
+    for seed in 0..100 {
         let mut rng = rng::seeded(seed, 20);
         let mut plan = Sketch::open(6.0, 5.0, 0.05).finish("", "");
         // One in every field of a chessboard, away from its edges.
@@ -180,13 +179,11 @@ fn links_seldom_cross_in_rooms_full_of_columns() {
         }
         let setup = SweepSetup { order: LinkOrder::Uncrossed, ..SweepSetup::new(Outline::octagon(0.3).unwrap(), 0.05) };
         let found = planned(&plan, &setup).unwrap();
-        crossed += found.crossings;
+        assert_eq!(found.crossings, 0, "room {seed}");
         assert!(found.nearest.unwrap().crossings > 0 && found.linked_share > 0.97, "room {seed}");
         let least = nearest(&plan, &solids(&plan), &setup.outline, false, &found.path);
         assert!(least > 0.0, "room {seed}: {least}");
     }
-    // One link crosses another in room 21; why isn't known.
-    assert!(crossed <= 1, "{crossed}");
 }
 
 /// A robot with two driven wheels turns at every corner: so its rectangle needs the circle around it.
