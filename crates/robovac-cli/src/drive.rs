@@ -9,10 +9,10 @@ use super::{bridge::cannot_open, failure::Failure, output::say, signals::end_req
 use pilot::{SerialPilot, WantedMotion};
 use robovac_core::robot::{RobotModel, model};
 use robovac_link::{
-    driver::{Driver, LineRequest},
+    driver::{CLEANING_MOTORS, Driver, LineRequest},
     sensors::to_sensors,
 };
-use roomba_oi::Mode;
+use roomba_oi::{Command, Mode};
 use serialport::{ClearBuffer, SerialPort};
 use std::{
     io::{self, ErrorKind, Write},
@@ -53,6 +53,9 @@ pub struct Arguments {
     /// Highest speed of a wheel, m/s
     #[arg(long, value_name = "M/S", default_value_t = 0.3, value_parser = parse_speed)]
     speed: f64,
+    /// Main brush, side brush and vacuum [default: on for a behaviour that cleans, otherwise off]
+    #[arg(long, value_name = "on|off", value_parser = ["on", "off"])]
+    brushes: Option<String>,
     /// Seconds to drive [default: until the program is done, or Ctrl-C]
     #[arg(long, value_name = "S", value_parser = parse_seconds, allow_hyphen_values = true)]
     seconds: Option<f64>,
@@ -112,7 +115,13 @@ impl<'a> RobotLine<'a> {
         let now = self.now();
         self.driver.put_in(now, Mode::Safe);
         self.until(Driver::is_armed)?;
-        say(&format!("{now:8.2} s  in Safe mode, at most {} m/s; Ctrl-C stops the robot", arguments.speed));
+        let brushes = arguments.brushes.as_ref().map_or(pilot.cleans(), |switch| switch == "on");
+        if brushes {
+            let sent = self.driver.send(now, Command::Motors(CLEANING_MOTORS));
+            sent.map_err(|refusal| Failure::system(refusal.to_string()))?;
+        }
+        let told = if brushes { ", brushes and vacuum on" } else { "" };
+        say(&format!("{now:8.2} s  in Safe mode, at most {} m/s{told}; Ctrl-C stops the robot", arguments.speed));
         let began = self.now();
         loop {
             let since = self.turn()?;
@@ -199,7 +208,7 @@ impl<'a> RobotLine<'a> {
     /// Stops the robot and ends the interface.
     fn release(&mut self) -> Result<(), Failure> {
         let now = self.now();
-        self.driver.stop(now);
+        self.driver.halt(now);
         while self.now() < now + FAREWELL_S {
             self.turn()?;
         }

@@ -29,7 +29,7 @@ use std::{
 /// Who drives.
 pub enum SerialPilot {
     Program(Box<ProgramPilot>),
-    Behaviour(Box<dyn Controller>),
+    Behaviour { controller: Box<dyn Controller>, cleans: bool },
 }
 
 /// What a pilot wants.
@@ -52,14 +52,16 @@ pub struct ProgramPilot {
 }
 
 /// The behaviour with that id and its own parameters. It drives no faster than the robot's wheels may turn.
-fn behaviour(id: &str, robot: &RobotModel, seed: u64) -> Result<Box<dyn Controller>, Failure> {
+fn behaviour(id: &str, robot: &RobotModel, seed: u64) -> Result<SerialPilot, Failure> {
     let info = autonomous(id)?;
     let speed = robot.cruise_speed.min(robot.max_wheel_speed);
     let robot =
         RobotModel { cruise_speed: speed, turn_wheel_speed: robot.turn_wheel_speed.min(speed), ..robot.clone() };
     let params = Params::defaults(info.params);
-    info.build(&Setup { robot: &robot, params: &params, seed })
-        .ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))
+    let controller = info
+        .build(&Setup { robot: &robot, params: &params, seed })
+        .ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?;
+    Ok(SerialPilot::Behaviour { controller, cleans: info.claims.cleans })
 }
 
 impl SerialPilot {
@@ -69,7 +71,12 @@ impl SerialPilot {
             return Ok(Self::Program(Box::new(ProgramPilot::start(program, arguments, robot, end)?)));
         }
         let id = arguments.behaviour.as_deref().unwrap_or_default();
-        Ok(Self::Behaviour(behaviour(id, robot, arguments.seed)?))
+        behaviour(id, robot, arguments.seed)
+    }
+
+    /// Whether it is a behaviour that cleans.
+    pub fn cleans(&self) -> bool {
+        matches!(self, Self::Behaviour { cleans: true, .. })
     }
 
     /// Takes a reading, `dt_s` seconds after the last one.
@@ -79,7 +86,7 @@ impl SerialPilot {
                 program.sense(robot, sensed);
                 WantedMotion::Nothing
             }
-            Self::Behaviour(controller) => {
+            Self::Behaviour { controller, .. } => {
                 let Drive { left, right, .. } = controller.step(sensed, dt_s);
                 if controller.is_done() {
                     return WantedMotion::Done;
@@ -96,7 +103,7 @@ impl SerialPilot {
     pub fn answer(&mut self, robot: &RobotModel, now: f64, began: f64) -> Result<WantedMotion, Failure> {
         match self {
             Self::Program(program) => program.answer(robot, now, began),
-            Self::Behaviour(_) => Ok(WantedMotion::Nothing),
+            Self::Behaviour { .. } => Ok(WantedMotion::Nothing),
         }
     }
 

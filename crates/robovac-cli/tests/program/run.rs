@@ -195,7 +195,8 @@ fn a_program_drives_a_virtual_roomba_in_safe_mode() {
 /// In real time, as above.
 #[test]
 fn a_behaviour_drives_a_virtual_roomba_no_faster_than_it_may() {
-    let mut robot = Program::start("behaving", &["--room", "empty"]);
+    let log = std::env::temp_dir().join(format!("robovac-{}-behaving.log", std::process::id()));
+    let mut robot = Program::start("behaving", &["--room", "empty", "--log", log.to_str().unwrap()]);
     let port = robot.ready();
     let before = robot.state();
     let drive = |options: &[&str]| {
@@ -211,12 +212,25 @@ fn a_behaviour_drives_a_virtual_roomba_no_faster_than_it_may() {
     let output = drive(&["--behaviour", "learned", "--speed", "0.1", "--seconds", "1.5"]);
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    assert!(text.contains("in Safe mode, at most 0.1 m/s") && text.contains("stopped"), "{text}");
+    assert!(text.contains("at most 0.1 m/s, brushes and vacuum on;") && text.contains("stopped"), "{text}");
     let after = robot.wait_for("it is released", |state| state["mode"] == "Off");
     let [x, y] = ["x", "y"].map(|key| after["pose"][key].as_f64().unwrap() - before["pose"][key].as_f64().unwrap());
     let heading = |state: &Value| state["pose"]["heading_deg"].as_f64().unwrap();
     let (moved, turned) = (x.hypot(y), heading(&after) - heading(&before));
     assert!(moved < 0.17 && (moved > 0.01 || turned.abs() > 3.0), "{moved} m, {turned}: {after}");
+    // Main brush, side brush and vacuum run in between, and only there.
+    let motors = || -> Vec<String> {
+        let text = fs::read_to_string(&log).unwrap();
+        let bytes = text.lines().filter_map(|line| line.split_once("command 138 "));
+        bytes.map(|(_, bits)| bits.to_owned()).collect()
+    };
+    let cleaned = motors();
+    assert!(cleaned[0] == "7" && cleaned[1..].iter().all(|bits| bits == "0") && cleaned.len() > 1, "{cleaned:?}");
+    for off in [&["--behaviour", "learned", "--brushes", "off"][..], &["--behaviour", "explore_look_around"]] {
+        assert!(drive(&[off, &["--seconds", "0.1"]].concat()).status.success());
+        assert!(motors()[1..].iter().all(|bits| bits == "0"), "{off:?}: {:?}", motors());
+    }
+    fs::remove_file(&log).unwrap();
 }
 
 // slow: a second is the limit of a step

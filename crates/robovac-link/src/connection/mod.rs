@@ -41,7 +41,7 @@ use self::{
     wheel_watch::WheelWatch,
 };
 use crate::{
-    driver::{ConnectionPhase, Driver},
+    driver::{CLEANING_MOTORS, ConnectionPhase, Driver},
     recording::LineEvent,
 };
 use robovac_core::{
@@ -49,7 +49,7 @@ use robovac_core::{
     robot::{self, Drive, Odometry, OdometryModel, RobotModel, RobotPort},
 };
 use robovac_sim::controller::Controller;
-use roomba_oi::{Command, Mode, Motors, Packet, Readings};
+use roomba_oi::{Command, Mode, Packet, Readings};
 use thiserror::Error;
 
 /// Time without a stick command after which the stick counts as released, s.
@@ -67,9 +67,6 @@ const MOST_TRACE: usize = 4 * 64 * 60;
 pub const SETS_OFF: u16 = 256;
 /// Flag of a trace point at which the main brush was sweeping.
 pub const SWEEPS: u16 = 512;
-/// Brushes and vacuum of a robot that cleans.
-const CLEANING: Motors =
-    Motors { side_brush: true, vacuum: true, main_brush: true, side_brush_clockwise: false, main_brush_outward: false };
 /// Least current of a main brush that turns, mA (ours: values of robots aren't published).
 const TURNING_MA: u16 = 50;
 
@@ -394,7 +391,7 @@ impl Connection {
         self.set_off(now, title, controller, start, false);
         self.mark(start);
         if cleans {
-            self.send(now, Command::Motors(CLEANING))?;
+            self.send(now, Command::Motors(CLEANING_MOTORS))?;
             if let Some(ride) = &mut self.ride {
                 ride.cleans = true;
             }

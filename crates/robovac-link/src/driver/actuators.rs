@@ -8,6 +8,10 @@ use roomba_oi::{Command, Lamps, Mode, ModeAfter, Motors, ScheduleLamps, Weekdays
 /// Full duty cycle, 1/128 (opcode 144).
 const FULL: i8 = 127;
 
+/// Brushes and vacuum of a robot that cleans.
+pub const CLEANING_MOTORS: Motors =
+    Motors { side_brush: true, vacuum: true, main_brush: true, side_brush_clockwise: false, main_brush_outward: false };
+
 /// What a host has switched on, and the robot hasn't switched off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Actuators {

@@ -29,7 +29,7 @@ mod reckoned_counts;
 mod refusal;
 mod wheels;
 
-pub use actuators::Actuators;
+pub use actuators::{Actuators, CLEANING_MOTORS};
 pub use diagnosis::{Diagnosis, Finding, Step};
 pub use filter::{Filter, FrameVerdict};
 pub use link_stats::LinkStats;
