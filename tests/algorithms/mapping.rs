@@ -4,8 +4,10 @@ use proptest::prelude::*;
 use robovac_app::map::{BY_BUMPER, ByBumper};
 use robovac_core::{
     coverage::ReachableFloor,
-    floor_plan::room,
-    geometry::{Pose, difference},
+    floor_plan::{FloorPlan, Object, room},
+    geometry::{Point, Pose, difference},
+    grid::Cell,
+    math,
     registry::Params,
     robot::{MODELS, OdometryModel, RobotModel, SensorReadings, model},
 };
@@ -13,7 +15,7 @@ use robovac_core::{
 use robovac_sim::{
     Conditions, Noise, NoiseLevel, Run, RunSetup, SlipLevel, World,
     controller::{self, Setup},
-    mapping::{MapTruth, Mapper, MapperSetup, PoseCovariance, RESOLUTION, Tracking},
+    mapping::{CellMark, MapTruth, Mapper, MapperSetup, PoseCovariance, RESOLUTION, Tracking},
     montecarlo::quantile,
 };
 use std::sync::Arc;
@@ -23,14 +25,18 @@ fn mapper(robot: &RobotModel, start: Pose, tracking: Tracking) -> Mapper {
 }
 
 fn run(room_id: &str, robot_id: &str, behaviour: &str, seed: u64) -> Run {
-    let (plan, robot) = ((room(room_id).unwrap().build)(), model(robot_id).unwrap().clone());
-    let floor = Arc::new(ReachableFloor::new(&plan, &robot, None).unwrap());
+    run_in(&(room(room_id).unwrap().build)(), robot_id, behaviour, seed)
+}
+
+fn run_in(plan: &FloorPlan, robot_id: &str, behaviour: &str, seed: u64) -> Run {
+    let robot = model(robot_id).unwrap().clone();
+    let floor = Arc::new(ReachableFloor::new(plan, &robot, None).unwrap());
     let info = controller::find(behaviour).unwrap();
     let params = Params::defaults(info.params);
     let controller = info.build(&Setup { robot: &robot, params: &params, seed }).unwrap();
     let noise = Noise::all(NoiseLevel::Typical);
     let conditions = Conditions { slip: SlipLevel::Typical, noise, ..Conditions::default() };
-    Run::new(&RunSetup { floor, world: Arc::new(World::new(&plan)), robot, conditions, seed }, controller)
+    Run::new(&RunSetup { floor, world: Arc::new(World::new(plan)), robot, conditions, seed }, controller)
 }
 
 /// Errors of a pose: m and degrees.
@@ -82,6 +88,36 @@ fn correction_keeps_a_robot_in_a_furnished_room_several_times_nearer_to_the_trut
         assert!(ours.right > 0.95 && ours.known > 0.2 && ours.boundary > 0.2, "seed {seed}: {ours:?}, {theirs:?}");
     }
     assert!(4.0 * corrected < odometry, "mean error {} m, by odometry {} m", corrected / 4.0, odometry / 4.0);
+}
+
+/// Krapinec 2025, section 3.4.
+#[test]
+fn soiled_places_are_marked_where_the_dirt_was() {
+    let mut plan = (room("empty").unwrap().build)();
+    let (dirt, radius) = (Point::new(2.0, 1.5), 0.4);
+    plan.objects.push(Object::Dirt { at: dirt, radius });
+    for id in ["roomba600", "roomba600_lidar"] {
+        let robot = model(id).unwrap();
+        let mut run = run_in(&plan, id, "random_walk", 2);
+        let mut mapper = mapper(robot, run.pose(), Tracking::Corrected);
+        while run.time_s() < 600.0 {
+            run.step();
+            mapper.update(run.sensors());
+        }
+        let marks = mapper.marks();
+        let off = |cell: Cell| (cell.centre(marks.resolution()) - dirt).norm();
+        let soiled: Vec<f64> = marks.cells(CellMark::Dirty).map(off).collect();
+        let most = soiled.iter().copied().fold(0.0, f64::max);
+        let cleaned = marks.cells(CellMark::Cleaned).filter(|&cell| off(cell) > 1.0).count();
+        println!(
+            "{id}: {} soiled cells, the last {most:.2} m from the middle, {cleaned} cleaned ones elsewhere",
+            soiled.len()
+        );
+        // Much of what the dirt covers; and no more than what the side brush reaches, and the tool's width around the robot.
+        let covers = math::PI * radius * radius / (marks.resolution() * marks.resolution());
+        assert!(soiled.len() as f64 > 0.3 * covers && cleaned > 500, "{id}: {} of {covers}", soiled.len());
+        assert!(most < radius + robot.radius + 0.5 * robot.tool_width + 0.08, "{id}: {most} m");
+    }
 }
 
 #[test]
