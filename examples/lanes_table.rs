@@ -2,7 +2,7 @@
 //! [SECONDS [COVERAGE [CLEARANCE [ROOM...]]]]`.
 //!
 //! For a Roomba 600: bounds, `boustrophedon`, `near_optimal` and lanes, searched for some seconds (30) for a share of the floor
-//! (99 %), that many millimetres off obstacles (3); and lanes for a robot that rounds corners.
+//! (99 %), that many millimetres off obstacles (3); the same with the least distance, and for a robot that rounds corners.
 //! Seconds are those of the processor on Linux, as other programs may run. A room is the id of a built-in one, the seed of a random
 //! flat, or a map file: a text map, or an image with 5 cm a pixel.
 
@@ -10,7 +10,7 @@ mod processor_clock;
 
 use coverage_planners::{
     CoverageJob, Params, PlanContext, find,
-    lanes::{LanesPlan, LanesProgress, LanesSetup, MetricBound, plan_lanes, swept_share},
+    lanes::{LanesObjective, LanesPlan, LanesProgress, LanesSetup, MetricBound, plan_lanes, swept_share},
     metrics::DriveMetrics,
     smooth::{SmoothSetup, limits_of, smooth},
 };
@@ -103,6 +103,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         effort: LanesSetup::MOST_EFFORT,
         ..LanesSetup::default()
     };
+    let short = LanesSetup { objective: LanesObjective::Distance, ..setup };
     let curved = LanesSetup { is_rounded: true, ..setup };
     let chosen: Vec<&str> = arguments.iter().skip(3).map(String::as_str).collect();
     let robot = model("roomba600").ok_or("no such robot")?;
@@ -121,6 +122,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         let (found, note) = search(&floor, robot, &setup, seconds)?;
         println!("{}", row("lanes", &floor, robot, [found.length_m, found.duration_s, found.coverage]));
+        let (shortest, _) = search(&floor, robot, &short, seconds)?;
+        println!(
+            "{}",
+            row("lanes, shortest", &floor, robot, [shortest.length_m, shortest.duration_s, shortest.coverage])
+        );
         let (found, _) = search(&floor, robot, &curved, seconds)?;
         println!("{}", rounded(&floor, robot, &found, setup.coverage)?);
         println!("\n{note}");

@@ -1,7 +1,7 @@
 //! `lanes`: a path in metres through a room, with its bounds.
 
 use super::{failure::Failure, output, simulate::parse_seconds, source::RoomSource};
-use coverage_planners::lanes::{LanesError, LanesPlan, LanesProgress, LanesSetup, plan_lanes};
+use coverage_planners::lanes::{LanesError, LanesObjective, LanesPlan, LanesProgress, LanesSetup, plan_lanes};
 use coverage_planners::smooth::SmoothSetup;
 use coverage_planners::sweep::in_frame;
 use robovac_app::export::{PathFormat, path_bag, path_dxf};
@@ -18,7 +18,7 @@ use robovac_sim::{
 use serde::Serialize;
 use std::{fs, ops::ControlFlow, path::PathBuf, sync::Arc, time::Instant};
 
-/// Plan lanes in metres: the shortest time found for a share of the floor
+/// Plan lanes in metres: the shortest time, or distance, found for a share of the floor
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -32,6 +32,9 @@ pub struct Arguments {
     /// Least room between body and obstacles, m
     #[arg(long, value_name = "M", default_value_t = LanesSetup::default().clearance)]
     clearance: f64,
+    /// What the search minimises
+    #[arg(long, value_name = "time|distance", default_value = "time", value_parser = ["time", "distance"])]
+    minimise: String,
     /// Moves that the search tries for every metre of the bound; 0 keeps the first path
     #[arg(long, value_name = "N", default_value_t = LanesSetup::default().effort, conflicts_with = "seconds")]
     effort: f64,
@@ -112,6 +115,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         clearance: arguments.clearance,
         effort: if arguments.seconds.is_some() { LanesSetup::MOST_EFFORT } else { arguments.effort },
         seed: arguments.seed,
+        objective: if arguments.minimise == "distance" { LanesObjective::Distance } else { LanesObjective::Time },
         is_rounded: arguments.smooth,
     };
     let begin = Instant::now();

@@ -48,7 +48,10 @@ const WORTH_KEEPING: f64 = 3e-5;
 pub(super) struct LaneSearch<'a> {
     pub floor: &'a ReachableFloor,
     pub space: &'a FreeSpace,
+    /// What is minimised.
     pub times: &'a MotionTimes,
+    /// The robot's time.
+    pub clock: &'a MotionTimes,
     pub heading: Vector,
     pub setup: &'a LanesSetup,
 }
@@ -56,9 +59,9 @@ pub(super) struct LaneSearch<'a> {
 /// A path that was measured.
 struct MeasuredPath {
     points: Vec<Point>,
-    seconds: f64,
+    duration_s: f64,
     coverage: f64,
-    /// Seconds and the price of what is missing.
+    /// What is minimised, s, and the price of what is missing.
     value: f64,
 }
 
@@ -74,7 +77,12 @@ impl LaneSearch<'_> {
         let coverage = lines.swept_share(points);
         let missing = (self.setup.coverage - coverage).max(0.0) * self.floor.area();
         let excess = if missing > 0.0 { 1.0 + SHORT } else { 1.0 };
-        MeasuredPath { points: points.to_vec(), seconds, coverage, value: seconds * excess + PRICE.2 * missing }
+        MeasuredPath {
+            points: points.to_vec(),
+            duration_s: self.clock.path(points, self.heading, Some(self.space)),
+            coverage,
+            value: seconds * excess + PRICE.2 * missing,
+        }
     }
 }
 
@@ -103,7 +111,7 @@ pub(super) fn anneal(
     let mut lines = FloorLines::new(floor);
     let mut best = search.measure(&mut lines, points);
     let mut tell = |done: f64, best: &MeasuredPath| {
-        observer(LanesProgress { done, path: &best.points, duration_s: best.seconds, coverage: best.coverage })
+        observer(LanesProgress { done, path: &best.points, duration_s: best.duration_s, coverage: best.coverage })
     };
     if tell(0.0, &best).is_break() {
         return best.points;

@@ -18,6 +18,8 @@ pub(super) struct MotionTimes {
     half_base: f64,
     /// For a robot that rounds corners.
     curves: Option<CurveTimes>,
+    /// What stops, turns and curves count.
+    stops: f64,
 }
 
 impl MotionTimes {
@@ -29,7 +31,13 @@ impl MotionTimes {
             turn_speed: robot.turn_wheel_speed,
             half_base: 0.5 * robot.wheel_base,
             curves,
+            stops: 1.0,
         }
+    }
+
+    /// The same with only a share of the time for stops, turns and curves: what a search minimises, not the robot's time.
+    pub fn with_stops(self, share: f64) -> Self {
+        Self { stops: share, ..self }
     }
 
     /// Whether the robot rounds corners.
@@ -41,7 +49,12 @@ impl MotionTimes {
     /// full speed.
     #[inline]
     pub fn straight(&self, metres: f64) -> f64 {
-        if self.curves.is_some() { metres / self.speed } else { profile(metres, self.speed, self.acceleration) }
+        let cruise = metres / self.speed;
+        if self.curves.is_some() {
+            return cruise;
+        }
+        let whole = profile(metres, self.speed, self.acceleration);
+        if self.stops < 1.0 { cruise + self.stops * (whole - cruise) } else { whole }
     }
 
     /// Seconds for the corner `at` on the way from `a` to `b`: a turn on the spot, like [`RobotModel::turn_time`]; for a robot
@@ -53,10 +66,11 @@ impl MotionTimes {
         if angle <= NO_TURN {
             return 0.0;
         }
-        match &self.curves {
+        let whole = match &self.curves {
             Some(curves) => curves.seconds(angle, at, [-from, to], space),
             None => profile(angle * self.half_base, self.turn_speed, self.acceleration),
-        }
+        };
+        self.stops * whole
     }
 
     /// Where a robot at `start` that looks along `heading` would come from.
@@ -106,5 +120,8 @@ mod tests {
         let expected = robot.straight_time(1.0) + robot.straight_time(2.0) + 2.0 * quarter;
         assert!((times.path(&path, Vector::new(0.0, 1.0), None) - expected).abs() < 1e-9);
         assert_eq!(length(&path), 3.0);
+        let tenth = times.with_stops(0.1).path(&path, Vector::new(0.0, 1.0), None);
+        let cruise = 3.0 / robot.cruise_speed;
+        assert!((tenth - cruise - 0.1 * (expected - cruise)).abs() < 1e-9);
     }
 }

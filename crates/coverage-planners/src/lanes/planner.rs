@@ -1,6 +1,6 @@
 //! The entry in the registry.
 
-use super::{LanesError, LanesProgress, LanesSetup, plan_lanes};
+use super::{LanesError, LanesObjective, LanesProgress, LanesSetup, plan_lanes};
 use crate::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
 };
@@ -10,6 +10,10 @@ use robovac_core::{
     robot::Tool,
 };
 use std::ops::ControlFlow;
+
+/// Choices of what is minimised.
+const TIME: &str = "time";
+const DISTANCE: &str = "distance";
 
 /// Moves for every metre of the bound at effort 1.
 const MOVES: f64 = 10_000.0;
@@ -34,6 +38,12 @@ pub const INFO: PlannerInfo = PlannerInfo {
             kind: ParamKind::Number { min: 50.0, max: 100.0, step: 0.1, default: 99.0, unit: "%" },
         },
         ParamSpec {
+            id: "minimise",
+            label: "Minimise",
+            help: "Time, or distance: the path is then shorter, but has more turns.",
+            kind: ParamKind::Choice { options: &[(TIME, "time"), (DISTANCE, "distance")] },
+        },
+        ParamSpec {
             id: "effort",
             label: "Search time",
             help: "Search effort for a faster path; 0 keeps the first one.",
@@ -52,7 +62,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
 pub const EXPLAINER: Explainer = Explainer {
     idea: "Plans straight pieces in metres, not steps between cells. Parts of the room get lanes along their \
            longer direction, a tool's width apart. Simulated annealing then shifts, drops and joins lanes and \
-           corners until the required coverage takes the least time found.",
+           corners until the required coverage takes the least time found, or the least distance.",
     complexity: "O(n) memory for n m²; effort 1 tries 10,000 changes per metre.",
     use_when: "When time counts. Stop it at any time: it keeps the best path so far.",
     shines: Example { room: "hotel", why: "Long lanes and short links." },
@@ -67,6 +77,7 @@ pub(crate) const BUILD: BuildPlanner = |params| {
         coverage: params.number("coverage") / 100.0,
         clearance: params.number("clearance") / 1000.0,
         effort: MOVES * params.number("effort"),
+        objective: if params.choice("minimise") == DISTANCE { LanesObjective::Distance } else { LanesObjective::Time },
         ..LanesSetup::default()
     }))
 };

@@ -41,6 +41,8 @@ pub struct Editor {
     /// What could be redone in the room that was left last, and in which state that was.
     left: Option<(Arc<FloorPlan>, Vec<EditorState>)>,
     stroke: Option<(Brush, Point)>,
+    /// What could be redone before the stroke, which may come to nothing.
+    before_stroke: Vec<EditorState>,
     version: u64,
     /// Number of rooms so far.
     lineages: u32,
@@ -50,7 +52,8 @@ impl Editor {
     /// Starts with a room; `id` if it is built in.
     pub fn new(plan: FloorPlan, id: Option<&'static str>) -> Self {
         let now = EditorState { plan: Arc::new(plan), room: id, start: None, lineage: 0 };
-        Self { now, undo: Vec::new(), redo: Vec::new(), left: None, stroke: None, version: 0, lineages: 0 }
+        let (undo, redo, before_stroke) = (Vec::new(), Vec::new(), Vec::new());
+        Self { now, undo, redo, left: None, stroke: None, before_stroke, version: 0, lineages: 0 }
     }
 
     /// The floor plan.
@@ -159,8 +162,9 @@ impl Editor {
 
     /// Begins a stroke at a point in metres.
     pub fn begin(&mut self, brush: Brush, at: Point) {
+        let undone = std::mem::take(&mut self.redo);
         self.remember();
-        self.stroke = Some((brush, at));
+        (self.stroke, self.before_stroke) = (Some((brush, at)), undone);
         self.paint(brush, at, at);
     }
 
@@ -172,8 +176,12 @@ impl Editor {
         }
     }
 
-    /// Ends the stroke; returns whether there was one.
+    /// Ends the stroke; returns whether there was one. One that has changed no cell is no change.
     pub fn end(&mut self) -> bool {
+        if self.undo.last().is_some_and(|before| before.plan.occupancy == self.now.plan.occupancy) {
+            self.abandon();
+        }
+        self.before_stroke.clear();
         self.stroke.take().is_some()
     }
 
@@ -183,6 +191,7 @@ impl Editor {
             && let Some(before) = self.undo.pop()
         {
             self.now = before;
+            self.redo = std::mem::take(&mut self.before_stroke);
             self.version += 1;
         }
     }
@@ -395,6 +404,23 @@ mod tests {
         editor.go_on(Point::new(50.0, 0.55));
         editor.end();
         assert_eq!(walls(&editor), 20);
+    }
+
+    #[test]
+    fn a_stroke_that_changes_nothing_is_no_change() {
+        let mut editor = editor();
+        editor.begin(Brush::Wall, Point::new(-5.0, 0.55));
+        editor.go_on(Point::new(-1.0, 3.0));
+        assert_eq!((editor.end(), editor.can_undo(), editor.room()), (false, false, Some("empty")));
+        // Walls over walls.
+        for changes in [true, false] {
+            editor.begin(Brush::Wall, Point::new(0.5, 0.5));
+            assert_eq!((editor.end(), editor.can_redo()), (changes, false));
+        }
+        assert!(editor.undo() && !editor.can_undo());
+        // What was undone can still be redone.
+        editor.begin(Brush::Erase, Point::new(0.5, 0.5));
+        assert_eq!((editor.end(), editor.can_redo()), (false, true));
     }
 
     #[test]
