@@ -12,9 +12,9 @@
 //!   way, as between runs there is something.
 //! - *Case 2* prints "`LEFT_WALL` and `RIGHT_OBSTACLE`" in place of `RIGHT_WALL` and `RIGHT_OBSTACLE`: `LEFT_OBSTACLE`
 //!   is meant.
-//! - *Steps 3 to 5* look for a point across one line above, then one line below. As printed, once a line is swept the
-//!   robot would cross the room slantwise to the far end of the next line, and sweep everything twice
-//!   ([`Beside::First`]). With the printed TRACKED of step 2 it would come to step 6 then, which leads to the near
+//! - *Steps 3 to 5* look for a point across one line above, and then on the robot's own line, as step 5 adds what step 3
+//!   took off. Read as: one line above, then one line below. Once a line is swept the robot then crosses the room
+//!   slantwise to the far end of the next line, and sweeps everything twice ([`Beside::First`]). With the printed TRACKED of step 2 it would come to step 6 then, which leads to the near
 //!   end of the next line as figure 4's lines ask for ([`Beside::Never`], the default).
 //! - *Ties* aren't in the paper: here the lower line comes first, and on a line the left point.
 

@@ -22,6 +22,8 @@ use robovac_core::{
 /// Steps before it is picked up, and for which it is held.
 const BEFORE: u64 = 1000;
 const IN_THE_AIR: u64 = 200;
+/// Most places drawn until the robot can get there.
+const MOST_DRAWS: u32 = 10_000;
 /// An estimate is right if its error is smaller, m.
 pub const RIGHT_M: f64 = 0.1;
 
@@ -65,14 +67,18 @@ pub struct Kidnapped {
 }
 
 impl Kidnapping<'_> {
-    /// Runs a trial; `None` if the behaviour isn't in the registry, or the room has no walls.
+    /// Runs a trial; `None` if the behaviour isn't in the registry, or the room has no walls or no floor that the robot reaches.
     pub fn run(&self, seed: u64) -> Option<Kidnapped> {
         let map = OccupancyMap::of(&with_objects(self.plan));
         let setup = LocatorSetup { robot: self.robot.clone(), odometry: self.odometry, seed };
         let mut locator = Locator::new(&map, setup)?.knowing_docks(&self.prepared.world.docks);
         let mut rng = RandomStream::Kidnapping.seeded(seed);
         let places = locator.places();
-        let at = places[rng.random_range(0..places.len())];
+        let floor = &self.prepared.floor;
+        // Measured plans have pockets within their walls.
+        let at = (0..MOST_DRAWS)
+            .map(|_| places[rng.random_range(0..places.len())])
+            .find(|&at| floor.standing.is_set(floor.cell_at(at)))?;
         let pose = Pose::new(at.x, at.y, rng.random_range(-math::PI..math::PI));
         let mut run = self.prepared.run_behaviour(self.behaviour, self.params, self.conditions, seed)?;
         let (mut first, mut found, mut deluded) = (None, None, 0_u64);

@@ -30,7 +30,7 @@ impl OccupancyMap {
     }
 
     /// The map of `plan`, with certainty; its lower-left corner becomes the origin. Where the floor ends at the edge of the
-    /// plan there is a wall, as everything outside counts as one.
+    /// plan, or at cells of which nothing is known, there is a wall, as in the simulator.
     pub fn of(plan: &FloorPlan) -> Self {
         let mut map = Self::new(plan.resolution);
         for (cell, &occupancy) in plan.occupancy.iter() {
@@ -41,8 +41,9 @@ impl OccupancyMap {
             };
             map.odds.update(cell, |_| odds);
             if occupancy == Occupancy::Free {
-                for outside in cell.block().filter(|&near| !plan.occupancy.contains(near)) {
-                    map.odds.update(outside, |_| MOST);
+                let is_end = |&near: &Cell| plan.occupancy.get(near).is_none_or(|&near| near == Occupancy::Unknown);
+                for end in cell.block().filter(is_end) {
+                    map.odds.update(end, |_| MOST);
                 }
             }
         }
@@ -127,5 +128,25 @@ impl OccupancyMap {
     /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         self.odds.bytes()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use robovac_core::floor_plan::Sketch;
+
+    /// In a real plan, walls were in a grey that counts as unknown: on the known map they were missing.
+    #[test]
+    fn floor_ends_at_unknown_cells_as_at_a_wall() {
+        let mut plan = Sketch::open(0.6, 0.3, 0.1).finish("", "");
+        for x in [4, 5] {
+            for y in 0..3 {
+                plan.occupancy[Cell::new(x, y)] = Occupancy::Unknown;
+            }
+        }
+        let map = OccupancyMap::of(&plan);
+        let at = |x: i32| map.iter().find(|(cell, _)| *cell == Cell::new(x, 1)).map(|(_, odds)| odds > 0.0);
+        assert_eq!([3, 4, 5, -1].map(at), [Some(false), Some(true), None, Some(true)]);
     }
 }
