@@ -63,7 +63,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "order",
             label: "At the end of a line",
-            help: "Go to the nearest remaining point, or first check the neighbouring lines, as printed in the paper.",
+            help: "Go to the nearest remaining point, or first check the neighbouring lines, by steps 3 to 5 of the paper.",
             kind: ParamKind::Choice { options: &[("nearest", "nearest point"), ("printed", "across, as printed")] },
         },
     ],

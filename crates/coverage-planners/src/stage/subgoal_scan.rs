@@ -13,9 +13,10 @@
 //! - *Case 2* prints "`LEFT_WALL` and `RIGHT_OBSTACLE`" in place of `RIGHT_WALL` and `RIGHT_OBSTACLE`: `LEFT_OBSTACLE`
 //!   is meant.
 //! - *Steps 3 to 5* look for a point across one line above, and then on the robot's own line, as step 5 adds what step 3
-//!   took off. Read as: one line above, then one line below. Once a line is swept the robot then crosses the room
-//!   slantwise to the far end of the next line, and sweeps everything twice ([`Beside::First`]). With the printed TRACKED of step 2 it would come to step 6 then, which leads to the near
-//!   end of the next line as figure 4's lines ask for ([`Beside::Never`], the default).
+//!   took off. Read as: one line above, then one line below. Once a line is swept, the robot then crosses the room
+//!   slantwise to the far end of the next line, and sweeps everything twice ([`Beside::First`]). By step 2 as printed
+//!   (TRACKED) it would go to step 6 once the line is swept, which leads to the near end of the next line as figure 4's
+//!   lines ask for ([`Beside::Never`], the default).
 //! - *Ties* aren't in the paper: here the lower line comes first, and on a line the left point.
 
 use super::subgoals::Subgoal;
@@ -24,7 +25,7 @@ use robovac_core::grid::Cell;
 /// Whether steps 3 to 5 come before step 6.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Beside {
-    /// As printed.
+    /// As they are meant: the line above, then the one below.
     First,
     /// The nearest point left is taken.
     Never,
@@ -282,7 +283,7 @@ mod tests {
         assert!(links.iter().map(|l| l.1).eq([Nearest, Across, Nearest, Across, Nearest, Across]));
     }
 
-    /// Steps 3 to 5 as printed: to the far end of the next line.
+    /// Steps 3 to 5 as meant: to the far end of the next line.
     #[test]
     fn printed_steps_cross_the_room_slantwise() {
         let (points, links) = order("....\n....\n....", Beside::First);

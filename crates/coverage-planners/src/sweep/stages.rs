@@ -31,7 +31,7 @@ pub enum LinkOrder {
     /// At the end of a line to the nearest point: 001, section 4 without steps 3 to 5.
     #[default]
     Nearest,
-    /// Across to the lines beside first, as printed: with steps 3 to 5.
+    /// Across to the lines beside first: with steps 3 to 5, as they are meant.
     Printed,
     /// Without crossings where the room allows it; runs are cut in two where a channel is passed twice (ours).
     Uncrossed,
