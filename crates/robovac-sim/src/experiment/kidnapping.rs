@@ -13,7 +13,7 @@ use rand::RngExt;
 use robovac_core::coverage::with_objects;
 use robovac_core::{
     floor_plan::FloorPlan,
-    geometry::{Pose, difference},
+    geometry::{Point, Pose, difference},
     math,
     registry::Params,
     robot::{OdometryModel, RobotModel},
@@ -75,10 +75,9 @@ impl Kidnapping<'_> {
         let mut rng = RandomStream::Kidnapping.seeded(seed);
         let places = locator.places();
         let floor = &self.prepared.floor;
-        // Measured plans have pockets within their walls.
-        let at = (0..MOST_DRAWS)
-            .map(|_| places[rng.random_range(0..places.len())])
-            .find(|&at| floor.standing.is_set(floor.cell_at(at)))?;
+        // Measured plans have pockets within their walls. At the edge of the floor, places are less exact than it is.
+        let can_get_to = |&at: &Point| floor.cell_at(at).block().any(|cell| floor.standing.is_set(cell));
+        let at = (0..MOST_DRAWS).map(|_| places[rng.random_range(0..places.len())]).find(can_get_to)?;
         let pose = Pose::new(at.x, at.y, rng.random_range(-math::PI..math::PI));
         let mut run = self.prepared.run_behaviour(self.behaviour, self.params, self.conditions, seed)?;
         let (mut first, mut found, mut deluded) = (None, None, 0_u64);
