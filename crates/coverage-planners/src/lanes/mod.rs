@@ -60,12 +60,12 @@ const SPARE: f64 = 0.006;
 pub enum LanesObjective {
     /// The robot's time.
     Time,
-    /// The way, m. Stops and turns count a tenth of their time, so that no corner is made for millimetres.
+    /// The way, m. Stops, turns and curves count a tenth of their time, so that no corner is made for millimetres.
     Distance,
 }
 
 impl LanesObjective {
-    /// Share that stops and turns count.
+    /// Share that stops, turns and curves count.
     fn stops(self) -> f64 {
         match self {
             Self::Time => 1.0,
