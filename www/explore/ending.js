@@ -46,7 +46,7 @@ export async function startEnding(app) {
     words.replaceChildren(start, make("span", { className: "ending-long" }, far), ".", make("span", { className: "ending-bound" }, more), make("span", { className: "ending-short" }, inShort(view)));
     const ways = suggestions(app, view);
     const before = (/** @type {number} */ i) => (i === 0 ? "" : i === ways.length - 1 ? " or " : ", ");
-    next.replaceChildren("Try next: ", ...ways.map((way, i) => make("span", {}, before(i), way)), make("span", { className: "ending-long" }, "."));
+    next.replaceChildren("Try next: ", ...ways.map((way, i) => make("span", {}, before(i), way)));
   };
 }
 

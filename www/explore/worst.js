@@ -91,7 +91,7 @@ export function startWorst(app, card) {
   function told() {
     if (toBeat === null) return "";
     const isBeaten = best && perMilleAbove(best.excess) > perMilleAbove(toBeat);
-    return isBeaten ? `You beat the ${shareAbove(toBeat)} of whoever sent this.` : `To beat: ${shareAbove(toBeat)} above, by whoever sent this.`;
+    return isBeaten ? `You beat the ${shareAbove(toBeat)} of this link.` : `To beat: ${shareAbove(toBeat)} above, the mark of this link.`;
   }
 }
 

@@ -13,7 +13,7 @@ const isNarrow = matchMedia("(max-width: 900px)");
 export function lowerEnd(node, stage, gap = GAP) {
   if (!node?.checkVisibility()) return 0;
   const [box, all] = [node.getBoundingClientRect(), stage.getBoundingClientRect()];
-  return box.left < all.right ? box.bottom - all.top + gap : 0;
+  return box.left < all.right && box.top < all.bottom ? box.bottom - all.top + gap : 0;
 }
 
 /**

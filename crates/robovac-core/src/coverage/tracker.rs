@@ -123,7 +123,7 @@ impl CoverageTracker {
     }
 
     /// Takes over what was swept before, where it is reachable here, from an earlier tracker over the same grid. It counts as swept
-    /// once: what was swept again then, no later distance or time accounts for. Does nothing if the grids differ.
+    /// once, under the tool, too: what was swept again then, no later distance or time accounts for. Does nothing if the grids differ.
     pub fn take_over(&mut self, floor: &ReachableFloor, earlier: &Self) {
         if !earlier.is_over(self.visits.width(), self.visits.height(), self.resolution) {
             return;
@@ -133,8 +133,8 @@ impl CoverageTracker {
         for ((count, &is_reachable), &before) in cells {
             if is_reachable && before > 0 {
                 *covered += usize::from(*count == 0);
-                *count = count.saturating_add(before);
-                *passes += 1;
+                *passes += u64::from(*count == 0);
+                *count = (*count).max(before);
             }
         }
         *dirty = Some((0, visits.len().saturating_sub(1)));
@@ -212,5 +212,25 @@ impl CoverageTracker {
     /// The lowest and highest row that changed since the last call.
     pub fn take_dirty_rows(&mut self) -> Option<(usize, usize)> {
         self.dirty.take().map(|(low, high)| (low / self.stamp.width, high / self.stamp.width))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{floor_plan::Sketch, robot::model};
+
+    #[test]
+    fn a_robot_that_stood_still_while_the_room_changed_has_swept_nothing_again() {
+        let floor =
+            ReachableFloor::new(&Sketch::open(2.0, 2.0, 0.05).finish("", ""), model("roomba600").unwrap(), None)
+                .unwrap();
+        let mut earlier = CoverageTracker::new(&floor);
+        earlier.sweep_to(&floor, Pose::new(0.5, 0.5, 0.0));
+        earlier.sweep_to(&floor, Pose::new(1.5, 0.5, 0.0));
+        let mut tracker = CoverageTracker::new(&floor);
+        tracker.sweep_to(&floor, Pose::new(1.5, 0.5, 0.0));
+        tracker.take_over(&floor, &earlier);
+        assert_eq!((tracker.overlap(), tracker.visits().values()), (earlier.overlap(), earlier.visits().values()));
     }
 }

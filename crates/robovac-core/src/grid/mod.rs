@@ -14,7 +14,7 @@ pub use clearance::clearance;
 pub use occupancy::Occupancy;
 pub use outline::outlines;
 pub use picture::{from_picture, picture};
-pub use reach::{largest_part, reachable};
+pub use reach::{largest_part, opened, reachable, reachable_from_any};
 
 /// A rectangle of values, stored row by row from the bottom.
 ///

@@ -9,6 +9,15 @@ pub fn reachable(free: &Grid<bool>, start: Cell) -> Grid<bool> {
     seen
 }
 
+/// The free cells that steps connect with any of `starts`, a grid of the same size.
+pub fn reachable_from_any(free: &Grid<bool>, starts: &Grid<bool>) -> Grid<bool> {
+    let mut seen = Grid::filled(free.width(), free.height(), false);
+    for (start, _) in starts.iter().filter(|&(_, &is_start)| is_start) {
+        flood(free, start, &mut seen);
+    }
+    seen
+}
+
 /// The first cell, from the lower left, of the largest connected part of `free`; `None` if nothing is free.
 pub fn largest_part(free: &Grid<bool>) -> Option<Cell> {
     let mut seen = Grid::filled(free.width(), free.height(), false);
@@ -20,6 +29,30 @@ pub fn largest_part(free: &Grid<bool>) -> Option<Cell> {
         }
     }
     best.map(|(_, cell)| cell)
+}
+
+/// The free cells that lie in a free square of `side` cells (a morphological opening).
+pub fn opened(free: &Grid<bool>, side: usize) -> Grid<bool> {
+    let width = free.width();
+    let mut open = Grid::filled(width, free.height(), false);
+    // Sides of the largest squares whose upper right cells are those of a row, and of the row below.
+    let mut below = vec![0; width];
+    for y in 0..free.height() {
+        let mut row = vec![0; width];
+        for x in 0..width {
+            if !free.values()[y * width + x] {
+                continue;
+            }
+            row[x] = if x == 0 { 1 } else { 1 + below[x].min(below[x - 1]).min(row[x - 1]) };
+            if row[x] >= side {
+                for line in y + 1 - side..=y {
+                    open.values_mut()[line * width + x + 1 - side..=line * width + x].fill(true);
+                }
+            }
+        }
+        below = row;
+    }
+    open
 }
 
 /// Marks the free cells connected with `start` that haven't been seen, and counts them.
@@ -69,6 +102,23 @@ mod tests {
         let free = from_picture("..#.\n..#.\n##..", |c| c == '.').unwrap();
         let seen = reachable(&free, Cell::new(0, 2));
         assert_eq!(picture(&seen, |&s| if s { 'o' } else { '-' }), "oo--\noo--\n----\n");
+    }
+
+    #[test]
+    fn parts_without_a_start_are_not_reached() {
+        let free = from_picture("..#.\n..#.\n##.#", |c| c == '.').unwrap();
+        let starts = from_picture("*-*-\n-*--\n--*-", |c| c == '*').unwrap();
+        let seen = reachable_from_any(&free, &starts);
+        assert_eq!(picture(&seen, |&s| if s { 'o' } else { '-' }), "oo--\noo--\n--o-\n");
+    }
+
+    #[test]
+    fn slots_are_not_open() {
+        let free = from_picture("...#.\n...#.\n#.##.\n#....", |c| c == '.').unwrap();
+        let draw = |side| picture(&opened(&free, side), |&is_open| if is_open { 'o' } else { '-' });
+        assert_eq!(draw(1), "ooo-o\nooo-o\n-o--o\n-oooo\n");
+        assert_eq!(draw(2), "ooo--\nooo--\n-----\n-----\n");
+        assert_eq!(draw(3), "-----\n-----\n-----\n-----\n");
     }
 
     /// By the definition, cell by cell.

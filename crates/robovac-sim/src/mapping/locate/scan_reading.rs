@@ -10,7 +10,7 @@
 use super::DistanceField;
 use crate::mapping::{
     OccupancyMap, PoseCovariance,
-    scan::{CorrelationGrid, Match, ScanPoint, ScanSensor, SearchWindow, SurfaceMap, boundary},
+    scan::{CorrelationGrid, Match, ScanPoint, ScanSensor, SearchWindow, SurfaceMap, outline},
 };
 use nalgebra::Matrix3;
 use robovac_core::{
@@ -64,13 +64,13 @@ pub(super) struct ScanReading {
 impl ScanSearch {
     /// `None` for a map without obstacles.
     pub fn new(map: &OccupancyMap, robot: &RobotModel, laser: Laser) -> Option<Self> {
-        let boundary = boundary(map);
-        let points: Vec<Point> = boundary.iter().map(|point| point.at).collect();
+        let outline = outline(map);
+        let points: Vec<Point> = outline.iter().map(|point| point.at).collect();
         Some(Self {
             sensor: ScanSensor::new(laser),
             grid: CorrelationGrid::new(&points, CELL)?,
             likelihood: CorrelationGrid::new(&points, FINE)?,
-            surfaces: SurfaceMap::new(std::iter::once((Pose::new(0.0, 0.0, 0.0), &*boundary))),
+            surfaces: SurfaceMap::new(std::iter::once((Pose::new(0.0, 0.0, 0.0), &*outline))),
             body: inside(robot),
         })
     }

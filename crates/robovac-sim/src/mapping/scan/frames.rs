@@ -4,6 +4,7 @@ use super::{
     CorrelationGrid, ScanPoint, ScanSensor, SearchWindow, SurfaceMap,
     axes::WallAxes,
     graph::{Edge, KnownHeading, PoseGraph, between, compose},
+    outline::outline,
     paint::{paint_body, paint_scan},
     surfaces::ScanFit,
 };
@@ -11,7 +12,7 @@ use crate::mapping::{CellMark, Marks, OccupancyMap, TiledLayer, multiscan::WallL
 use nalgebra::{Matrix3, Vector3};
 use robovac_core::{
     geometry::{Point, Pose, Vector, difference},
-    grid::{Cell, Occupancy},
+    grid::Cell,
     math,
     robot::{Laser, RobotModel, SensorReadings},
 };
@@ -128,7 +129,7 @@ impl ScanMapper {
 
     /// The same on a given map.
     pub fn knowing(mut self, map: &OccupancyMap, marks: &Marks) -> Self {
-        self.given = Some(Arc::new((map.clone(), marks.clone(), boundary(map))));
+        self.given = Some(Arc::new((map.clone(), marks.clone(), outline(map))));
         self
     }
 
@@ -443,21 +444,6 @@ pub(in crate::mapping) fn paint_place(
     if is_dirty {
         marks.note(pose.position(), radius, CellMark::Dirty);
     }
-}
-
-/// Points on the boundary of a map, with their normals: the sides of occupied cells that face free ones.
-pub(in crate::mapping) fn boundary(map: &OccupancyMap) -> Vec<ScanPoint> {
-    let half = 0.5 * map.resolution();
-    let mut points = Vec::new();
-    for (cell, _) in map.iter().filter(|&(cell, _)| map.occupancy(cell) == Occupancy::Occupied) {
-        for (dx, dy) in [(1, 0), (0, 1), (-1, 0), (0, -1)] {
-            if map.occupancy(Cell::new(cell.x + dx, cell.y + dy)) == Occupancy::Free {
-                let normal = Vector::new(f64::from(dx), f64::from(dy));
-                points.push(ScanPoint { at: map.centre(cell) + normal * half, normal: Some(normal), deviation: half });
-            }
-        }
-    }
-    points
 }
 
 /// The means of points that are near each other and face alike.

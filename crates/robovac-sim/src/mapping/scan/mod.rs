@@ -32,12 +32,14 @@ mod correlation;
 mod frames;
 mod graph;
 mod holds;
+mod outline;
 mod paint;
 mod points;
 mod surfaces;
 
 pub(super) use correlation::{CorrelationGrid, Match, SearchWindow};
-pub(super) use frames::{ScanMapper, boundary, paint_place};
+pub(super) use frames::{ScanMapper, paint_place};
 pub(super) use holds::Holds;
+pub(super) use outline::outline;
 pub(super) use points::{ScanPoint, ScanSensor};
 pub(super) use surfaces::{ScanFit, SurfaceMap};

@@ -11,7 +11,7 @@ use robovac_core::{
 const DEVIATION: f64 = 0.01;
 /// Neighbours on either side that a line is fitted through, and the distance from the point at which that ends, m.
 const NEIGHBOURS: usize = 8;
-const REACH: f64 = 0.16;
+pub(super) const REACH: f64 = 0.16;
 /// Largest gap between points of one surface: m, and in steps of the scanner at that distance.
 const GAP: (f64, f64) = (0.06, 3.5);
 /// Mean error of a fitted line at which the points don't lie on one, in standard deviations.
@@ -39,9 +39,9 @@ pub(in crate::mapping) struct ScanPoint {
 }
 
 /// A straight line through points of a scan.
-struct Line {
+pub(super) struct Line {
     /// Its direction, rad; ambiguous by half a turn.
-    direction: f64,
+    pub direction: f64,
     /// Sums of the squared distances of the points from their mean, along the line and across it, m²; and their number.
     along: f64,
     across: f64,
@@ -53,12 +53,12 @@ type Hit = (Point, Vector, f64);
 
 impl Line {
     /// The line with the least squared distances.
-    fn through(hits: &[Hit]) -> Option<Self> {
-        let count = hits.len() as f64;
-        let mean = hits.iter().fold(Vector::zeros(), |sum, hit| sum + hit.0.coords) / count;
+    pub fn through(points: impl Iterator<Item = Point> + Clone) -> Option<Self> {
+        let count = points.clone().count() as f64;
+        let mean = points.clone().fold(Vector::zeros(), |sum, point| sum + point.coords) / count;
         let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-        for hit in hits {
-            let off = hit.0.coords - mean;
+        for point in points {
+            let off = point.coords - mean;
             (xx, xy, yy) = (xx + off.x * off.x, xy + off.x * off.y, yy + off.y * off.y);
         }
         let (middle, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
@@ -68,12 +68,12 @@ impl Line {
     }
 
     /// Mean square of the points' distances from it, m².
-    fn error(&self) -> f64 {
+    pub fn error(&self) -> f64 {
         self.across / (self.count - 1.0)
     }
 
     /// Whether the points lie on it, with errors of that standard deviation, m.
-    fn is_straight(&self, deviation: f64) -> bool {
+    pub fn is_straight(&self, deviation: f64) -> bool {
         self.error() < BENT * BENT * deviation * deviation
     }
 }
@@ -164,7 +164,7 @@ impl ScanSensor {
             high += 1;
         }
         let line = |low: usize, high: usize| {
-            let line = Line::through(&hits[low..=high])?;
+            let line = Line::through(hits[low..=high].iter().map(|hit| hit.0))?;
             let is_exact = line.along * VAGUE * VAGUE > deviation * deviation;
             (high - low >= 2 && line.is_straight(deviation) && is_exact).then_some(line)
         };
@@ -202,7 +202,7 @@ fn split(hits: &[Hit], walls: &mut Vec<WallLine>) {
 /// The wall that points lie on, if it is long enough.
 fn wall(hits: &[Hit]) -> Option<WallLine> {
     let length = (hits.last()?.0 - hits.first()?.0).norm();
-    let line = Line::through(hits)?;
+    let line = Line::through(hits.iter().map(|hit| hit.0))?;
     let error = DEVIATION * hits.iter().map(|hit| hit.2).fold(1.0, f64::max);
     let deviation = (error * error / line.along.max(1e-9) + WALL_DEVIATION * WALL_DEVIATION).sqrt();
     let is_wall = length > WALL && line.count >= 8.0 && line.is_straight(error);
