@@ -127,6 +127,28 @@ test("messages on a phone hide little of the floor, and never the robot", async 
   }
 });
 
+for (const [width, height] of [[390, 844], [844, 390], [640, 360], [568, 320]])
+  test(`beside a lesson the floor is seen at ${width} x ${height}, and the end of a run hides neither it nor the lesson's buttons`, async (t) => {
+    const { page, app, screenshot } = await openApp(t, { ...PHONE, viewport: { width, height }, address: "#room=thesis8&robot=roomba600&planner=boustrophedon&speed=0" });
+    await page.locator("#learn-open").tap();
+    await page.locator("#learn .lessons button").first().tap();
+    await page.locator("#learn h3").first().waitFor();
+    await app.settled();
+    if (["ready", "paused"].includes(await app.state())) await app.press("Play");
+    await app.until("finished");
+    await page.locator("#ending").waitFor();
+    await screenshot(`lesson-${width}`);
+    const box = (selector) => page.locator(selector).evaluate((node) => (({ left, top, right, bottom }) => ({ left, top, right, bottom }))(node.getBoundingClientRect()));
+    const [end, floor, head, numbers] = [await box("#ending"), await box("#floor"), await box("#learn .learn-head"), await box("#numbers")];
+    const overlap = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+    assert.ok(floor.bottom - floor.top > 150 && floor.right - floor.left > 300, JSON.stringify(floor));
+    assert.deepEqual([floor, head, numbers].map((one) => overlap(end, one)), [false, false, false]);
+    assert.ok(end.bottom <= height && end.left >= 0 && end.right <= width, JSON.stringify(end));
+    const cut = await page.locator("#numbers dd").evaluateAll((nodes) => nodes.filter((node) => node.checkVisibility() && node.getBoundingClientRect().right > document.getElementById("floor").getBoundingClientRect().right).length);
+    assert.equal(cut, 0, "numbers that run under the lesson");
+    assert.equal((await overflow(page)).sideways, 0);
+  });
+
 test("a finger draws walls on a phone, two fingers don't", async (t) => {
   const { page, app } = await openApp(t, { ...PHONE, address: "#room=empty" });
   const area = await app.reachableArea();

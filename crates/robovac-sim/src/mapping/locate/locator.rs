@@ -40,9 +40,10 @@ const MOTION: (f64, f64, f64) = (0.02, 0.03, 0.01);
 const PER_MATCH: usize = 60;
 const SCATTER: (f64, f64) = (0.05, 0.03);
 const SEARCH_AGAIN: [u32; 2] = [15, 60];
-/// Share of particles, of a robot with a laser, for which something holds the body while the wheels turn: other sensors
-/// couldn't tell.
-const HELD: f64 = 0.15;
+/// How likely something holds the body while the wheels turn, before a scan tells: other sensors couldn't. And the shares of
+/// the way for which it is asked.
+const HELD: f64 = 0.02;
+const HELD_AFTER: [f64; 2] = [0.0, 0.5];
 /// Errors of its motion in addition, m and rad, among which scans choose.
 const STIR: (f64, f64) = (0.008, 0.01);
 /// Share of a reading's weight that counts, as readings of one wall are correlated.
@@ -191,10 +192,15 @@ impl Locator {
             return;
         }
         self.looks = self.looks.wrapping_add(1);
-        self.advance(now, gone, turned);
-        if let Some((scans, scan)) = self.scans.clone().zip(scan)
-            && let Some(scan) = scans.reading(scan)
-        {
+        let scan = self.scans.clone().zip(scan);
+        let scan = scan.and_then(|(scans, scan)| scans.reading(scan).map(|scan| (scans, scan)));
+        let held = match &scan {
+            Some((scans, scan)) => self.held(scans, scan, now),
+            None if self.scans.is_some() => HELD,
+            None => 0.0,
+        };
+        self.advance(now, (gone, turned), held);
+        if let Some((scans, scan)) = scan {
             self.draw_by_scan(&scans, &scan);
             self.weigh(|field, pose| scans.fit(&scan, field, pose));
             self.polish(&scans, &scan);
@@ -240,8 +246,19 @@ impl Locator {
         self.particles.0.iter().map(|p| p.pose).zip(self.particles.weights()).collect()
     }
 
-    /// Moves all particles by the wheels' motion, each with its own errors.
-    fn advance(&mut self, now: Pose, gone: f64, turned: f64) {
+    /// How likely something holds the body while the wheels turn: by how much better a scan fits where the robot was than
+    /// where it should be by now.
+    fn held(&self, scans: &ScanSearch, scan: &ScanReading, now: Pose) -> f64 {
+        let Some(Estimate { pose, odometry, .. }) = self.estimate else { return HELD };
+        let expected = moved(pose, odometry, now);
+        let fit = |pose| scans.fit(scan, &self.field, pose);
+        let held = HELD_AFTER.map(|share| fit(between(pose, expected, share))).into_iter().fold(f64::MIN, f64::max);
+        let odds = HELD / (1.0 - HELD) * math::exp((held - fit(expected)).clamp(-50.0, 50.0));
+        odds / (1.0 + odds)
+    }
+
+    /// Moves all particles by the wheels' motion, each with its own errors; so large a share is held.
+    fn advance(&mut self, now: Pose, (gone, turned): (f64, f64), held: f64) {
         let from = std::mem::replace(&mut self.looked, now);
         let (mut heading, mut along) = (MOTION.0 * gone.sqrt() + MOTION.1 * turned, MOTION.2 * gone.sqrt());
         if self.scans.is_some() {
@@ -249,7 +266,7 @@ impl Locator {
         }
         for particle in &mut self.particles.0 {
             let mut pose = moved(particle.pose, from, now);
-            if self.scans.is_some() && self.rng.random_bool(HELD) {
+            if held > 0.0 && self.rng.random_bool(held) {
                 let share = self.rng.random_range(0.0..1.0);
                 pose = between(particle.pose, pose, share);
             }
