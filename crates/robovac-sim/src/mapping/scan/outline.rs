@@ -31,25 +31,23 @@ const DEPTH: usize = 3;
 /// What tells on which side of a cell's border a point is, m.
 const HAIR: f64 = 1e-6;
 
-/// A step along the axes.
-type Step = (i32, i32);
-
-const SIDES: [Step; 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
+/// Steps to the neighbours of a cell.
+const SIDES: [(i32, i32); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
 /// A side of an occupied cell that faces a free one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Side {
+struct CellSide {
     cell: Cell,
-    facing: Step,
+    facing: (i32, i32),
 }
 
-impl Side {
+impl CellSide {
     fn middle(self, map: &OccupancyMap) -> Point {
         map.centre(self.cell) + vector(self.facing) * (0.5 * map.resolution())
     }
 
     /// The next side of the outline, and the way behind it.
-    fn next(self, map: &OccupancyMap, along: Step) -> Option<(Self, Step)> {
+    fn next(self, map: &OccupancyMap, along: (i32, i32)) -> Option<(Self, (i32, i32))> {
         let Self { cell, facing } = self;
         let before = shifted(cell, facing);
         let (beside, ahead) = (shifted(cell, along), shifted(before, along));
@@ -65,7 +63,7 @@ impl Side {
     }
 
     /// The middles of the sides that follow within `reach`, m.
-    fn following(self, map: &OccupancyMap, along: Step, reach: f64) -> Vec<Point> {
+    fn following(self, map: &OccupancyMap, along: (i32, i32), reach: f64) -> Vec<Point> {
         let from = self.middle(map);
         let mut middles = Vec::new();
         let (mut at, mut along) = (self, along);
@@ -105,15 +103,15 @@ impl Side {
     }
 }
 
-fn vector((x, y): Step) -> Vector {
+fn vector((x, y): (i32, i32)) -> Vector {
     Vector::new(f64::from(x), f64::from(y))
 }
 
-fn shifted(cell: Cell, (x, y): Step) -> Cell {
+fn shifted(cell: Cell, (x, y): (i32, i32)) -> Cell {
     Cell::new(cell.x + x, cell.y + y)
 }
 
-fn opposite((x, y): Step) -> Step {
+fn opposite((x, y): (i32, i32)) -> (i32, i32) {
     (-x, -y)
 }
 
@@ -145,7 +143,7 @@ pub(in crate::mapping) fn outline(map: &OccupancyMap) -> Vec<ScanPoint> {
     for (cell, _) in map.iter().filter(|&(cell, _)| map.occupancy(cell) == Occupancy::Occupied) {
         for facing in SIDES {
             if floor.is_set(shifted(shifted(cell, facing), (-low.x, -low.y))) {
-                let side = Side { cell, facing };
+                let side = CellSide { cell, facing };
                 let deviation = 0.5 * map.resolution();
                 // A hair in front, so that those of the two sides of a thin wall aren't taken for one place.
                 let at = side.middle(map) + vector(facing) * HAIR;
