@@ -36,12 +36,12 @@ const SIDES: [(i32, i32); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
 /// A side of an occupied cell that faces a free one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct CellSide {
+struct OutlineSide {
     cell: Cell,
     facing: (i32, i32),
 }
 
-impl CellSide {
+impl OutlineSide {
     fn middle(self, map: &OccupancyMap) -> Point {
         map.centre(self.cell) + vector(self.facing) * (0.5 * map.resolution())
     }
@@ -143,7 +143,7 @@ pub(in crate::mapping) fn outline(map: &OccupancyMap) -> Vec<ScanPoint> {
     for (cell, _) in map.iter().filter(|&(cell, _)| map.occupancy(cell) == Occupancy::Occupied) {
         for facing in SIDES {
             if floor.is_set(shifted(shifted(cell, facing), (-low.x, -low.y))) {
-                let side = CellSide { cell, facing };
+                let side = OutlineSide { cell, facing };
                 let deviation = 0.5 * map.resolution();
                 // A hair in front, so that those of the two sides of a thin wall aren't taken for one place.
                 let at = side.middle(map) + vector(facing) * HAIR;
