@@ -18,15 +18,15 @@ use robovac_core::{
 const LEAST_REACH: f64 = 3.0;
 /// Standard deviation of a line through a wall's cells, as a share of a cell.
 const ROUGH: f64 = 0.15;
-
 /// Least cosine between a side's own normal and that of its wall.
 const LEAST_COSINE: f64 = 0.05;
 
-/// Walls of measured plans can be hollow: a stroke on either side, and what looks like floor between them, into which no scanner sees.
-/// Free cells are floor if so many lie side by side, and they are connected with places where it is so far between obstacles, m.
-/// And so deep a scanner sees into slots that begin there, cells.
+/// Walls of measured plans can be hollow: a stroke on either side, and what looks like floor between them, into which no scanner
+/// sees. Floor is at least so many cells wide.
 const SLOT: usize = 2;
+/// And it is connected with a place that is so wide, m.
 const ROOM: f64 = 0.3;
+/// Into a slot that begins at the floor, a scanner sees so many cells deep.
 const DEPTH: usize = 3;
 /// What tells on which side of a cell's border a point is, m.
 const HAIR: f64 = 1e-6;
