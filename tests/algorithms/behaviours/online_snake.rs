@@ -113,6 +113,12 @@ fn it_comes_to_the_cells_of_rooms_that_nobody_has_seen_and_ends() {
 }
 
 #[test]
+fn cells_beside_walls_that_noise_opens_and_closes_do_not_keep_it() {
+    // It went to and fro between two cells for 24 minutes, and was done after 76.
+    assert!(cleaned("roomba600_lidar", 6) > 0.95);
+}
+
+#[test]
 fn narrow_places_of_flats_that_nobody_has_seen_do_not_end_it() {
     let (info, robot) = (controller::find("online_snake").unwrap(), model("cbot").unwrap());
     for flat in [7, 8] {

@@ -6,7 +6,8 @@
 //!
 //! Ours: the map and the pose estimate of [`Mapper`]; an obstacle that it meets blocks the cell ahead until nothing else
 //! is left to clean, and for ever when it is met again, or in a cell where it has been, six times; edges and virtual walls
-//! block at once. Before it is done it also tries ways that are only just too narrow by its map.
+//! block at once. A cell that its map showed as free and then not waits, too, until nothing else is left. Before it is done
+//! it also tries ways that are only just too narrow by its map.
 //!
 //! ```
 //! use robovac_sim::controller::*;
@@ -65,6 +66,9 @@ const MOST_TURNS: u32 = 5;
 /// it met may be gone or its own fault.
 const MOST_MET: u32 = 2;
 const MOST_MET_AGAIN: u32 = 6;
+/// How often the map may take back that a cell is free, before it counts as blocked whatever the map shows: at first, until
+/// nothing else is left, and for ever. Beside walls noise can open and close cells for hours.
+const MOST_CLOSED: (u32, u32) = (1, 4);
 /// Time for a cell, s: at first, and per metre of the way to it.
 const PATIENCE: (f64, f64) = (12.0, 15.0);
 
@@ -118,6 +122,8 @@ struct SnakeDrive {
     cell: f64,
     /// Cells in which it met something.
     met: BTreeMap<Cell, Met>,
+    /// How often the map has taken back that a cell is free.
+    closed: BTreeMap<Cell, u32>,
     /// Cells that it has come to.
     been: BTreeSet<Cell>,
     phase: OnlineSnakePhase,
@@ -173,6 +179,7 @@ impl SnakeDrive {
             snake: OnlineSnake::new(CELLS, CELLS, middle, Direction::Right),
             cell,
             met: BTreeMap::new(),
+            closed: BTreeMap::new(),
             been: BTreeSet::from([middle]),
             phase: if setup.robot.sensors.laser.is_some() { OnlineSnakePhase::Look } else { OnlineSnakePhase::Blind },
             has_looked: true,
@@ -234,11 +241,22 @@ impl SnakeDrive {
                 if self.snake.is_visited(cell) {
                     continue;
                 }
-                if let Some(fits) = self.fits(cell, slack) {
-                    self.snake.see(cell, fits);
+                let Some(fits) = self.fits(cell, slack) else { continue };
+                let is_met = self.met.contains_key(&cell);
+                match (self.snake.is_free(cell), fits) {
+                    (true, false) if is_met => self.shut(cell, false),
+                    (true, false) => *self.closed.entry(cell).or_default() += 1,
+                    (false, true) if self.has_closed(cell, MOST_CLOSED.0) => continue,
+                    _ => {}
                 }
+                self.snake.see(cell, fits);
             }
         }
+    }
+
+    /// Whether the map has taken back so many times that a cell is free.
+    fn has_closed(&self, cell: Cell, times: u32) -> bool {
+        self.closed.get(&cell).is_some_and(|&closed| closed >= times)
     }
 
     /// Decides where to go from where it is.
@@ -300,12 +318,17 @@ impl SnakeDrive {
     /// Something is in the way to the next cell.
     fn meet(&mut self, is_barred: bool) {
         let OnlineSnakePhase::Drive { next, .. } = self.phase else { return };
-        let most = if self.been.contains(&next) { MOST_MET_AGAIN } else { MOST_MET };
-        let met = self.met.entry(next).or_default();
-        met.times += 1;
-        (met.is_shut, met.is_barred) = (true, is_barred || met.times >= most);
+        self.shut(next, is_barred);
         self.snake.see(next, false);
         self.phase = OnlineSnakePhase::Choose;
+    }
+
+    /// Doesn't go to a cell for now, as something is there; or never.
+    fn shut(&mut self, cell: Cell, is_barred: bool) {
+        let most = if self.been.contains(&cell) { MOST_MET_AGAIN } else { MOST_MET };
+        let met = self.met.entry(cell).or_default();
+        met.times += 1;
+        (met.is_shut, met.is_barred) = (true, is_barred || met.times >= most);
     }
 
     /// Tries once more where it met something that can have gone, where it can't see, where its map shows room by now, and
@@ -314,8 +337,9 @@ impl SnakeDrive {
         let again: Vec<Cell> =
             self.met.iter().filter(|(_, met)| met.is_shut && !met.is_barred).map(|(cell, _)| *cell).collect();
         let border: Vec<Cell> = self.snake.border().filter(|cell| !self.met.contains_key(cell)).collect();
-        let (mut open, shut): (Vec<Cell>, Vec<Cell>) =
-            border.into_iter().partition(|&cell| self.fits(cell, SLACK) != Some(false));
+        let (mut open, shut): (Vec<Cell>, Vec<Cell>) = border
+            .into_iter()
+            .partition(|&cell| self.fits(cell, SLACK) != Some(false) && !self.has_closed(cell, MOST_CLOSED.1));
         if open.is_empty() && again.is_empty() {
             open = self.narrow_way(&shut);
             // Until it meets something there.
