@@ -149,6 +149,28 @@ for (const [width, height] of [[390, 844], [844, 390], [640, 360], [568, 320]])
     assert.equal((await overflow(page)).sideways, 0);
   });
 
+for (const [width, height] of [[844, 390], [640, 360], [568, 320]])
+  test(`beside Learn the cards of Floor plan and Robot can be read at ${width} x ${height}, and Map shows the room`, async (t) => {
+    const { page, screenshot } = await openApp(t, { ...PHONE, viewport: { width, height }, address: "#room=bedroom" });
+    await page.locator("#learn-open").tap();
+    await page.locator("#learn .lessons button").first().waitFor();
+    for (const [tab, card] of [["floor-plan", ".floor-plan-card"], ["connection", "#connection-welcome"]]) {
+      await page.locator(`#tab-${tab}`).tap();
+      await page.locator(card).waitFor();
+      const { left, right } = await page.locator(card).evaluate((node) => (({ left, right }) => ({ left, right }))(node.getBoundingClientRect()));
+      assert.ok(right - left > 230, `${tab}: ${right - left} px`);
+      const cut = await page.locator(`${card} :is(h2, button)`).evaluateAll((nodes, [from, to]) => nodes.filter((node) => node.checkVisibility()).filter((node) => node.getBoundingClientRect().left < from || node.getBoundingClientRect().right > to).length, [left, right]);
+      assert.equal(cut, 0, `${tab}: headings and buttons that run out of the card`);
+      await screenshot(`learn-${tab}-${width}`);
+    }
+    await page.locator("#tab-map").tap();
+    await page.locator("#map-hint").waitFor();
+    const heightOf = (selector) => page.locator(selector).evaluate((node) => (node.checkVisibility() ? node.getBoundingClientRect().height : 0));
+    const [floor, tools, hint] = [await heightOf("#map-floor"), await heightOf(".map .tools"), await heightOf("#map-hint")];
+    assert.ok(tools + hint < 0.75 * floor, `${tools} + ${hint} px of ${floor} px are covered`);
+    assert.equal((await overflow(page)).sideways, 0);
+  });
+
 test("a finger draws walls on a phone, two fingers don't", async (t) => {
   const { page, app } = await openApp(t, { ...PHONE, address: "#room=empty" });
   const area = await app.reachableArea();

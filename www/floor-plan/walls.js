@@ -26,8 +26,8 @@ export function startWalls(it) {
     const { view } = it;
     if (view && hasUsualDoors(view) && gap.valueAsNumber < view.outer_door) {
       const inner = gap.valueAsNumber ? gap.valueAsNumber.toFixed(2) : "none";
-      // How wide they are isn't known before the size is.
-      setText(byId("floor-plan-gap-value"), view.assumes_size ? `${inner}${gap.valueAsNumber ? " m" : ""}, outer doors` : `${inner}, outer ${view.outer_door} m`);
+      // As long as the scale is the assumed one, the front door is closed, however wide it is.
+      setText(byId("floor-plan-gap-value"), view.assumed_pixel ? `${inner}${gap.valueAsNumber ? " m" : ""}, outer doors` : `${inner}, outer ${view.outer_door} m`);
     }
     for (const [name, range] of /** @type {const} */ ([["shade", shade], ["contrast", contrast]])) setText(byId(`floor-plan-${name}-value`), `${Math.round(100 * range.valueAsNumber)} %`);
     setText(byId("floor-plan-specks-value"), specks.valueAsNumber ? `${Math.round(100 * specks.valueAsNumber)} cm` : "none");

@@ -131,8 +131,8 @@ pub enum DrawingFlaw {
     },
     /// A room with more cells than a map can have.
     #[error(
-        "{width:.4} m x {height:.4} m is more than {MAX_SIDE} x {MAX_SIDE} cells of {resolution} m; use cells of \
-         {would_do} m, check the unit, or choose a smaller region"
+        "{width:.4} m x {height:.4} m is more than {MAX_SIDE} x {MAX_SIDE} cells of {resolution} m; {}check the unit, or \
+         choose a smaller region", coarser(*would_do)
     )]
     TooManyCells {
         /// Width of the region, m.
@@ -203,6 +203,14 @@ pub enum DrawingFlaw {
 
 fn but(left_out: &[String]) -> String {
     if left_out.is_empty() { String::new() } else { format!(", only {}", left_out.join(", ")) }
+}
+
+/// The widest cells that are recommended, m.
+const WIDEST_CELLS: f64 = 0.5;
+
+/// Advice to use coarser cells, where these aren't too coarse for a room.
+fn coarser(would_do: f64) -> String {
+    if would_do <= WIDEST_CELLS { format!("use cells of {would_do} m, ") } else { String::new() }
 }
 
 fn by(blocks: &[String]) -> String {

@@ -1,15 +1,16 @@
-//! The openings of a picture whose size is only assumed.
+//! The openings of a picture whose scale was assumed.
 
 use super::{DrawingSession, settings::MOST_OUTER};
 use floor_drawing::{OUTER_DOOR, Traced};
 
 impl DrawingSession {
-    /// The width up to which openings to the outside are closed instead of the usual one, m, as long as the size of a picture is
-    /// only assumed. If it is assumed too large, so is the front door, and the house would be outside: its opening is
-    /// the one by which most floor is lost, up to the widest that can be closed, a fifth of a picture of 20 m.
+    /// The width up to which openings to the outside are closed instead of the usual one, m, as long as a picture has the scale
+    /// that was assumed. If that is too large, so is the front door, and the house would be outside: its opening is
+    /// the one by which most floor is lost, up to the widest that can be closed, a fifth of a picture of 20 m. Whoever confirms
+    /// the size means the room as it is shown.
     pub(super) fn assumed_outer(&self, traced: &Traced) -> Option<f64> {
         // Whoever chooses another width means it.
-        let is_asked = self.assumes_size() && self.settings().outer == OUTER_DOOR;
+        let is_asked = self.has_assumed_scale() && self.settings().outer == OUTER_DOOR;
         let leak = traced.leak.filter(|leak| is_asked && leak.closes && leak.width <= MOST_OUTER)?;
         Some(leak.width)
     }
@@ -57,9 +58,10 @@ mod tests {
                 session.set(settings).unwrap();
             };
             let found = floor(&session, assumed);
-            // A size that is confirmed is known: its openings are told, not closed.
+            // It was opened then, and the robot mowed round the house.
             set(&mut session, &|settings| settings.confirmed = settings.metre);
-            assert!(session.room().unwrap().leak.is_some(), "seed {seed}: the front door is as wide as is usual");
+            assert!(!session.assumes_size());
+            assert_eq!(floor(&session, assumed), found, "seed {seed}: another room is confirmed than was shown");
             set(&mut session, &|settings| settings.metre = Some(pixel));
             let share = found / floor(&session, pixel);
             assert!((0.95..1.05).contains(&share), "seed {seed}: {share} of the floor");

@@ -64,8 +64,8 @@ pub struct FaultMark {
     pub width: f64,
 }
 
-/// Longer sides of drawings below this are those of a sheet of paper, m.
-const LEAST_SIDE: f64 = 1.0;
+/// Longer sides of drawings below this are those of a sheet of paper or in another unit, m.
+const LEAST_SIDE: f64 = 2.0;
 /// Walls less askew than this are straight, degrees.
 const STRAIGHT: f64 = 0.2;
 
@@ -141,11 +141,15 @@ impl DrawingSession {
 
     /// Whether the size of a picture is only assumed: what is a door, a gap or too narrow for a robot isn't known then.
     pub fn assumes_size(&self) -> bool {
+        self.has_assumed_scale() && self.settings.confirmed != self.settings.metre
+    }
+
+    /// Whether a picture has the scale that was assumed of it, even if that is confirmed now.
+    pub fn has_assumed_scale(&self) -> bool {
         let Self { source, settings, .. } = self;
         matches!(source, DrawingSource::Image { .. })
             && settings.method != ShadeMethod::Map
             && settings.metre == source.metre()
-            && settings.confirmed != settings.metre
     }
 
     /// Open doors through which a chosen room extends.

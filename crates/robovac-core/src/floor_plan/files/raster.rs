@@ -291,7 +291,9 @@ fn explain(name: &str, error: ImageError) -> MapError {
 fn in_short(message: &str) -> String {
     let (_, reason) =
         message.split_once("decoding ").and_then(|(_, rest)| rest.split_once(": ")).unwrap_or(("", message));
-    reason.split(": ").next().unwrap_or(reason).trim_end_matches('.').to_owned()
+    let reason = reason.split(": ").next().unwrap_or(reason);
+    // Some name types of their program.
+    if reason.contains(['{', '(']) { "it can't be decoded".to_owned() } else { reason.trim_end_matches('.').to_owned() }
 }
 
 #[cfg(test)]
