@@ -131,8 +131,8 @@ pub enum DrawingFlaw {
     },
     /// A room with more cells than a map can have.
     #[error(
-        "{width:.4} m x {height:.4} m is more than {MAX_SIDE} x {MAX_SIDE} cells of {resolution} m; {}check the unit, or \
-         choose a smaller region", coarser(*would_do)
+        "{} m x {} m is more than {MAX_SIDE} x {MAX_SIDE} cells of {resolution} m; {}check the unit, or choose a \
+         smaller region", in_short(*width), in_short(*height), coarser(*would_do)
     )]
     TooManyCells {
         /// Width of the region, m.
@@ -207,6 +207,12 @@ fn but(left_out: &[String]) -> String {
 
 /// The widest cells that are recommended, m.
 const WIDEST_CELLS: f64 = 0.5;
+
+/// A length in as few decimals as are of use, m.
+fn in_short(metres: f64) -> f64 {
+    let unit = if metres < 10.0 { 1e4 } else { 1.0 };
+    (metres * unit).round() / unit
+}
 
 /// Advice to use coarser cells, where these aren't too coarse for a room.
 fn coarser(would_do: f64) -> String {
