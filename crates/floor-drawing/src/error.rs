@@ -206,7 +206,7 @@ fn but(left_out: &[String]) -> String {
 }
 
 /// The widest cells that are recommended, m.
-const WIDEST_CELLS: f64 = 0.5;
+const WIDEST_CELLS: f64 = 1.0;
 
 /// A length in as few decimals as are of use, m.
 fn in_short(metres: f64) -> f64 {
