@@ -340,7 +340,9 @@ fn a_scale_that_is_assumed_is_asked_about_though_the_size_is_usual() {
     assert!(view.assumes_size && session.room().unwrap().leak.is_none());
     assert_eq!((view.notice.as_str(), view.closes, session.mark(), room.cut_off_m2), ("", None, None, 0.0));
     change(&mut session, |settings| settings.confirmed = settings.metre);
-    assert!(session.view().notice.contains("open to the outside") && session.mark().is_some());
+    let confirmed = session.view().room.unwrap();
+    assert_eq!((confirmed.width_m, confirmed.floor_m2), (room.width_m, room.floor_m2), "the room that was shown");
+    assert!(session.view().asks.is_empty() && session.view().notice.is_empty() && session.mark().is_none());
     change(&mut session, |settings| settings.metre = Some(PIXEL));
     assert!(!session.view().assumes_size && session.view().notice.is_empty());
     change(&mut session, |settings| settings.metre = Some(2.0 * PIXEL));
