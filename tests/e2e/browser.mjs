@@ -61,6 +61,8 @@ export async function serveFolder(folder, { mount = "/", headers = {}, also = {}
     response.writeHead(200, { "content-type": type, "cache-control": "no-cache", ...headers });
     fs.createReadStream(file).pipe(response);
   });
+  // It never closes a connection that a browser is about to use again.
+  server.keepAliveTimeout = 0;
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
   return {
     url: `http://127.0.0.1:${server.address().port}${mount}`,

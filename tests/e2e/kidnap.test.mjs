@@ -105,7 +105,7 @@ test("a robot with a plan is carried at the pointer, and the page says that it s
       return new Set(new Uint32Array(data.buffer)).size;
     });
   await screenshot("carry-note");
-  assert.equal(await beside(), 1, "nothing but the ground is under the note");
+  await app.poll(beside, (colours) => colours === 1, "nothing but the ground under the note");
   await app.press("Zoom in");
   await page.locator("#floor").focus();
   const tops = [];
