@@ -55,6 +55,12 @@ test("an own robot is built in a form that loses nothing, and survives a reload"
   await page.waitForFunction(() => location.hash.includes("own=corners:0.16_-0.15_"));
   await page.locator("#robot-edit").click();
   assert.deepEqual(await Promise.all(["shape", "first", "second"].map((id) => page.locator(`#own-${id}`).inputValue())), ["rectangle", "0.3", "0.32"]);
+  // Drawing a circle of negative width was an error in the console; it is told once it is to be used.
+  await page.locator("#own-shape").selectOption("circle");
+  await page.locator("#own-first").fill("-1");
+  assert.equal(await page.locator(".own-body").getAttribute("d"), "");
+  await page.locator("#own-use").click();
+  await page.locator("#own-robot .fault").waitFor();
   await page.locator("#own-cancel").click();
   await page.locator("#robot").selectOption("dvr1");
   await page.waitForFunction(() => document.getElementById("robot").value === "dvr1" && document.getElementById("robot-edit").hidden);

@@ -127,7 +127,7 @@ function build(app) {
     } catch {
       // It is told when the robot is to be used.
     }
-    const radius = own.shape === "circle" ? size(own.first) / 2 : own.shape === "model" && base.body.length === 0 ? unit : 0;
+    const radius = own.shape === "circle" ? Math.max(0, size(own.first) / 2) : own.shape === "model" && base.body.length === 0 ? unit : 0;
     const reach = Math.max(0.1 * unit, radius, Math.hypot(...middle) + half, ...(points ?? []).map(([x = 0, y = 0]) => Math.hypot(x, y)));
     const scale = (0.45 * SVG_SIZE) / reach;
     const at = (/** @type {number[]} */ [x = 0, y = 0]) => `${(-y * scale).toFixed(2)},${(-x * scale).toFixed(2)}`;
