@@ -205,8 +205,9 @@ impl LiveMap {
     }
 
     /// Keeps the uppermost `told` CSS pixels free where all of the paper is shown, and `right` x `low` of the lower right corner.
-    pub fn keep_clear(&mut self, told: f64, right: f64, low: f64) {
-        self.viewport.keep_clear(told, None, Vector::new(right, low), Vector::zeros());
+    /// If neither legend nor zoom floats over it, `foot` is the height of what does at its bottom.
+    pub fn keep_clear(&mut self, told: f64, foot: Option<f64>, right: f64, low: f64) {
+        self.viewport.keep_clear(told, foot, Vector::new(right, low), Vector::zeros());
         self.has_changed = true;
     }
 

@@ -262,9 +262,10 @@ impl MapSession {
         self.viewport.zoom_at(x, y, factor);
     }
 
-    /// Keeps the uppermost `told` CSS pixels free while all of the room is shown, and `right` x `low` of the lower right corner.
-    pub fn keep_clear(&mut self, told: f64, right: f64, low: f64) {
-        self.viewport.keep_clear(told, None, Vector::new(right, low), Vector::zeros());
+    /// Keeps the uppermost `told` CSS pixels free while all of the room is shown, and `right` x `low` of the lower right corner. If
+    /// neither legend nor zoom floats over it, `foot` is the height of what does at its bottom.
+    pub fn keep_clear(&mut self, told: f64, foot: Option<f64>, right: f64, low: f64) {
+        self.viewport.keep_clear(told, foot, Vector::new(right, low), Vector::zeros());
     }
 
     /// Shows all of the room.

@@ -149,9 +149,9 @@ for (const [width, height] of [[390, 844], [844, 390], [640, 360], [568, 320]])
     assert.equal((await overflow(page)).sideways, 0);
   });
 
-for (const [width, height] of [[844, 390], [640, 360], [568, 320]])
+for (const [width, height] of [[390, 844], [360, 640], [844, 390], [640, 360], [568, 320]])
   test(`beside Learn the cards of Floor plan and Robot can be read at ${width} x ${height}, and Map shows the room`, async (t) => {
-    const { page, screenshot } = await openApp(t, { ...PHONE, viewport: { width, height }, address: "#room=bedroom" });
+    const { page, app, screenshot } = await openApp(t, { ...PHONE, viewport: { width, height }, address: "#room=bedroom" });
     await page.locator("#learn-open").tap();
     await page.locator("#learn .lessons button").first().waitFor();
     for (const [tab, card] of [["floor-plan", ".floor-plan-card"], ["connection", "#connection-welcome"]]) {
@@ -168,6 +168,26 @@ for (const [width, height] of [[844, 390], [640, 360], [568, 320]])
     const heightOf = (selector) => page.locator(selector).evaluate((node) => (node.checkVisibility() ? node.getBoundingClientRect().height : 0));
     const [floor, tools, hint] = [await heightOf("#map-floor"), await heightOf(".map .tools"), await heightOf("#map-hint")];
     assert.ok(tools + hint < 0.75 * floor, `${tools} + ${hint} px of ${floor} px are covered`);
+    // While it maps, the palette is all that lies over the floor; what the robot does stands below it, what to do on the lesson.
+    const over = () =>
+      page.evaluate(() => {
+        const { left, top, right, bottom } = document.getElementById("map-floor").getBoundingClientRect();
+        const found = new Set();
+        for (let y = top + 2; y < bottom; y += 4) for (let x = left + 2; x < right; x += 8) {
+          const node = document.elementsFromPoint(x, y).find((one) => !(one instanceof HTMLCanvasElement) && !one.matches(".stage, .tab-panel, main, body, html"));
+          if (node) found.add(node.closest("#map-tools")?.id ?? (node.id || node.className));
+        }
+        return [...found];
+      });
+    await page.locator("#map-hint-play").tap();
+    await app.poll(() => page.locator("#map-doing").textContent(), (doing) => doing.length > 0);
+    assert.deepEqual(await over(), ["map-tools"]);
+    const [doing, below] = await page.evaluate(() => ["map-doing", "map-floor"].map((id) => (({ top, bottom }) => ({ top, bottom }))(document.getElementById(id).getBoundingClientRect())));
+    assert.ok(below.bottom <= doing.top && doing.bottom > doing.top, JSON.stringify({ doing, below }));
+    await page.locator("#map-lift").tap();
+    await page.locator("#map-held").waitFor();
+    assert.deepEqual(await over(), ["map-tools"]);
+    await screenshot(`learn-map-held-${width}`);
     assert.equal((await overflow(page)).sideways, 0);
   });
 

@@ -17,6 +17,7 @@ const PAUSE = 1000;
 export function startMap(it) {
   const canvas = typed("connection-floor", HTMLCanvasElement);
   const stage = byId("connection-stage");
+  const zoom = stage.querySelector(".zoom");
   const choice = select("connection-room");
   const map = new LiveMap(canvas, it.room.mirror, true);
   let wasThere = false;
@@ -74,8 +75,10 @@ export function startMap(it) {
     draw() {
       fitSize(canvas, map);
       const corner = joystickCorner(stage, "connection-") ?? [0, 0];
-      const told = Math.max(lowerEnd(byId("message"), stage), lowerEnd(byId("connection-drop"), stage));
-      if (changed(canvas, "clear", [told, ...corner].join())) map.keep_clear(told, ...corner);
+      const told = Math.max(...["message", "connection-drop", "connection-stop"].map((id) => lowerEnd(byId(id), stage)));
+      // Beside a lesson in a low window nothing floats over its lower end.
+      const foot = zoom?.checkVisibility() ? undefined : 0;
+      if (changed(canvas, "clear", [told, foot, ...corner].join())) map.keep_clear(told, foot, ...corner);
       map.draw();
     },
     key: startZoom(stage, map),

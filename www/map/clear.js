@@ -14,13 +14,16 @@ export function startClear(it) {
   let held = 0;
   addEventListener("pointerdown", () => (isPressed = true), { capture: true });
   for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => (isPressed = false), { capture: true });
+  /** Where beside a lesson the palette is all that floats over the map; as in learn.css. */
+  const isTight = matchMedia("(max-width: 780px), (max-width: 900px) and (max-height: 540px)");
+  const isBare = () => isTight.matches && document.body.classList.contains("learning");
   /** Where the card with the button to start lies over all of the map's width. */
   const isLow = matchMedia("(max-width: 900px) and (max-height: 540px)");
   const low = (/** @type {string} */ id) => lowerEnd(byId(id), stage);
   /** Width and height of that card's corner. @returns {[number, number]} */
   const corner = () => {
     const hint = byId("map-hint");
-    if (!isLow.matches || !hint.checkVisibility()) return [0, 0];
+    if (!(isLow.matches || isBare()) || !hint.checkVisibility()) return [0, 0];
     const [box, all] = [hint.getBoundingClientRect(), stage.getBoundingClientRect()];
     return [all.right - box.left + GAP, all.bottom - box.top + GAP];
   };
@@ -29,7 +32,9 @@ export function startClear(it) {
     if (!isPressed) held = low("map-held");
     // The end stays; what it does before changes all the time.
     const end = isSmall.matches && it.view.phase === "finished" ? low("map-activity") : 0;
-    const clear = /** @type {const} */ ([Math.max(held, end, ...["map-end", "map-began", "map-return", "message"].map(low)), ...corner()]);
+    const palette = isBare() ? lowerEnd(byId("map-tools"), stage, 2) : 0;
+    const told = Math.max(palette, held, end, ...["map-end", "map-began", "map-return", "message"].map(low));
+    const clear = /** @type {const} */ ([told, isBare() ? 0 : undefined, ...corner()]);
     if (changed(stage, "clear", clear.join())) session.keep_clear(...clear);
   };
 }

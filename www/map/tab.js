@@ -140,10 +140,14 @@ function remember(link) {
   }
 }
 
+/** @param {string} text */
+const capitalised = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** Why the run has ended. @param {MapView} view @param {string} next */
-function ended({ program, activity, is_sure: isSure }, next) {
+function ended({ program, activity, known, is_sure: isSure }, next) {
   if (program) return activity || `The program has ended.${next}`;
-  if (isSure === false) return "Done, but the robot doesn't know where it is. Test it again from another place, or go back to mapping.";
+  if (isSure === false && known === null) return "Done, but the robot is lost: its map shows too little of the room. Go back to the start.";
+  if (isSure === false) return "Done, but the robot is lost. Test it again from another place, or go back to mapping.";
   if (activity === "battery empty") return `The battery is empty.${next}`;
   return `Done: the robot found nothing more to explore.${next}`;
 }
@@ -170,8 +174,8 @@ function show(view) {
   const next = view.can.clean ? " Next: clean with this map." : "";
   const done = ended(view, next);
   const activity = isDone && !view.is_cleaning ? done : view.activity;
-  setText(byId("map-activity"), activity ? `${activity.charAt(0).toUpperCase()}${activity.slice(1)}` : "");
-  const sure = view.is_sure === null ? "" : view.is_sure ? "Relocalised" : view.figures?.position_m === null ? "Lost" : "Relocalising";
+  setText(byId("map-activity"), capitalised(activity));
+  const sure = view.is_sure === null ? "" : view.is_sure ? "Relocalised" : isDone || view.figures?.position_m === null ? "Lost" : "Relocalising";
   // The other badge says it.
   const isTwice = sure === "Relocalising" && view.activity.startsWith("relocalising");
   setHidden(byId("map-activity"), !activity || isTwice || !["playing", "paused", "finished"].includes(view.phase));
@@ -182,5 +186,7 @@ function show(view) {
   setText(byId("map-known-name"), view.known ?? "");
   setHidden(byId("map-sure"), !sure || view.phase === "ready");
   setText(byId("map-sure"), sure);
+  const doing = [sure, !isDone && !isTwice && activity].filter(Boolean).join(", ").toLowerCase();
+  setText(byId("map-doing"), view.phase === "ready" ? "" : capitalised(doing));
   setAttribute(byId("map-sure"), "data-sure", String(view.is_sure));
 }

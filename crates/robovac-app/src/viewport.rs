@@ -178,6 +178,10 @@ impl Viewport {
         if self.is_bare && end.x > self.size.x - BARE_SCALE.0 && end.y > self.size.y - BARE_SCALE.1 {
             return None;
         }
+        // It would lie under a joystick.
+        if self.is_framed() && self.corner.y > SCALE_CORNER[1] {
+            return None;
+        }
         let place = match self.size.x {
             _ if self.is_bare => [10.0, 10.0],
             // Left of what lies in the corner, or of the whole room on a low screen.
@@ -347,6 +351,8 @@ mod tests {
             let corner = zoom.sup(&Vector::new(to_right + 130.0, to_bottom));
             assert!(end.x <= width - corner.x || end.y <= height - zoom.y + 1e-9, "{width}: {end}");
             assert!(view.scale * 4.2 > 0.5 * height, "{width}: {}", view.scale);
+            view.keep_clear(52.0, Some(0.0), Vector::new(162.0, 120.0), Vector::zeros());
+            assert_eq!(view.scale_bar(), None, "it lay under the joystick");
         }
     }
 

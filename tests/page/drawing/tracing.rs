@@ -55,6 +55,45 @@ fn furniture_whose_sides_are_single_lines_is_no_floor() {
     assert!(message.contains("there is an obstacle"), "{message}");
 }
 
+/// Walls on the lines between cells belong to the same cells, in whichever unit they were drawn.
+#[test]
+fn the_unit_of_a_drawing_changes_nothing() {
+    for seed in 0..40_u32 {
+        // A house of 6 to 10 m whose walls are lines at whole steps of 5 cm, and its lower-left corner, too.
+        let step = |number: u32| f64::from(number) * 0.05;
+        let [x, y] = [step(7 * seed % 53), step(11 * seed % 47)];
+        let [width, height] = [step(120 + seed * 13 % 80), step(120 + seed * 17 % 80)];
+        let [across, along] = [step(40 + seed * 5 % 30), step(40 + seed * 3 % 30)];
+        let house = |unit: f64| {
+            let lines = [
+                [x, y, x + width, y],
+                [x + width, y, x + width, y + height],
+                [x + width, y + height, x, y + height],
+                [x, y + height, x, y],
+                [x + across, y, x + across, y + height - 0.9],
+                [x, y + along, x + across - 0.8, y + along],
+            ];
+            let line = |[a, b, c, d]: [f64; 4]| {
+                let [a, b, c, d] = [a, b, c, d].map(|length| length / unit);
+                format!("0 LINE 8 WALL 10 {a:.6} 20 {b:.6} 11 {c:.6} 21 {d:.6} ")
+            };
+            let drawing = drawn(&entities(&lines.map(line).concat())).unwrap();
+            let how = Tracing {
+                roles: drawing.layers.iter().map(|layer| layer.role).collect(),
+                metre: unit,
+                gap: 0.0,
+                resolution: 0.05,
+                region: DrawingRegion::Indoors { outer: 1.25 },
+            };
+            to_ascii(&trace(&drawing, &how).unwrap().plan)
+        };
+        let metres = house(1.0);
+        for unit in [0.001, 0.01, 0.0254] {
+            assert!(metres == house(unit), "seed {seed}, unit {unit} m: {metres}\n{}", house(unit));
+        }
+    }
+}
+
 #[test]
 fn an_open_room_leaks_where_its_door_is() {
     let flat = drawn(&entities(FLAT)).unwrap();

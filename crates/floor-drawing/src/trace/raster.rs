@@ -24,6 +24,7 @@ impl RasterCanvas {
 
     /// Sets every cell that the segment crosses.
     pub fn segment(&mut self, a: Point, b: Point) -> Result<(), DrawingFlaw> {
+        let [a, b] = [a, b].map(snapped);
         let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
         let rows = clip(low.y, high.y, self.cells.height());
         let slope = if high.y > low.y { (high.x - low.x) / (high.y - low.y) } else { 0.0 };
@@ -54,7 +55,8 @@ impl RasterCanvas {
         // Row, place in it, and whether the line goes up there.
         let mut crossings: Vec<(usize, f64, i32)> = Vec::new();
         for outline in outlines {
-            for (a, b) in edges(outline.as_ref()).filter(|(a, b)| a.y != b.y) {
+            let edges = edges(outline.as_ref()).map(|(a, b)| (snapped(a), snapped(b)));
+            for (a, b) in edges.filter(|(a, b)| a.y != b.y) {
                 let (low, high, way) = if a.y < b.y { (a, b, 1) } else { (b, a, -1) };
                 let slope = (high.x - low.x) / (high.y - low.y);
                 let rows = rows_between(low.y, high.y, height);
@@ -93,6 +95,12 @@ impl RasterCanvas {
         self.cells.values_mut()[start + columns.start..start + columns.end].fill(value);
         Ok(())
     }
+}
+
+/// A point rounded to 1/65,536 of a cell: a wall on a line between cells belongs to the same cells, whatever the drawing's unit adds.
+fn snapped(point: Point) -> Point {
+    const STEPS: f64 = 65_536.0;
+    point.map(|cells| (cells * STEPS).round() / STEPS)
 }
 
 /// The edges of a closed outline.

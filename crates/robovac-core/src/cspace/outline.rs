@@ -75,8 +75,8 @@ impl Outline {
         match self {
             Self::Circle { radius } => {
                 if !(0.5 * least..=0.5 * most).contains(radius) {
-                    let (low, high) = (0.5 * least, 0.5 * most);
-                    return refuse(format!("the robot's radius can't be {radius} m; choose {low} to {high} m"));
+                    let wide = 2.0 * radius;
+                    return refuse(format!("the robot's diameter can't be {wide} m; choose {least} to {most} m"));
                 }
             }
             Self::Polygon(corners) => {

@@ -396,7 +396,7 @@ mod tests {
             (OwnRobot { tool_at: Some([0.0, f64::NAN]), ..wedge() }, "tool position can't be NaN"),
             (OwnRobot { speed_m_s: Some(0.0), ..wedge() }, "speed can't be 0 m/s; use 0.01 to 3 m/s"),
             (OwnRobot { turn_deg_s: Some(-5.0), ..wedge() }, "turn rate can't be -5 degrees a second"),
-            (OwnRobot { radius: Some(0.0), ..wedge() }, "radius can't be 0"),
+            (OwnRobot { radius: Some(0.0), ..wedge() }, "diameter can't be 0"),
         ] {
             let error = own.check(roomba).unwrap_err().to_string();
             assert!(error.contains(message), "{error}");
