@@ -375,6 +375,7 @@ test("what can't be read is refused, and what was there before stays", async (t)
   for (const [file, reason] of cases) {
     assert.ok(!(await app.bring(file)), file.name);
     await app.says(reason);
+    await app.says(/Accepted formats: drawings \(DXF, SVG, GeoJSON\), images/);
     assert.equal(await text(app, "#floor-plan-name"), "rooms");
     assert.equal(await floor(app), before);
     assert.equal(await app.room(), room);

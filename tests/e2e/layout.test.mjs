@@ -127,6 +127,30 @@ test("messages on a phone hide little of the floor, and never the robot", async 
   }
 });
 
+for (const [width, height] of [[390, 844], [360, 640]])
+  test(`a game and a run's end leave the floor to the room at ${width} x ${height}`, async (t) => {
+    const { page, app, screenshot } = await openApp(t, { ...PHONE, viewport: { width, height }, address: "#room=thesis8&planner=boustrophedon&speed=0" });
+    const box = (selector) => page.locator(selector).evaluate((node) => (({ left, top, right, bottom }) => ({ left, top, right, bottom }))(node.getBoundingClientRect()));
+    const isClear = async (card) => {
+      const [it, stage, play] = [await box(card), await box("#stage"), await box("#play")];
+      assert.ok(it.left >= 0 && it.right <= width && it.bottom <= play.top, JSON.stringify({ it, play }));
+      assert.ok(it.top > stage.bottom - 66, JSON.stringify({ it, stage }));
+    };
+    await app.until("finished");
+    await page.locator("#ending").waitFor();
+    await screenshot(`ending-${width}`);
+    // A taller phone has room for it below its palette.
+    if (height < 700) await isClear("#ending");
+    await page.locator("[data-sheet=try]").tap();
+    await page.locator(".ideas button", { hasText: "You against the algorithm" }).tap();
+    await page.locator(".game").waitFor();
+    await isClear(".game");
+    await page.locator(".game").getByRole("button", { name: "Start", exact: true }).tap();
+    await page.locator(".game", { hasText: "Your turn" }).waitFor();
+    await isClear(".game");
+    await screenshot(`game-${width}`);
+  });
+
 for (const [width, height] of [[390, 844], [844, 390], [640, 360], [568, 320]])
   test(`beside a lesson the floor is seen at ${width} x ${height}, and the end of a run hides neither it nor the lesson's buttons`, async (t) => {
     const { page, app, screenshot } = await openApp(t, { ...PHONE, viewport: { width, height }, address: "#room=thesis8&robot=roomba600&planner=boustrophedon&speed=0" });
@@ -138,6 +162,7 @@ for (const [width, height] of [[390, 844], [844, 390], [640, 360], [568, 320]])
     await app.until("finished");
     await page.locator("#ending").waitFor();
     await screenshot(`lesson-${width}`);
+    assert.match(await page.locator("#now").innerText(), /Boustrophedon.*Roomba 600/, "the algorithm and the robot are named");
     const box = (selector) => page.locator(selector).evaluate((node) => (({ left, top, right, bottom }) => ({ left, top, right, bottom }))(node.getBoundingClientRect()));
     const [end, floor, head, numbers] = [await box("#ending"), await box("#floor"), await box("#learn .learn-head"), await box("#numbers")];
     const overlap = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;

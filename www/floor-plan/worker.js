@@ -3,7 +3,7 @@
 // worker.
 import init, { FloorPlanSession } from "../../floor_plan.js";
 import { PANS } from "../shared/pan-zoom.js";
-import { readable } from "../shared/pictures.js";
+import { readable, TAKEN } from "../shared/pictures.js";
 
 /** How long a stage of the sweep takes to be shown, ms. */
 const STAGE_MS = 1600;
@@ -142,6 +142,9 @@ function hear(said) {
   }
 }
 
+/** Why a file can't be read, and what can. @param {string} why */
+const withFormats = (why) => (why.includes("ccepted formats") ? why : `${why.replace(/([^.!?])$/, "$1.")} ${TAKEN}`);
+
 /** @param {import("./types").ToFloorPlan} message */
 async function take(message) {
   if (isBroken) return;
@@ -158,7 +161,7 @@ async function take(message) {
     } catch (error) {
       // Rust throws messages for users; anything else is a mistake of ours.
       if (error instanceof Error) throw error;
-      tell({ type: "refusal", id, message: String(error), view: session.view() });
+      tell({ type: "refusal", id, message: message.type === "open" ? withFormats(String(error)) : String(error), view: session.view() });
     }
   } else if (hear(message)) show();
   draw();

@@ -184,7 +184,8 @@ function show(view) {
   setHidden(byId("map-hint-lost"), view.known === null);
   setHidden(byId("map-known"), view.known === null);
   setText(byId("map-known-name"), view.known ?? "");
-  setHidden(byId("map-sure"), !sure || view.phase === "ready");
+  // At the end the other badge says it.
+  setHidden(byId("map-sure"), !sure || view.phase === "ready" || (isDone && view.is_sure === false));
   setText(byId("map-sure"), sure);
   const doing = [sure, !isDone && !isTwice && activity].filter(Boolean).join(", ").toLowerCase();
   setText(byId("map-doing"), view.phase === "ready" ? "" : capitalised(doing));

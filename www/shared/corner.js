@@ -9,11 +9,12 @@ const NOTE = 48;
 
 const isNarrow = matchMedia("(max-width: 900px)");
 
-/** Where what floats over a stage ends, with the gap below it, pixels from the upper edge; 0 if it isn't there or lies beside the stage. @param {Element | null} node @param {Element} stage */
+/** Where what floats over a stage ends, with the gap below it, pixels from the upper edge; 0 if it isn't there, lies beside the stage or over its lower end. @param {Element | null} node @param {Element} stage */
 export function lowerEnd(node, stage, gap = GAP) {
   if (!node?.checkVisibility()) return 0;
   const [box, all] = [node.getBoundingClientRect(), stage.getBoundingClientRect()];
-  return box.left < all.right && box.top < all.bottom ? box.bottom - all.top + gap : 0;
+  const isOver = box.left < all.right && box.top < all.bottom && (box.bottom < all.bottom || box.top < all.top + all.height / 3);
+  return isOver ? box.bottom - all.top + gap : 0;
 }
 
 /**

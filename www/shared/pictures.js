@@ -6,7 +6,7 @@ const MOST_SIDE = 4096;
 /** Most pixels of a picture, and most columns that every browser draws; as MAX_PIXELS in crates/robovac-core/src/floor_plan/files/raster.rs. */
 const [MOST_PIXELS, MOST_COLUMNS] = [2 ** 26, 2 ** 14];
 /** As TAKEN in crates/robovac-core/src/floor_plan/files/foreign.rs. */
-const TAKEN = "Accepted formats: drawings (DXF, SVG, GeoJSON), images (PNG, JPEG, WebP, PGM), ROS maps (YAML with its image), text maps of # and ., and saved scenarios (JSON).";
+export const TAKEN = "Accepted formats: drawings (DXF, SVG, GeoJSON), images (PNG, JPEG, WebP, PGM), ROS maps (YAML with its image), text maps of # and ., and saved scenarios (JSON).";
 
 /**
  * Files as the programs read them: photographs become grey images (PGM), upright and with at most `most` pixels on a side,

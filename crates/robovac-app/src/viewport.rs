@@ -178,8 +178,8 @@ impl Viewport {
         if self.is_bare && end.x > self.size.x - BARE_SCALE.0 && end.y > self.size.y - BARE_SCALE.1 {
             return None;
         }
-        // It would lie under a joystick.
-        if self.is_framed() && self.corner.y > SCALE_CORNER[1] {
+        // It would lie under a joystick, or what is as wide as the canvas.
+        if self.is_framed() && (self.corner.y > SCALE_CORNER[1] || self.corner.x > 0.9 * self.size.x) {
             return None;
         }
         let place = match self.size.x {
