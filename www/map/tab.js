@@ -185,7 +185,7 @@ function show(view) {
   setHidden(byId("map-known"), view.known === null);
   setText(byId("map-known-name"), view.known ?? "");
   // At the end the other badge says it.
-  setHidden(byId("map-sure"), !sure || view.phase === "ready" || (isDone && view.is_sure === false));
+  setHidden(byId("map-sure"), !sure || view.phase === "ready" || activity.includes("robot is lost"));
   setText(byId("map-sure"), sure);
   const doing = [sure, !isDone && !isTwice && activity].filter(Boolean).join(", ").toLowerCase();
   setText(byId("map-doing"), view.phase === "ready" ? "" : capitalised(doing));
