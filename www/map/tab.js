@@ -187,7 +187,7 @@ function show(view) {
   // At the end the other badge says it.
   setHidden(byId("map-sure"), !sure || view.phase === "ready" || activity.includes("robot is lost"));
   setText(byId("map-sure"), sure);
-  const doing = [sure, !isDone && !isTwice && activity].filter(Boolean).join(", ").toLowerCase();
-  setText(byId("map-doing"), view.phase === "ready" ? "" : capitalised(doing));
+  // Beside the names there is room for one.
+  setText(byId("map-doing"), view.phase === "ready" ? "" : sure || (isDone ? "" : capitalised(activity)));
   setAttribute(byId("map-sure"), "data-sure", String(view.is_sure));
 }
