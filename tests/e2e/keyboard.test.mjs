@@ -36,6 +36,7 @@ test("single keys can be switched off, and stay off", async (t) => {
   assert.equal(await app.state(), "playing");
   await page.reload();
   await app.until("playing");
+  assert.ok(!(await page.locator("#keys-on").isChecked()), "the choice is remembered");
   await page.keyboard.press("Space");
   await app.frames(3);
   assert.equal(await app.state(), "playing");

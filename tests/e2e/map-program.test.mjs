@@ -16,6 +16,8 @@ async function openMap(t, source, { language = "python", ...options } = {}) {
     const { packProgram } = await import(new URL("www/program/link.js", document.baseURI).href);
     return packProgram(program);
   }, { name: "Mine", language, source });
+  // A page that is left while it loads its program logs an error.
+  await page.locator("#play:enabled").waitFor();
   await page.goto("about:blank");
   await page.goto(`${server.url}${MAP}&code=${code}`);
   await page.getByText("“Mine” drives.").waitFor();
