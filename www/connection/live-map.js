@@ -76,7 +76,7 @@ export function startMap(it) {
       fitSize(canvas, map);
       const corner = joystickCorner(stage, "connection-") ?? [0, 0];
       const told = Math.max(...["message", "connection-drop", "connection-stop"].map((id) => lowerEnd(byId(id), stage)));
-      // Beside a lesson in a low window nothing floats over its lower end.
+      // Beside a lesson in a small window nothing floats over its lower end.
       const foot = zoom?.checkVisibility() ? undefined : 0;
       if (changed(canvas, "clear", [told, foot, ...corner].join())) map.keep_clear(told, foot, ...corner);
       map.draw();
