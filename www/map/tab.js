@@ -2,7 +2,7 @@
 // The tab Map: a robot explores a room that it has never seen, and its map is drawn next to the truth.
 import { MapSession, SessionMirror } from "../../workshop.js";
 import { byId, changed, setAttribute, setHidden, setText, typed } from "../dom.js";
-import { complain, textOf } from "../messages.js";
+import { complain, sentence, textOf } from "../messages.js";
 import { settingsOf, without } from "../settings-link.js";
 import { startMirror } from "../session-mirror.js";
 import { atMostEvery } from "../shared/frame-pacer.js";
@@ -140,9 +140,6 @@ function remember(link) {
   }
 }
 
-/** @param {string} text */
-const capitalised = (text) => text.charAt(0).toUpperCase() + text.slice(1);
-
 /** Why the run has ended. @param {MapView} view @param {string} next */
 function ended({ program, activity, known, is_sure: isSure }, next) {
   if (program) return activity || `The program has ended.${next}`;
@@ -174,7 +171,7 @@ function show(view) {
   const next = view.can.clean ? " Next: clean with this map." : "";
   const done = ended(view, next);
   const activity = isDone && !view.is_cleaning ? done : view.activity;
-  setText(byId("map-activity"), capitalised(activity));
+  setText(byId("map-activity"), sentence(activity));
   const sure = view.is_sure === null ? "" : view.is_sure ? "Relocalised" : isDone || view.figures?.position_m === null ? "Lost" : "Relocalising";
   // The other badge says it.
   const isTwice = sure === "Relocalising" && view.activity.startsWith("relocalising");
@@ -188,6 +185,6 @@ function show(view) {
   setHidden(byId("map-sure"), !sure || view.phase === "ready" || activity.includes("robot is lost"));
   setText(byId("map-sure"), sure);
   // Beside the names there is room for one.
-  setText(byId("map-doing"), view.phase === "ready" ? "" : sure || (isDone ? "" : capitalised(activity)));
+  setText(byId("map-doing"), view.phase === "ready" ? "" : sure || (isDone ? "" : sentence(activity)));
   setAttribute(byId("map-sure"), "data-sure", String(view.is_sure));
 }
