@@ -1,4 +1,4 @@
-//! One name means one thing: no two types share a name, whichever crate they are in.
+//! One name means one thing: no two types share a name, whichever crate they are in, and none stands in a sentence.
 
 use std::{
     collections::BTreeMap,
@@ -17,6 +17,9 @@ const SAME_MEANING: [(&str, &str); 8] = [
     ("Replay", "of the library, and its class in JavaScript"),
     ("Twin", "of the library, and its class in JavaScript"),
 ];
+
+/// What can follow the name of a type in code.
+const KEYWORDS: [&str; 6] = ["as", "else", "for", "if", "in", "where"];
 
 /// All files of Rust below `folder` but those that hold tests alone.
 fn sources(folder: &Path, into: &mut Vec<PathBuf>) {
@@ -44,8 +47,8 @@ fn defined(line: &str) -> Option<&str> {
     ["struct", "enum", "trait", "type"].contains(&keyword).then_some(name)
 }
 
-#[test]
-fn no_two_types_share_a_name() {
+/// All files of [`sources`] with their text.
+fn texts() -> Vec<(String, String)> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let mut files = Vec::new();
     sources(&root.join("src"), &mut files);
@@ -54,18 +57,29 @@ fn no_two_types_share_a_name() {
             sources(&path, &mut files);
         }
     }
-    let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for path in &files {
-        let text = fs::read_to_string(path).unwrap();
+    let text = |path: &PathBuf| fs::read_to_string(path).unwrap();
+    files.iter().map(|path| (path.strip_prefix(&root).unwrap().display().to_string(), text(path))).collect()
+}
+
+/// The names of all types, and the files that define them.
+fn types(texts: &[(String, String)]) -> BTreeMap<&str, Vec<&str>> {
+    let mut places: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for (place, text) in texts {
         for name in text.lines().filter_map(defined) {
-            let place = path.strip_prefix(&root).unwrap().display().to_string();
-            places.entry(name.to_owned()).or_default().push(place);
+            places.entry(name).or_default().push(place);
         }
     }
     assert!(places.len() > 1000, "only {} types found: has the layout of the repository changed?", places.len());
+    places
+}
+
+#[test]
+fn no_two_types_share_a_name() {
+    let texts = texts();
+    let places = types(&texts);
     let shared: Vec<_> = places
         .iter()
-        .filter(|(name, places)| places.len() > 1 && !SAME_MEANING.iter().any(|(same, _)| same == name))
+        .filter(|(name, places)| places.len() > 1 && !SAME_MEANING.iter().any(|(same, _)| same == *name))
         .collect();
     assert!(shared.is_empty(), "give each meaning its own name: {shared:#?}");
     for (name, why) in SAME_MEANING {
@@ -73,5 +87,34 @@ fn no_two_types_share_a_name() {
             places.get(name).is_some_and(|places| places.len() > 1),
             "{name} ({why}) stands once: not a special case"
         );
+    }
+}
+
+/// Whether a name is of several words, as no word of a sentence is.
+fn is_compound(name: &str) -> bool {
+    name.split(char::is_uppercase).filter(|part| !part.is_empty()).count() > 1
+}
+
+/// The types in a line that a word follows, as in a sentence; keywords follow them in code.
+fn in_sentence<'a>(line: &'a str, types: &BTreeMap<&str, Vec<&str>>) -> Vec<&'a str> {
+    let code = if line.trim_start().starts_with("//") { "" } else { line.split(" // ").next().unwrap_or_default() };
+    let words: Vec<&str> = code.split(' ').collect();
+    let is_word = |word: &str| word.starts_with(|c: char| c.is_ascii_lowercase()) && !KEYWORDS.contains(&word);
+    let pairs = words.windows(2).filter(|pair| is_word(pair[1]));
+    let names = pairs.map(|pair| pair[0].trim_start_matches('"'));
+    names.filter(|name| is_compound(name) && types.contains_key(name)).collect()
+}
+
+/// Renaming the type `Drive` once made "ComparedDrive it by hand" of a sentence on the page.
+#[test]
+fn no_type_was_renamed_in_a_sentence() {
+    let damaged = "    let why = \"No wall was met. ComparedDrive straight at one.\";";
+    assert_eq!(in_sentence(damaged, &BTreeMap::from([("ComparedDrive", Vec::new())])), ["ComparedDrive"]);
+    let texts = texts();
+    let types = types(&texts);
+    for (place, text) in &texts {
+        for line in text.lines() {
+            assert!(in_sentence(line, &types).is_empty(), "{place}: a type in a sentence: {}", line.trim());
+        }
     }
 }

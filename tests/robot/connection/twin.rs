@@ -124,7 +124,7 @@ fn a_twin_has_the_figures_of_its_robot_and_predicts_it_better_than_the_model() {
         let light = odd.robot.sensors.light_bumper.unwrap();
         // Within a share of the truth, and three standard deviations.
         for (name, truth, share) in [
-            ("Way for one count", 1000.0 / odd.robot.counts_per_metre, 0.006),
+            ("Distance per count", 1000.0 / odd.robot.counts_per_metre, 0.006),
             ("Wheel base", 1000.0 * odd.robot.wheel_base, 0.007),
             ("Speed for a commanded speed", 100.0 * roomba().counts_per_metre / odd.robot.counts_per_metre, 0.006),
             ("Acceleration", odd.who.acceleration, 0.05),

@@ -58,7 +58,10 @@ pub(super) fn predict(log: &MotionLog, file: &TwinFile, delay_s: f64, robot: &Ro
             digits: 1,
             twin,
             model,
-            how: format!("Root mean square of {number} wheel seconds, predicted from the commands alone."),
+            how: format!(
+                "Root mean square over {number} stretches of one second, each of one wheel, predicted from the \
+                 commands alone."
+            ),
         });
     }
     if let Some(turn) = turns::measure(log) {
@@ -92,7 +95,7 @@ pub(super) fn predict(log: &MotionLog, file: &TwinFile, delay_s: f64, robot: &Ro
             (errors.sum::<f64>() / ways.len() as f64).sqrt()
         };
         predictions.push(Prediction {
-            what: "Way of a metre".to_owned(),
+            what: "Distance after a metre".to_owned(),
             unit: "mm".to_owned(),
             digits: 0,
             twin: off(mm),

@@ -101,7 +101,7 @@ impl<'a> Found<'a> {
     }
 
     fn count_figure(&self) -> TwinFigure {
-        let figure = TwinFigure { model: Some(model_mm_per_count()), ..named("Way for one count", "mm", 4) };
+        let figure = TwinFigure { model: Some(model_mm_per_count()), ..named("Distance per count", "mm", 4) };
         if let Some((mm, deviation, how)) = &self.count {
             return TwinFigure { value: Some(*mm), uncertainty: Some(*deviation), how: how.clone(), ..figure }
                 .rounded();
@@ -139,7 +139,8 @@ impl<'a> Found<'a> {
             from.push(format!("{} that you measured", counted(measured, "turn")));
         }
         let wheels = if self.count.is_some() { "" } else { " It is right for wheels of the model's size." };
-        let how = format!("From {}: {share:+.1} % counts a turn.{wheels}", from.join(" and "));
+        let how =
+            format!("From {}: counts per turn differ from the model's by {share:+.1} %.{wheels}", from.join(" and "));
         TwinFigure { value: Some(base), uncertainty: Some(deviation), how, ..figure }.rounded()
     }
 
@@ -149,7 +150,7 @@ impl<'a> Found<'a> {
         let (delay, noise) = (named("Delay to a command", "ms", 0), named("Scatter of the counts", "counts", 2));
         let noise = TwinFigure { model: Some(ROUNDING), ..noise };
         let Some(fitted) = self.response else {
-            let untold = "no command of wheel speeds drove it far enough. ComparedDrive it 30 cm or more by hand.";
+            let untold = "no command of wheel speeds drove it far enough. Drive it 30 cm or more by hand.";
             return [
                 speed.of_model(format!("The model's: {untold}")),
                 acceleration.of_model(format!("The model's: {untold}")),
@@ -197,8 +198,8 @@ impl<'a> Found<'a> {
         let noise = TwinFigure {
             value: Some(fitted.noise_counts),
             how: format!(
-                "Of four readings, against the fitted wheels. Rounding alone gives {ROUNDING}; the simulated encoders \
-                 only round."
+                "Root mean square of the difference from the fitted wheels, over stretches of four readings. Rounding \
+                 alone gives {ROUNDING}; the simulated encoders add nothing but rounding."
             ),
             ..noise
         };
@@ -242,7 +243,8 @@ impl<'a> Found<'a> {
         };
         let noise = TwinFigure { how, ..named("Light bumper, noise", "", 0) };
         let Some(fitted) = self.law else {
-            let why = "The model's: no wall was met head-on. ComparedDrive straight at a wall until the bumper touches, three times.";
+            let why =
+                "The model's: no wall was met head-on. Drive straight at a wall until the bumper touches, three times.";
             return [gain.of_model(why.to_owned()), offset.of_model(why.to_owned()), noise];
         };
         let met = counted(fitted.contacts, "wall");
