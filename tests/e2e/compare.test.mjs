@@ -450,7 +450,7 @@ test("a planner and its copy are named by the setting that differs, and heads do
 test("numbers on paper have every column, say where they are from, and have nothing to press", async (t) => {
   const { page, app, screenshot } = await openCompare(t, { room: "room=bedroom", view: "numbers", viewport: { width: 794, height: 1123 } });
   await tried(page, 4);
-  await app.poll(() => app.text("#table-note"), (text) => /needs at least .* each row's excess is above the bound for its own coverage\. That is measured more finely than in the column, and is mostly a little lower\./.test(text));
+  await app.poll(() => app.text("#table-note"), (text) => /needs at least .* each row's excess is relative to the bound for that row's own coverage, which is measured more finely here than in the Coverage column and is usually a little lower\./.test(text));
   await page.mouse.move(100, 100);
   await page.locator("#printed").waitFor({ state: "attached" });
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));

@@ -104,7 +104,7 @@ test("who draws the worst room for a planner is told how bad it is", async (t) =
   await app.linked("map");
   const { hash } = new URL(page.url());
   const { page: other } = await openApp(t, { address: hash });
-  await other.locator("#game", { hasText: `To beat: ${await excess(1)}, the mark of this link.` }).waitFor();
+  await other.locator("#game", { hasText: `To beat: ${await excess(1)} the minimum, this link's record.` }).waitFor();
   await game.getByRole("button", { name: "End the game" }).click();
   await app.poll(() => app.link(), (link) => link.worst === undefined);
 

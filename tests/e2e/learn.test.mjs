@@ -83,7 +83,7 @@ test("a lesson stands beside the floor, takes predictions, and marks right and w
   await panel.getByRole("button", { name: "Commit" }).first().click();
   assert.ok(await panel.getByRole("radio").nth(1).isDisabled(), "what was committed stays");
   await panel.getByRole("button", { name: "Compare with what happened" }).first().click();
-  await panel.getByText(/As you predicted|Not as you predicted\. Right is: “/).waitFor();
+  await panel.getByText(/As you predicted|Not as you predicted\. The right answer is “/).waitFor();
 
   const quiz = panel.getByRole("region", { name: "Quiz" }).first();
   const answer = async (by) => {

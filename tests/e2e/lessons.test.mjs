@@ -69,7 +69,7 @@ class Learner {
       await part.getByRole("radio").nth(isRight ? right : (right + 1) % 2).check();
       await part.getByRole("button", { name: "Commit" }).click();
       await part.getByRole("button", { name: "Compare with what happened" }).click();
-      await part.getByText(isRight ? "As you predicted." : "Not as you predicted. Right is:").waitFor();
+      await part.getByText(isRight ? "As you predicted." : "Not as you predicted. The right answer is").waitFor();
     }
   }
 

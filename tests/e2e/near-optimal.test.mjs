@@ -74,12 +74,12 @@ test("in a small room the search is a film: construction, and what every improve
     await app.frames(2);
     told.push(await note());
     seen.add(await floor());
-    if (/is cut there/.test(told.at(-1)) && !told.slice(0, -1).some((text) => /is cut there/.test(text))) await screenshot("near-optimal-film");
+    if (/is cut where it changes/.test(told.at(-1)) && !told.slice(0, -1).some((text) => /is cut where it changes/.test(text))) await screenshot("near-optimal-film");
   }
   assert.ok(told.some((text) => /^Improvement.* of \d+: the tinted cells will change\.$/.test(text)), told.join("\n"));
-  assert.ok(told.some((text) => /is cut there; \d+ parts? remains?\.$/.test(text)));
+  assert.ok(told.some((text) => /is cut where it changes; \d+ parts? remains?\.$/.test(text)));
   assert.ok(told.some((text) => /rejoined, .* (fewer|more|saved) \(.* % of the bound\); now (proven optimal|at most [\d.]+ % above the minimum)/.test(text)));
-  assert.match(told.at(-1), /^Search finished: a plan (proven optimal|at most [\d.]+ % above the minimum)( by the planner's own weight of turns)?\.$/);
+  assert.match(told.at(-1), /^Search finished: a plan (proven optimal|at most [\d.]+ % above the minimum)(, by the planner's own turn cost)?\.$/);
   assert.ok(seen.size > told.length / 2, "every picture is another");
   await page.getByRole("button", { name: "Play again" }).click();
   await app.poll(note, (text) => /^Construction, 1 of 3/.test(text));

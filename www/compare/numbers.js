@@ -96,7 +96,7 @@ function note({ seeds, entrants }, together) {
 
 /** @param {Table} table */
 function proven({ bounds, least }) {
-  const metric = least ? ` Any path that sweeps ${percent(least.coverage, 0)} % needs at least ${metres(least.length_m)} m and ${clock(least.duration_s)}; each row's excess is above the bound for its own coverage. That is measured more finely than in the column, and is mostly a little lower.` : "";
+  const metric = least ? ` Any path that sweeps ${percent(least.coverage, 0)} % needs at least ${metres(least.length_m)} m and ${clock(least.duration_s)}; each row's excess is relative to the bound for that row's own coverage, which is measured more finely here than in the Coverage column and is usually a little lower.` : "";
   if (!bounds) return "";
   return `Proven: no walk over these cells has fewer than ${count(bounds.steps)} steps or ${count(bounds.turns)} quarter turns, or steps + 2 × turns below ${count(bounds.cost)}.${metric}`;
 }
@@ -140,7 +140,7 @@ function line(it, row, metrics, rows, rooms) {
   const name = make("th", { scope: "row" }, swatch(planner?.mark), open);
   if (row.missing > 0 && rooms > 1) name.append(" ", make("span", { className: "status" }, `${rooms - row.missing} of ${rooms} rooms`));
   if (row.failure) name.append(make("span", { className: "failure", "data-tip": row.failure, tabIndex: 0 }, "failed"));
-  if (row.leaves_floor) name.append(" ", make("span", { className: "status", "data-tip": "It leaves out floor that others clean, which makes it cheaper: only its coverage can be the best.", tabIndex: 0 }, "not all floor"));
+  if (row.leaves_floor) name.append(" ", make("span", { className: "status", "data-tip": "This plan leaves out floor that others clean, which makes it cheaper; so only its coverage can be marked as best.", tabIndex: 0 }, "not all floor"));
   const cells = metrics.map((metric, column) => {
     const spread = row.values[column];
     if (!spread) return make("td", {}, "–");

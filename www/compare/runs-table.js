@@ -21,7 +21,7 @@ const COLUMNS = /** @type {const} */ ([
   ["reached", "of runs", "Share of the runs that swept 99 % in time."],
   ["Coverage", "% at the end", "Swept share of the reachable floor at the end: the median, and the 10 % to 90 % quantiles. Higher is better."],
   ["Distance", "m", "Median distance driven."],
-  ["Excess", "% of distance", "How far the distance exceeds the proven least length of a path that sweeps as much floor, in percent. Below it: how far the time exceeds that length at top speed. Medians. Lower is better."],
+  ["Excess", "% of distance", "How far the distance exceeds the proven least length of a path that sweeps as much floor, in percent. Below it: how far the time exceeds the time for that length at top speed. Medians. Lower is better."],
   ["Bumps", "", "Median number of bumps."],
   ["Falls", "in all runs", "Falls down a drop-off, in all runs together."],
   ["Dirt left", "% at the end", "Share of the dirt left at the end. Lower is better."],

@@ -91,7 +91,7 @@ export function startWorst(app, card) {
   function told() {
     if (toBeat === null) return "";
     const isBeaten = best && perMilleAbove(best.excess) > perMilleAbove(toBeat);
-    return isBeaten ? `You beat the ${shareAbove(toBeat)} of this link.` : `To beat: ${shareAbove(toBeat)} above, the mark of this link.`;
+    return isBeaten ? `You beat this link's record of ${shareAbove(toBeat)}.` : `To beat: ${shareAbove(toBeat)} above the minimum, this link's record.`;
   }
 }
 

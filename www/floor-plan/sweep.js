@@ -104,7 +104,7 @@ function numbers(sweep, seconds) {
   for (const [name, value] of Object.entries(values)) setText(byId(`floor-plan-n-${name}`), value);
   setHidden(byId("floor-plan-order-row"), !sweep.nearest);
   setHidden(byId("floor-plan-kept"), sweep.kept_free === null);
-  setText(byId("floor-plan-kept"), sweep.kept_free === null ? "" : `This robot turns to where it drives, so ${sweep.kept_free} is kept free.`);
+  setText(byId("floor-plan-kept"), sweep.kept_free === null ? "" : `This robot turns to face the way it drives, so ${sweep.kept_free} around its centre is kept free of obstacles.`);
 }
 
 /** What another order costs. @param {import("./types").SweepView} sweep @param {[number, number]} nearest */

@@ -47,7 +47,7 @@ export function predict({ done, changed }, { id, question, options, right, becau
   const commit = press("Commit", () => {
     const chosen = inputs.findIndex(({ checked }) => checked);
     if (chosen < 0) {
-      outcome.textContent = "Choose one first: a prediction that you can't miss teaches nothing.";
+      outcome.textContent = "Choose one first: a prediction that can't be wrong teaches nothing.";
       return;
     }
     done.predictions[id] = chosen;
@@ -56,7 +56,7 @@ export function predict({ done, changed }, { id, question, options, right, becau
   });
   const reveal = press("Compare with what happened", () => {
     const chosen = done.predictions[id];
-    outcome.replaceChildren(make("b", {}, chosen === right ? "As you predicted. " : `Not as you predicted. Right is: “${options[right]}”.`), prose(because));
+    outcome.replaceChildren(make("b", {}, chosen === right ? "As you predicted. " : `Not as you predicted. The right answer is “${options[right]}”.`), prose(because));
     reveal.hidden = true;
   });
   const show = () => {

@@ -44,7 +44,7 @@ fn search_of_a_small_room_is_a_film() {
     assert!(!improvements.is_empty(), "{told:?}");
     for three in improvements.chunks(3) {
         assert!(three[0].starts_with("Improvement") && three[0].ends_with("will change."), "{three:?}");
-        assert!(three[1].contains("is cut there; "), "{three:?}");
+        assert!(three[1].contains("is cut where it changes; "), "{three:?}");
         assert!(three[2].contains("rejoined, ") && three[2].contains(" % of the bound); now "), "{three:?}");
     }
     assert!(told[told.len() - 1].starts_with("Search finished: a plan "), "{told:?}");

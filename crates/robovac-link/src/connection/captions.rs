@@ -144,7 +144,7 @@ impl ConnectionView {
             "charging" => ("Robot is charging", "but it doesn't answer yet"),
             "booting" => ("Robot is starting", "it should answer soon"),
             "bootloader" => ("Robot is in its bootloader", "it doesn't answer there"),
-            "garbage" => ("Unreadable data", "maybe another speed"),
+            "garbage" => ("Unreadable data", "perhaps another baud rate"),
             _ => ("No answer", "still trying"),
         }
     }

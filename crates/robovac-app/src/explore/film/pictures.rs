@@ -133,7 +133,7 @@ fn time(seconds: f64) -> String {
 
 fn remaining(which: &str, parts: usize) -> String {
     let s = if parts == 1 { "s" } else { "" };
-    format!("{which}: the path is cut there; {} remain{s}.", amount(parts as i64, "part"))
+    format!("{which}: the path is cut where it changes; {} remain{s}.", amount(parts as i64, "part"))
 }
 
 /// The pictures of an improvement: the walk before with the changing parts, the parts that stay, and the walk after.
@@ -220,7 +220,7 @@ mod tests {
             texts,
             [
                 "First path: Lanes needs 1:01 min, with a stop at each corner. The search starts from it.",
-                "Improvement 1 of 1: the path is cut there; 1 part remains.",
+                "Improvement 1 of 1: the path is cut where it changes; 1 part remains.",
                 "Improvement 1 of 1: rejoined, 2.5 s saved; now 58.5 s.",
             ]
         );

@@ -86,7 +86,7 @@ impl Showing {
         match (self.picture(), end) {
             (Some(picture), _) => picture.text.clone(),
             (None, Some((proof, is_own))) => {
-                let by = if is_own { " by the planner's own weight of turns" } else { "" };
+                let by = if is_own { ", by the planner's own turn cost" } else { "" };
                 format!("Search finished: a plan {}{by}.", good(proof))
             }
             (None, None) => "Search finished.".to_owned(),

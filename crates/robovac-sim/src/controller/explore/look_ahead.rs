@@ -48,7 +48,7 @@ pub(in crate::controller) const EXPLAINER: Explainer = Explainer {
     use_when: "To see the effect of checking ahead: walls no longer corrupt odometry, but a random walk is slow.",
     shines: Example {
         room: "kitchen",
-        why: "In one furnished room chance leads it to more than half of what there is.",
+        why: "In a single furnished room, chance leads it to more than half of the walls and furniture.",
     },
     fails: Example { room: "flat", why: "It is still a random walk: the next rooms stay unknown." },
     source: "Krapinec 2025, Enhancing Robotic Vacuum Cleaner Performance through Improved Map Building, master's thesis, \

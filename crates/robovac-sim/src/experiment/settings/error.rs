@@ -37,7 +37,7 @@ pub enum SettingsError {
         expected: &'static str,
     },
     /// A path that a link is too short for, and that isn't here.
-    #[error("this link's path is too long for a link; ask its author for the scenario file and load that")]
+    #[error("the path is too long to fit into this link; ask the link's author for the scenario file and load that")]
     FarPath,
     /// The user's program isn't here.
     #[error("this link's program isn't in it; ask its author for the whole link or for the program's file")]
