@@ -59,7 +59,8 @@ pub struct Arguments {
     /// Grid of the map
     #[arg(long, value_name = "GRID", default_value = "own")]
     grid: MeasuredGrids,
-    /// Write ROS 2 messages of the run with the first seed as MCAP, with the first kind of tracking's map
+    /// Write ROS 2 messages of the run with the first seed as MCAP, with the corrected map, or with that by odometry if
+    /// --tracking is odometry
     #[arg(long, value_name = "FILE")]
     mcap: Option<PathBuf>,
     /// Write JSON instead of tables

@@ -12,8 +12,8 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// Fit wheels, turns, acceleration, slip and light bumper of a robot to a recording of its line, by "robovac monitor
-/// --record" or the page: a twin, which can be simulated in place of the model
+/// Fit a twin to a recording by "robovac monitor --record" or the page: a simulated robot with the wheels, turns,
+/// acceleration, slip and light bumper of the real one, for use in place of the model
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The recording
