@@ -16,8 +16,7 @@ fn planners(criterion: &mut Criterion) {
         let Some(job) = hall(side) else { continue };
         let mut group = criterion.benchmark_group(format!("hall {side} x {side}"));
         group.sample_size(10).measurement_time(Duration::from_secs(3));
-        for info in
-            PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS && !info.claims.in_metres)
+        for info in PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS && !info.is_in_metres())
         {
             let planner = info.build(&Params::defaults(info.params));
             group.bench_function(info.id, |b| b.iter(|| planner.plan(black_box(&job), &mut PlanContext::new(0))));

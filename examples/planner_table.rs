@@ -35,7 +35,7 @@ fn table(plan: &FloorPlan) -> Result<(), Box<dyn Error>> {
     let prepared = RoomSetup::new(plan, &cell_robot(plan.resolution), plan.resolution, None)?;
     let bound = Bounds::of(&prepared.job).cost;
     for info in
-        PLANNERS.iter().filter(|info| info.claims.fast || prepared.job.cells() <= SLOW_CELLS && !info.claims.in_metres)
+        PLANNERS.iter().filter(|info| info.claims.fast || prepared.job.cells() <= SLOW_CELLS && !info.is_in_metres())
     {
         let planner = info.build(&Params::defaults(info.params));
         let mut best_ms = f64::MAX;

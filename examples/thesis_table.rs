@@ -16,8 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let PrintedRow { algorithm, turns, revisits, length_m, planner } = row;
         println!("| {algorithm} | {turns} | {revisits} | {length_m:.1} | {}", measured(planner)?);
     }
-    for info in
-        PLANNERS.iter().filter(|info| !info.claims.in_metres && TABLE_2.iter().all(|row| row.planner != info.id))
+    for info in PLANNERS.iter().filter(|info| !info.is_in_metres() && TABLE_2.iter().all(|row| row.planner != info.id))
     {
         println!("| - | | | | {}", measured(info.id)?);
     }

@@ -130,7 +130,9 @@ metrics: Array<MetricInfo>, cell_sizes_m: [number, number, number, number, numbe
 /** A planner or behaviour. Claims that only the other kind has are false. */
 export type CatalogueEntry = { id: string, title: string, summary: string,
 /** `planner` or `behaviour`. */
-kind: "planner" | "behaviour", mark: Mark, complete: boolean, deterministic: boolean, fast: boolean, anytime: boolean, ends: boolean, cleans: boolean, manual: boolean, params: Array<Param>, };
+kind: "planner" | "behaviour", mark: Mark, complete: boolean, deterministic: boolean, fast: boolean, anytime: boolean,
+/** The parameter that says how much of the floor its plans sweep; others sweep what they can. */
+coverage_param: string | null, ends: boolean, cleans: boolean, manual: boolean, params: Array<Param>, };
 
 /** A question with options. */
 export type Choice = {
@@ -978,6 +980,8 @@ turn_weight: number | null,
 times_turns: boolean,
 /** Share of the search after which the user ended it; `None` if the planner finished. */
 kept_at: number | null,
+/** The share of the floor that it was to sweep, 0 to 1, if the planner has a parameter for it. */
+asked_coverage: number | null,
 /** Cells that can be reached from the start, the start included. */
 reachable_cells: number,
 /** Cells of those that the walk visits. */

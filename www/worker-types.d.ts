@@ -24,6 +24,7 @@ export type ToWorker =
   | { type: "trial"; request: { id: number } }
   | { type: "runs"; request: { id: number } }
   | { type: "fit"; request: { id: number; snapshot: import("./types").SessionSnapshot; percent: number } }
+  | { type: "trade-off"; request: { id: number; snapshot: SessionSnapshot; corners: Float64Array; shares: Float64Array } }
   | { type: "bag"; request: { id: number } & BagRequest }
   | { type: "read"; request: { id: number; files: { name: string; bytes: Uint8Array }[] } }
   | { type: "flat"; request: { id: number; flat: string } };
@@ -53,6 +54,8 @@ export type FromReader = { type: "read"; id: number; map: Uint8Array } | { type:
 
 /** Planning cells for a coverage. */
 export type FromFit = { type: "fitted"; id: number; metres: number } | { type: "failed"; id: number; message: string };
+/** `point`: asked, coverage, seconds, metres. */
+export type FromTradeOff = { type: "point"; id: number; point: Float64Array } | { type: "traded"; id: number } | { type: "failed"; id: number; message: string };
 export type FromBag = { type: "bagged"; id: number; bytes: Uint8Array } | { type: "failed"; id: number; message: string };
 
 /** Messages of the benchmark's worker. */

@@ -70,7 +70,7 @@ pub fn request_from_js(object: &JsValue) -> Result<PlanRequest, JsValue> {
         params.set_text(planner.params, id, text).map_err(message)?;
     }
     let job = match laid_out(object)? {
-        Some((room, is_rounded)) if planner.claims.in_metres => room.job.rounded(is_rounded),
+        Some((room, is_rounded)) if planner.is_in_metres() => room.job.rounded(is_rounded),
         _ => wire.job().ok_or("the planning request has no free start")?,
     };
     Ok(PlanRequest { id: wire.id, planner, params, seed: wire.seed, job })

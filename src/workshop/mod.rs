@@ -14,6 +14,7 @@ mod replay;
 mod run_bag;
 mod runner;
 mod session_mirror;
+mod trade_off;
 mod trial;
 mod twin;
 mod virtual_robot;

@@ -13,7 +13,7 @@ use robovac_playground::wire::{
     pictures::pictures_to_js,
     proof::{proof_from_js, proof_to_js},
     request::{laid_out, request_from_js},
-    trajectory::trajectory_to_js,
+    trajectory::{trajectory_from_js, trajectory_to_js},
     walk::{path_from_js, path_to_js},
 };
 use std::ops::ControlFlow;
@@ -88,13 +88,20 @@ pub fn smooth(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
 }
 
 /// The share of the floor that a plan for that request sweeps, measured exactly, and the least length, m, and time, s, of any path
-/// that sweeps as much; `undefined` for a robot that fills a cell, and if the request leaves the room out.
+/// that sweeps as much: without stops for its trajectory, the result of [`smooth`], if there is one. `undefined` for a robot that
+/// fills a cell, and if the request leaves the room out.
 #[wasm_bindgen]
-pub fn least(request: &JsValue, path: &JsValue) -> Result<JsValue, JsValue> {
+pub fn least(request: &JsValue, path: &JsValue, knots: Option<Vec<f64>>) -> Result<JsValue, JsValue> {
     let Some((room, _)) = laid_out(request)? else { return Ok(JsValue::UNDEFINED) };
-    let line = room.line(&path_from_js(path)).map_err(|e| e.to_string())?;
-    let drive = DriveMetrics::of(&room.floor, &room.robot, &line);
-    let excess = MetricExcess::of(&room.floor, &room.robot, &line, &drive);
+    let (floor, robot) = (&room.floor, &room.robot);
+    let excess = if let Some(knots) = knots {
+        let trajectory = trajectory_from_js(&knots);
+        let drive = DriveMetrics::of_trajectory(floor, robot, &trajectory);
+        MetricExcess::of_trajectory(floor, robot, &trajectory, &drive)
+    } else {
+        let line = room.line(&path_from_js(path)).map_err(|e| e.to_string())?;
+        MetricExcess::of(floor, robot, &line, &DriveMetrics::of(floor, robot, &line))
+    };
     Ok(excess.map_or(JsValue::UNDEFINED, |MetricExcess { swept, bound, .. }| {
         Float64Array::from([swept, bound.length_m, bound.duration_s].as_slice()).into()
     }))

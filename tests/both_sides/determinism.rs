@@ -117,7 +117,7 @@ fn walks_of_all_planners() {
             session.restore(&format!("room={room}&planner={}&robot=roomba600&seed=5", info.id)).unwrap();
             let mut request = session.take_plan_request().unwrap();
             // Those that go on as long as one lets them are let for a moment: browsers don't wait for tests.
-            if let Some(effort) = info.effort().filter(|_| info.is_anytime() || info.claims.in_metres) {
+            if let Some(effort) = info.effort().filter(|_| info.is_anytime() || info.is_in_metres()) {
                 request.params.set(info.params, effort.id, ParamValue::Number(0.1)).unwrap();
             }
             let path = request.serve(|| 0.0, None).unwrap().path;

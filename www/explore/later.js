@@ -51,6 +51,10 @@ export async function startLater(app) {
       () => import("./manual.js").then(({ startManual }) => startManual(app)),
     ),
     later(
+      ({ plan }) => plan?.asked_coverage != null,
+      () => import("./trade-off.js").then(({ startTradeOff }) => startTradeOff(app)),
+    ),
+    later(
       ({ tool, selected }) => tool === "place" || selected >= 0,
       () => import("./placing.js").then(({ startPlacing }) => startPlacing(app)),
     ),

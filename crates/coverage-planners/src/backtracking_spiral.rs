@@ -50,7 +50,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "backtracking_spiral",
     title: "Backtracking spiral (BSA)",
     summary: "Spirals inwards along walls and clean floor, then goes to the nearest uncleaned cell and spirals again.",
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: None, search: Search::None },
     params: &[ParamSpec {
         id: "side",
         label: "Reference side",

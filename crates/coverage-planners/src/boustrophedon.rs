@@ -43,7 +43,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complete: true,
         deterministic: true,
         fast: true,
-        in_metres: false,
+        in_metres: None,
         search: Search::Limited { effort: "effort" },
     },
     params: &[

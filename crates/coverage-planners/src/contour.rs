@@ -45,7 +45,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "contour",
     title: "Contour (rings along the walls)",
     summary: "Follows the walls, then drives concentric rings at growing distance from them.",
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: None, search: Search::None },
     params: &[ParamSpec {
         id: "order",
         label: "Order",

@@ -53,7 +53,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "energy",
     title: "Energy functional",
     summary: "Moves to the neighbour with the least energy: near, straight ahead, and surrounded by clean floor.",
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: None, search: Search::None },
     params: &[
         weight("rotation", "Turning", "Energy of a quarter turn; a step costs 1.", 1.0),
         weight("visited", "Clean floor", "Energy bonus for each clean cell among the eight neighbours.", 0.5),

@@ -45,7 +45,7 @@ struct Prover {
 
 impl Prover {
     fn new(planner: &PlannerInfo, job: &CoverageJob) -> Self {
-        let bound = if planner.claims.in_metres { 0 } else { Bounds::of(job).cost as u64 };
+        let bound = if planner.is_in_metres() { 0 } else { Bounds::of(job).cost as u64 };
         Self { job: job.clone(), bound, planner: planner.title }
     }
 

@@ -55,7 +55,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complete: true,
         deterministic: false,
         fast: false,
-        in_metres: false,
+        in_metres: None,
         search: Search::Limited { effort: "generations" },
     },
     params: &[

@@ -48,7 +48,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complete: true,
         deterministic: true,
         fast: false,
-        in_metres: false,
+        in_metres: None,
         search: Search::Limited { effort: "effort" },
     },
     params: &[

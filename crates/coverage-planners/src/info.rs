@@ -27,8 +27,9 @@ pub struct PlannerClaims {
     pub deterministic: bool,
     /// Plans a million cells in about a second; others are meant for rooms of up to [`SLOW_CELLS`].
     pub fast: bool,
-    /// Plans a path in metres and needs the job's place; others walk from cell to cell.
-    pub in_metres: bool,
+    /// Plans a path in metres and needs the job's place; others walk from cell to cell. It sweeps the share of the floor, in percent,
+    /// that this parameter says.
+    pub in_metres: Option<&'static str>,
     /// Whether it searches for a better walk than its first one.
     pub search: Search,
 }
@@ -73,7 +74,18 @@ impl PlannerInfo {
 
     /// Most planning cells of a room in which it is filmed: in larger ones, changes by single cells can't be seen.
     pub fn most_filmed_cells(&self) -> usize {
-        if self.claims.in_metres { 20_000 } else { 2_000 }
+        if self.is_in_metres() { 20_000 } else { 2_000 }
+    }
+
+    /// Whether it plans paths in metres.
+    pub fn is_in_metres(&self) -> bool {
+        self.claims.in_metres.is_some()
+    }
+
+    /// The share of the floor that a path in metres has to sweep, 0 to 1. Where corners will be rounded
+    /// ([`JobPlace::is_rounded`](super::JobPlace::is_rounded)), it may sweep more, which curves can leave out.
+    pub fn asked_coverage(&self, params: &Params) -> Option<f64> {
+        self.claims.in_metres.map(|coverage| params.number(coverage) / 100.0)
     }
 
     /// Whether its search can be stopped at any time.
@@ -94,7 +106,7 @@ impl PlannerInfo {
         if let Search::Anytime { turn, .. } = self.claims.search { Some(params.number(turn)) } else { None }
     }
 
-    /// Checks the parameters of the search.
+    /// Checks the parameters that claims name.
     ///
     /// # Panics
     ///
@@ -107,6 +119,9 @@ impl PlannerInfo {
             Search::Anytime { effort, turn } => self.has_number(effort) && self.has_number(turn),
         };
         assert!(is_there, "`claims.search` names a parameter that isn't a number in `params`");
+        if let Some(coverage) = self.claims.in_metres {
+            assert!(self.has_number(coverage), "`claims.in_metres` names a parameter that isn't a number in `params`");
+        }
     }
 
     const fn has_number(&self, id: &str) -> bool {

@@ -72,6 +72,9 @@ pub use robovac_core::registry::{Example, Explainer, ParamError, ParamKind, Para
 pub use snake::OnlineSnake;
 pub use trace::{THE_END, TraceStep};
 
+use robovac_core::geometry::Point;
+use std::ops::ControlFlow;
+
 /// An algorithm that finds a walk over all free cells, or a path in metres over their floor.
 pub trait Planner {
     /// Plans a path from `job.start`. Must return [`PlanError::Cancelled`] soon after the context reports a
@@ -84,10 +87,15 @@ pub trait Planner {
         true
     }
 
-    /// The share of the floor that its path has to sweep, 0 to 1, if that is a parameter of it. Where corners will be rounded
-    /// ([`JobPlace::is_rounded`]), its path may sweep more, which curves can leave out.
-    fn asked_coverage(&self) -> Option<f64> {
-        None
+    /// Calls `observe` with what `path`, planned for that job, takes, and then paths for each of the `shares` of the floor, 0 to 1,
+    /// until it breaks off: first those for less than `path` sweeps, from the nearest on. Only planners in metres have such paths.
+    fn trade_off(
+        &self,
+        _job: &CoverageJob,
+        _path: &[Point],
+        _shares: &[f64],
+        _observe: &mut dyn FnMut(TradeOffPoint) -> ControlFlow<()>,
+    ) {
     }
 
     /// The planners whose walks, made with their defaults, this one begins with in `job`, and the job they are given; none
@@ -95,6 +103,19 @@ pub trait Planner {
     fn begins_with(&self, job: &CoverageJob) -> (CoverageJob, &'static [&'static PlannerInfo]) {
         (job.clone(), &[])
     }
+}
+
+/// What a path for another coverage takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TradeOffPoint {
+    /// The share of the floor that it was to sweep, 0 to 1, and the one that it sweeps: less where no path was found that sweeps enough.
+    pub asked: f64,
+    /// See `asked`.
+    pub coverage: f64,
+    /// Its time by the robot's motion model, s.
+    pub duration_s: f64,
+    /// Its length, m.
+    pub length_m: f64,
 }
 
 /// Makes a planner for checked parameters.

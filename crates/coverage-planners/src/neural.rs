@@ -49,7 +49,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "neural",
     title: "Neural network",
     summary: "A neural field excited by uncleaned floor; the robot follows the highest activity.",
-    claims: PlannerClaims { complete: true, deterministic: true, fast: false, in_metres: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: false, in_metres: None, search: Search::None },
     params: &[
         ParamSpec {
             id: "straight",

@@ -41,7 +41,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "s_shape",
     title: "S-shaped pathway",
     summary: "Drives parallel lanes like the letter S; at a dead end it goes to the nearest uncleaned cell.",
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: None, search: Search::None },
     params: &[ParamSpec {
         id: "lanes",
         label: "Lanes",

@@ -68,7 +68,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "snake",
     title: "Improved snake",
     summary: "Drives straight until the next cell is blocked or clean, then turns to the least-visited neighbour.",
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: None, search: Search::None },
     params: &[
         ParamSpec {
             id: "rules",

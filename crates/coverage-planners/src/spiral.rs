@@ -46,7 +46,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "spiral",
     title: "Growing spirals",
     summary: "Spirals outwards in free space until it reaches an obstacle, then goes to the next free area.",
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: None, search: Search::None },
     params: &[
         ParamSpec {
             id: "room",

@@ -44,7 +44,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "spiral_stc",
     title: "Spanning tree (Spiral-STC)",
     summary: "Divides the room into squares of 2 x 2 cells, connects them by a spanning tree and drives around it.",
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: None, search: Search::None },
     params: &[ParamSpec {
         id: "tree",
         label: "Tree",

@@ -52,7 +52,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "subgoal_sweep",
     title: "Subgoal sweep",
     summary: "Scans the room in lines, marks contact points as subgoals, and links each to the nearest.",
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: None, search: Search::None },
     params: &[
         ParamSpec {
             id: "scan_lines",

@@ -42,7 +42,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "wavefront_distance",
     title: "Wavefront, distance transform",
     summary: "Numbers cells by their distance to a goal and always moves to the unvisited neighbour farthest from it.",
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: None, search: Search::None },
     params: &[GOAL],
 };
 

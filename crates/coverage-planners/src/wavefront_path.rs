@@ -39,7 +39,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
     id: "wavefront_path",
     title: "Wavefront, path transform",
     summary: "Like the distance transform, but waves avoid obstacles, so the robot follows outlines first.",
-    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: false, search: Search::None },
+    claims: PlannerClaims { complete: true, deterministic: true, fast: true, in_metres: None, search: Search::None },
     params: &[
         ParamSpec {
             id: "alpha",

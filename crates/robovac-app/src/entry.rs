@@ -24,6 +24,8 @@ pub struct CatalogueEntry {
     deterministic: bool,
     fast: bool,
     anytime: bool,
+    /// The parameter that says how much of the floor its plans sweep; others sweep what they can.
+    coverage_param: Option<&'static str>,
     ends: bool,
     cleans: bool,
     manual: bool,
@@ -48,6 +50,7 @@ impl CatalogueEntry {
             deterministic: plans.is_some_and(|c| c.deterministic),
             fast: plans.is_some_and(|c| c.fast),
             anytime: algorithm.planner().is_some_and(PlannerInfo::is_anytime),
+            coverage_param: plans.and_then(|c| c.in_metres),
             ends: reacts.is_some_and(|c| c.ends),
             cleans: reacts.is_some_and(|c| c.cleans),
             manual: reacts.is_some_and(|c| c.manual),

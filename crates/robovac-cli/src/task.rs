@@ -101,7 +101,7 @@ impl CoverageArguments {
         let fitted = room.fit_cells(task.planner, &task.params, task.seed, share, &mut |_| ControlFlow::Continue(()));
         let Some(fitted) = fitted else {
             let way = match () {
-                () if task.planner.claims.in_metres => "the planner needs no cells; use --param coverage=PERCENT",
+                () if task.planner.is_in_metres() => "the planner needs no cells; use --param coverage=PERCENT",
                 () => "the robot \"cell\" fills its cells; choose another with --robot",
             };
             return Err(Failure::usage(format!("--coverage: {way}")));

@@ -17,7 +17,7 @@ pub fn planners() -> String {
         json!({
             "id": info.id, "title": info.title, "summary": info.summary,
             "complete": info.claims.complete, "deterministic": info.claims.deterministic, "fast": info.claims.fast,
-            "in_metres": info.claims.in_metres, "params": params(info.params),
+            "in_metres": info.is_in_metres(), "params": params(info.params),
         })
     };
     PLANNERS.iter().map(entry).collect::<Value>().to_string()

@@ -18,7 +18,7 @@ fn job(id: &str) -> CoverageJob {
 
 /// Steps + 2 x quarter turns; for a path in metres how far its time is above the least.
 fn cost(info: &PlannerInfo, job: &CoverageJob) -> f64 {
-    if info.claims.in_metres {
+    if info.is_in_metres() {
         let path = build(info, usize::MAX).plan(job, &mut PlanContext::new(1)).expect("nobody cancels");
         let JobPlace { floor, robot, .. } = job.place.as_deref().expect("the room is laid out");
         let drive = DriveMetrics::of(floor, robot, &path.line);
@@ -47,7 +47,7 @@ fn planners_shine_and_fail_where_they_say() {
                 *known.entry((example.room, other.id)).or_insert_with(|| cost(other, &job))
             };
             let own = cost(info);
-            if info.claims.in_metres {
+            if info.is_in_metres() {
                 return own;
             }
             let fast = PLANNERS.iter().filter(|other| other.claims.fast);

@@ -16,7 +16,7 @@ use robovac_sim::experiment::planning::{RoomSetup, choose_robot};
 use std::ops::ControlFlow;
 
 fn planners() -> impl Iterator<Item = &'static PlannerInfo> {
-    PLANNERS.iter().copied().filter(|info| info.claims.in_metres)
+    PLANNERS.iter().copied().filter(|info| info.is_in_metres())
 }
 
 fn job(plan: &FloorPlan, robot: &str, start: Option<Pose>) -> CoverageJob {

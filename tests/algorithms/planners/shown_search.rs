@@ -24,7 +24,7 @@ fn every_planner_shows_its_search() {
     for &info in PLANNERS {
         match info.shown_search() {
             ShownSearch::Decisions => tells_its_decisions(info),
-            ShownSearch::Film if info.claims.in_metres => is_filmed(&in_room(info)),
+            ShownSearch::Film if info.is_in_metres() => is_filmed(&in_room(info)),
             ShownSearch::Film => is_filmed(&request(info)),
         }
     }
@@ -65,12 +65,12 @@ fn is_filmed(request: &PlanRequest) {
     };
     let answer = request.serve(|| 0.0, Some(&mut observe)).expect("nobody cancels");
     let frames = film.ended(&answer.path, answer.proof);
-    for frame in frames.iter().filter(|_| info.claims.in_metres) {
+    for frame in frames.iter().filter(|_| info.is_in_metres()) {
         holds(&frame.path, &request.job, info.id);
     }
     let (firsts, search): (Vec<_>, Vec<_>) = frames.iter().partition(|frame| frame.proof.is_none());
     assert!(firsts.iter().any(|first| !first.planner.is_empty()), "{}", info.id);
-    assert!(search.len() > 1 || !info.claims.in_metres, "{}", info.id);
+    assert!(search.len() > 1 || !info.is_in_metres(), "{}", info.id);
     assert_eq!(search.last().expect("a path with a proof").path, answer.path, "{}", info.id);
     for frame in search {
         assert!(frame.proof.is_some_and(|proof| proof.bound <= proof.cost), "{}: {frame:?}", info.id);

@@ -19,7 +19,7 @@ pub const LARGE: usize = 120;
 
 /// The planners that walk from cell to cell; others plan in metres.
 pub fn walking() -> impl Iterator<Item = &'static PlannerInfo> + Clone {
-    PLANNERS.iter().copied().filter(|info| !info.claims.in_metres)
+    PLANNERS.iter().copied().filter(|info| !info.is_in_metres())
 }
 
 /// The planner with its default parameters, with the least effort for a large room.

@@ -31,6 +31,8 @@ const TRIAL_TEMPERATURES: (f64, f64) = (0.4, 0.06);
 const DESCENT: f64 = 30_000.0;
 const MOST_DESCENTS: f64 = 6.0;
 const REHEAT: f64 = 0.25;
+/// Temperature at which a path begins that is changed for another coverage, s: its lanes stay.
+const WARM: f64 = 0.12;
 /// Moves between two adjustments of the price, and at least between two updates of what is near what.
 const ADJUST: u64 = 500;
 /// Moves between two reports.
@@ -99,11 +101,12 @@ fn ends_round(mending: &mut Option<(u64, u64)>, is_spent: bool, step: u64) -> bo
 }
 
 /// Improves the first of `starts` until the effort is spent or the observer stops it, and where there is time for more than one
-/// descent the others as well; returns the best path that was measured.
+/// descent the others as well; returns the best path that was measured. Begins with `stage`.
 pub(super) fn anneal(
     search: &LaneSearch<'_>,
     raster: &SweptRaster,
     starts: &[Vec<Point>],
+    mut stage: SearchStage,
     observer: LanesObserver<'_>,
 ) -> Vec<Point> {
     let LaneSearch { floor, setup, .. } = *search;
@@ -133,7 +136,6 @@ pub(super) fn anneal(
     let (mut share, mut temperature, mut next_measure) = (0.0_f64, TRIAL_TEMPERATURES.0, MEASURE);
     let mut mending: Option<(u64, u64)> = None;
     let (mut rounds, mut next_rebuild) = (0, 0);
-    let mut stage = SearchStage::Trial(0);
     // Whether the present descent has cooled down: it is mended before the next one. And the price when the best path was found,
     // with what was allowed.
     let (mut is_cold, mut of_best) = (false, (PRICE.0, allowed));
@@ -240,22 +242,25 @@ impl FirstPath {
 
 /// What the search does at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum SearchStage {
+pub(super) enum SearchStage {
     /// A short descent from a first path, by its number.
     Trial(usize),
     /// A descent, its number, and the number of descents.
     Descent(usize, f64),
+    /// All of the search changes a path that was good for another coverage.
+    Change,
 }
 
 impl SearchStage {
     /// The stage at a share of the search, with so many first paths and moves for every metre in all, and the part of it that
     /// is done.
     fn at(self, share: f64, starts: usize, moves: f64) -> (Self, f64) {
-        if share < TRIAL {
-            let place = share / TRIAL * starts as f64;
-            return (Self::Trial(place as usize), place.fract());
-        }
         let descents = match self {
+            Self::Change => return (self, share),
+            _ if share < TRIAL => {
+                let place = share / TRIAL * starts as f64;
+                return (Self::Trial(place as usize), place.fract());
+            }
             Self::Trial(_) => (moves / DESCENT).floor().clamp(1.0, MOST_DESCENTS),
             Self::Descent(_, descents) => descents,
         };
@@ -268,6 +273,7 @@ impl SearchStage {
     fn first_path(self) -> Option<usize> {
         match self {
             Self::Trial(number) => Some(number),
+            Self::Change => None,
             Self::Descent(number, descents) => ((number as f64) < (0.5 * descents).ceil()).then_some(number),
         }
     }
@@ -276,6 +282,7 @@ impl SearchStage {
     fn temperature(self, part: f64, moves: f64) -> f64 {
         let (hot, cold) = match self {
             Self::Trial(_) => TRIAL_TEMPERATURES,
+            Self::Change => (WARM, COLD),
             Self::Descent(_, descents) => {
                 let share = if self.first_path().is_some() { 1.0 } else { REHEAT };
                 (share * (moves / descents / HOT.0).sqrt().clamp(HOT.1, HOT.2), COLD)

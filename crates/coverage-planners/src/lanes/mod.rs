@@ -32,6 +32,7 @@ mod row_ends;
 mod scan;
 mod stroke;
 mod tool;
+mod trade_off;
 mod walker;
 
 pub use bound::MetricBound;
@@ -43,7 +44,7 @@ pub(crate) use scan::across;
 pub use scan::swept_share;
 pub(crate) use tool::ToolPlace;
 
-use anneal::anneal;
+use anneal::{SearchStage, anneal};
 use cost::MotionTimes;
 use curves::CurveTimes;
 use lattice::Lattice;
@@ -199,7 +200,7 @@ pub fn plan_lanes(
         starts.sort_by(|(one, _), (other, _)| one.total_cmp(other));
         let starts: Vec<Vec<Point>> = starts.into_iter().map(|(_, path)| path).collect();
         let search = anneal::LaneSearch { floor, space: &space, times: &times, clock: &clock, heading, setup };
-        anneal(&search, &raster, &starts, observer)
+        anneal(&search, &raster, &starts, SearchStage::Trial(0), observer)
     };
     let coverage = swept_share(floor, &path);
     let (length_m, duration_s) = (cost::length(&path), MotionTimes::of(robot, None).path(&path, heading, None));

@@ -1,11 +1,13 @@
 //! The entry in the registry.
 
-use super::{LanesError, LanesObjective, LanesProgress, LanesSetup, plan_lanes};
+use super::{LanesError, LanesObjective, LanesProgress, LanesSetup, plan_lanes, trade_off::trade_off};
 use crate::{
     BuildPlanner, CoverageJob, CoveragePath, PlanContext, PlanError, Planner, PlannerClaims, PlannerInfo, Search,
+    TradeOffPoint,
 };
 use rand::RngExt;
 use robovac_core::{
+    geometry::Point,
     registry::{Example, Explainer, ParamKind, ParamSpec},
     robot::Tool,
 };
@@ -27,7 +29,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complete: false,
         deterministic: false,
         fast: false,
-        in_metres: true,
+        in_metres: Some("coverage"),
         search: Search::Limited { effort: "effort" },
     },
     params: &[
@@ -107,7 +109,16 @@ impl Planner for Lanes {
         false
     }
 
-    fn asked_coverage(&self) -> Option<f64> {
-        Some(self.0.coverage)
+    fn trade_off(
+        &self,
+        job: &CoverageJob,
+        path: &[Point],
+        shares: &[f64],
+        observe: &mut dyn FnMut(TradeOffPoint) -> ControlFlow<()>,
+    ) {
+        if let Some(place) = &job.place {
+            let setup = LanesSetup { is_rounded: place.is_rounded, ..self.0 };
+            trade_off(&place.floor, &place.robot, &setup, path, shares, observe);
+        }
     }
 }

@@ -64,7 +64,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         complete: true,
         deterministic: false,
         fast: false,
-        in_metres: false,
+        in_metres: None,
         search: Search::Anytime { effort: "effort", turn: "turn" },
     },
     params: &[

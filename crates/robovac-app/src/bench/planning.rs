@@ -27,8 +27,7 @@ const HALL_CELL: f64 = 0.1;
 pub fn planning(bench: &mut Bench<'_>) {
     for side in [bench.size(100, 30), bench.size(1000, 300)] {
         let Some(job) = hall(side) else { continue };
-        for info in
-            PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS && !info.claims.in_metres)
+        for info in PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS && !info.is_in_metres())
         {
             let planner = info.build(&Params::defaults(info.params));
             let name = format!("plan {} {side} x {side}", info.id);

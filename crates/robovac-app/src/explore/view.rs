@@ -307,4 +307,6 @@ pub struct PlanView {
     pub times_turns: bool,
     /// Share of the search after which the user ended it; `None` if the planner finished.
     pub kept_at: Option<f64>,
+    /// The share of the floor that it was to sweep, 0 to 1, if the planner has a parameter for it.
+    pub asked_coverage: Option<f64>,
 }

@@ -17,13 +17,7 @@ pub const PLANNER_PROGRAM: PlannerInfo = PlannerInfo {
     id: "program_planner",
     title: "Your program",
     summary: "Your program plans.",
-    claims: PlannerClaims {
-        complete: false,
-        deterministic: false,
-        fast: false,
-        in_metres: false,
-        search: Search::None,
-    },
+    claims: PlannerClaims { complete: false, deterministic: false, fast: false, in_metres: None, search: Search::None },
     params: &[],
 };
 

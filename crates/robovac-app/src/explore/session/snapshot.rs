@@ -173,6 +173,8 @@ impl Session {
     fn plan_view(&self) -> Option<PlanView> {
         let (turn_weight, times_turns) = self.turn_weight().unzip();
         let times_turns = times_turns.unwrap_or(false);
+        let planner = self.settings.algorithm.planner().filter(|_| self.settings.path.is_none());
+        let asked_coverage = planner.and_then(|planner| planner.asked_coverage(&self.settings.params));
         if let Some(planning) = &self.planning {
             return Some(PlanView {
                 running: true,
@@ -186,6 +188,7 @@ impl Session {
                 turn_weight,
                 times_turns,
                 kept_at: None,
+                asked_coverage,
             });
         }
         self.planned.as_ref().map(|planned| PlanView {
@@ -200,6 +203,7 @@ impl Session {
             turn_weight,
             times_turns,
             kept_at: planned.kept_at,
+            asked_coverage,
         })
     }
 

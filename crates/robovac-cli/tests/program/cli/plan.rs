@@ -45,7 +45,7 @@ fn every_planner_plans_the_thesis_preset() {
         let output = text(&["plan", "--room", "thesis8", "--planner", planner.id, "--json"]);
         assert_eq!(output.lines().count(), 1);
         let report: Value = serde_json::from_str(&output).unwrap();
-        if planner.claims.in_metres {
+        if planner.is_in_metres() {
             assert!(report["corners_m"].as_array().is_some_and(|corners| corners.len() > 10), "{report}");
             assert!(report["coverage"].as_f64().is_some_and(|share| share > 0.9) && report["steps"].is_null());
         } else {

@@ -51,7 +51,7 @@ impl RoomSetup {
         coverage: f64,
         observe: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Option<FittedCells> {
-        if planner.claims.in_metres || self.robot.fills_cell {
+        if planner.is_in_metres() || self.robot.fills_cell {
             return None;
         }
         let quick = with_least_effort(planner, params);

@@ -243,7 +243,7 @@ impl PathToDrive {
 impl PlanRequest {
     /// What rounding the corners of its plan may do.
     pub fn smooth_setup(&self) -> SmoothSetup {
-        let asked = self.planner.build(&self.params).asked_coverage();
+        let asked = self.planner.asked_coverage(&self.params);
         SmoothSetup { least: asked.unwrap_or(1.0), ..SmoothSetup::default() }
     }
 
