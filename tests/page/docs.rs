@@ -60,6 +60,17 @@ fn files_that_are_named_exist() {
 }
 
 #[test]
+fn terms_of_the_glossary_are_in_alphabetical_order() {
+    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/glossary.md")).unwrap();
+    let terms = text.lines().filter_map(|line| line.strip_prefix("- **")?.split("**").next());
+    let terms: Vec<String> = terms.map(str::to_lowercase).collect();
+    assert!(terms.len() > 100);
+    for pair in terms.windows(2) {
+        assert!(pair[0] < pair[1], "{} stands before {}", pair[0], pair[1]);
+    }
+}
+
+#[test]
 fn the_front_page_is_short() {
     assert!(fs::metadata(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap().len() <= README as u64);
 }
