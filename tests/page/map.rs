@@ -274,7 +274,7 @@ fn what_can_not_be_brought_back_is_explained_and_changes_nothing() {
     assert_eq!(refused(&newer), StoreError::Version { found: 77 });
     assert!(refused(&newer).to_string().contains("another version"));
     // Of another version, whatever else may be in it.
-    assert_eq!(refused("{\"format\":\"robovac-session\",\"version\":9,\"more\":[]}"), StoreError::Version { found: 9 });
+    assert_eq!(refused("{\"format\":\"robovac-survey\",\"version\":9,\"more\":[]}"), StoreError::Version { found: 9 });
     for other in ["", "{}", "[1,2]", "null", "{\"format\":\"x\",\"version\":1}", "\u{0}"] {
         assert!(matches!(refused(other), StoreError::NotASurvey(_)), "{other:?}");
     }
