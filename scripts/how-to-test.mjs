@@ -3,7 +3,7 @@
 //
 // node scripts/how-to-test.mjs           all of it, natively; takes minutes
 // node scripts/how-to-test.mjs --page    and the page is built, type-checked and tried in a browser ($PAGE_BROWSER)
-// node scripts/how-to-test.mjs --check   only that every block fits its file
+// node scripts/how-to-test.mjs --check   only that every step can be followed: it has a block, which fits its file
 import { execFileSync, spawnSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
@@ -19,12 +19,18 @@ const WALKS = "tests/golden/walks.txt";
 
 const read = (file) => fs.readFileSync(path.join(ROOT, file), "utf8");
 
-/** The guide's blocks, each with the file that its step names, and its commands. */
+/** The guide's blocks, each with the file that its step names, its commands, and what can't be followed. */
 function parse(guide) {
-  const [blocks, commands] = [[], []];
-  let [file, block] = ["", null];
+  const [blocks, commands, problems] = [[], [], []];
+  let [file, block, step, last] = ["", null, null, 0];
+  const endStep = () => {
+    if (step && !step.hasBlock && !/\boptional\b/i.test(step.text)) problems.push(`${step.at}: step ${last} has no block to follow and isn't called optional`);
+    step = null;
+  };
   guide.split("\n").forEach((line, index) => {
+    const at = `${GUIDE}:${index + 1}`;
     const fence = /^( *)```(\w*)$/.exec(line);
+    const number = /^(\d+)\. /.exec(line)?.[1];
     if (block && fence) {
       if (block.language === "sh") commands.push(...block.lines);
       else blocks.push(block);
@@ -32,12 +38,25 @@ function parse(guide) {
     } else if (block) {
       block.lines.push(line.slice(block.indent));
     } else if (fence) {
-      block = { file, language: fence[2], indent: fence[1].length, lines: [], at: `${GUIDE}:${index + 1}` };
-    } else {
-      file = /^\d+\. +\*\*`([^`]+)`\*\*/.exec(line)?.[1] ?? (/^(\d+\. |#)/.test(line) ? "" : file);
+      block = { file, language: fence[2], indent: fence[1].length, lines: [], at };
+      if (step) step.hasBlock = true;
+    } else if (number) {
+      endStep();
+      if (Number(number) !== last + 1) problems.push(`${at}: step ${number} follows step ${last}`);
+      last = Number(number);
+      file = /^\d+\. +\*\*`([^`]+)`\*\*/.exec(line)?.[1] ?? "";
+      step = { text: line, hasBlock: false, at };
+    } else if (/^\S/.test(line)) {
+      // What isn't indented belongs to no step.
+      endStep();
+      if (line.startsWith("#")) [file, last] = ["", 0];
+    } else if (step) {
+      step.text += line;
     }
   });
-  return { blocks, commands: [...new Set(commands)] };
+  endStep();
+  if (block || !guide.endsWith(".\n")) problems.push(`${GUIDE}: it ends in the middle of a block or sentence`);
+  return { blocks, commands: [...new Set(commands)], problems };
 }
 
 /** The text with one hunk of a difference in it. */
@@ -49,10 +68,9 @@ function patched(text, hunk, what) {
   return pieces.join(next).slice(1);
 }
 
-/** All files that the blocks change, with what is in them afterwards. */
-function apply(blocks) {
+/** All files that the blocks change, with what is in them afterwards; what doesn't fit is added to the problems. */
+function apply(blocks, problems) {
   const files = new Map();
-  const problems = [];
   for (const { file, language, lines, at } of blocks) {
     const known = files.get(file) ?? (file && fs.existsSync(path.join(ROOT, file)) ? read(file) : undefined);
     const what = `${at}: what goes into ${file || "no file"}`;
@@ -64,7 +82,7 @@ function apply(blocks) {
       problems.push(problem);
     }
   }
-  return { files, problems };
+  return files;
 }
 
 /** Makes the copy the same as the repository with these files in it; what is the same already isn't touched. */
@@ -94,8 +112,8 @@ function run(command) {
   process.exit(1);
 }
 
-const { blocks, commands } = parse(read(GUIDE));
-const { files, problems } = apply(blocks);
+const { blocks, commands, problems } = parse(read(GUIDE));
+const files = apply(blocks, problems);
 for (const problem of problems) console.error(problem);
 if (problems.length > 0) process.exit(1);
 console.log(`${blocks.length} blocks of ${GUIDE} fit.`);
@@ -105,6 +123,6 @@ if (!process.argv.includes("--check")) {
   const walks = fs.readFileSync(path.join(COPY, WALKS), "utf8");
   const changed = read(WALKS).split("\n").filter((line) => !walks.includes(line));
   if (changed.length > 0) throw new Error(`${WALKS} was to get new lines only, but these have changed:\n${changed.join("\n")}`);
-  if (process.argv.includes("--page")) ["trunk build --offline=true", "tsc --project .", "node tests/e2e/run.mjs yours"].forEach(run);
+  if (process.argv.includes("--page")) ["trunk build --offline=true", "tsc --project .", "node tests/e2e/run.mjs yours delivery"].forEach(run);
   console.log("Every step works.");
 }

@@ -26,7 +26,7 @@ impl CanvasArea {
     pub fn of_moving(scene: &Scene<'_>, viewport: &Viewport) -> Self {
         let mut area = Self::NONE;
         let around = beside(scene) * viewport.scale + MARGIN;
-        for point in scene.trail.iter().chain(scene.believed) {
+        for point in scene.trail.iter().chain(scene.estimated_trail) {
             area.add(viewport.to_screen(*point), around);
         }
         if let Some(view) = &scene.robot {

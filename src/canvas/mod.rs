@@ -63,7 +63,7 @@ struct DrawnScene {
     senses: bool,
     /// Steps at that and at the positions of movers.
     steps: Option<u64>,
-    believed: (usize, Option<Point>, Option<Point>),
+    estimated_trail: (usize, Option<Point>, Option<Point>),
     /// Where robot, estimate and trails are.
     moving: CanvasArea,
     /// Where people and pets are.
@@ -113,7 +113,11 @@ impl Canvas {
             senses: scene.sensed.is_some(),
             steps: (scene.sensed.is_some() || scene.life.is_some_and(|life| !life.movers().is_empty()))
                 .then_some(scene.steps),
-            believed: (scene.believed.len(), scene.believed.first().copied(), scene.believed.last().copied()),
+            estimated_trail: (
+                scene.estimated_trail.len(),
+                scene.estimated_trail.first().copied(),
+                scene.estimated_trail.last().copied(),
+            ),
             moving: CanvasArea::of_moving(scene, viewport),
             figures: CanvasArea::of_figures(scene, viewport),
         };
@@ -262,7 +266,7 @@ impl Canvas {
             let centre = viewport.to_screen(start.position());
             robot::draw_start(context, palette, start, centre, (scene.start_body, scene.start_radius, viewport.scale))?;
         }
-        trail(context, viewport, scene.believed, palette.estimate);
+        trail(context, viewport, scene.estimated_trail, palette.estimate);
         trail(context, viewport, scene.trail, palette.accent);
         if let (Some(view), Some(sensed)) = (&scene.robot, &scene.sensed) {
             sensed::draw(context, palette, view, sensed, viewport)?;

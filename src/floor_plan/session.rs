@@ -62,9 +62,10 @@ impl FloorPlanSession {
     }
 
     /// Opens an array of `{ name, bytes }` that belong together. Throws a message, and changes nothing, if they aren't
-    /// a floor plan.
-    pub fn open(&mut self, files: &Array) -> Result<(), JsValue> {
-        let session = DrawingSession::open(&map_file::source_files(files)?).map_err(|e| e.to_string())?;
+    /// a floor plan; with the accepted formats if they are new rather than restored.
+    pub fn open(&mut self, files: &Array, is_new: bool) -> Result<(), JsValue> {
+        let session = DrawingSession::open(&map_file::source_files(files)?)
+            .map_err(|error| if is_new { error.with_formats() } else { error.to_string() })?;
         let size = session.sheet().size;
         self.viewport.set_room(size.x, size.y);
         self.painter.take(&session)?;

@@ -35,7 +35,15 @@ test("opening needs no planner and none of the other tabs", async (t) => {
   await app.numbersThat(({ coverage, distance }) => coverage > 0 && distance > 0);
   await page.waitForLoadState("networkidle");
   const opened = transferred(server);
-  const lazy = ["workshop.js", "workshop_bg.wasm", "www/worker.js", "www/workers.js", "www/compare/tab.js", "www/compare/compare.css", "www/compare/pool.js", "floor_plan_bg.wasm", "www/floor-plan/tab.js", "www/map/tab.js", "www/dashboard.js", "www/joystick.js", "www/explore/placing.html", "www/explore/film.js", "www/explore/own-robot.js", "www/help.html", "www/planning.js", "www/tips.js", "www/swipe.js", "www/explore/layers.js", "www/explore/ending.js", "www/explore/clear.js", "www/explore/own-rooms.js", "www/explore/rooms.js", "www/explore/rooms.css", "www/explore/share.js", "learn_bg.wasm", "www/learn/enter.js", "www/learn/offer.js", "lessons/index.json"];
+  const lazy = [
+    "workshop.js", "workshop_bg.wasm", "www/worker.js", "www/workers.js", "www/compare/tab.js", "www/compare/compare.css",
+    "www/compare/pool.js", "floor_plan_bg.wasm", "www/floor-plan/tab.js", "www/map/tab.js", "www/dashboard.js", "www/joystick.js",
+    "www/explore/placing.html", "www/explore/film.js", "www/explore/own-robot.js", "www/help.html", "www/planning.js",
+    "www/tips.js", "www/swipe.js", "www/explore/layers.js", "www/explore/ending.js", "www/explore/clear.js",
+    "www/explore/own-rooms.js", "www/explore/rooms.js", "www/explore/rooms.css", "www/explore/share.js", "learn_bg.wasm",
+    "www/learn/enter.js", "www/learn/offer.js",
+    "lessons/index.json",
+  ];
   for (const file of lazy) {
     assert.ok(fs.existsSync(path.join(DIST, file)), `${file} has another name now`);
     assert.ok(!opened.has(file), `${file} was transferred`);

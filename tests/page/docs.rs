@@ -34,11 +34,12 @@ fn leads_somewhere(from: &Path, link: &str) -> bool {
     target.exists() && (heading.is_empty() || fs::read_to_string(target).is_ok_and(has))
 }
 
+/// Those of the how-tos' own files, which are called `yours`, excepted.
 #[test]
 fn links_lead_somewhere() {
     for (path, text) in pages().1 {
         let links = text.split("](").skip(1).filter_map(|rest| rest.split(')').next());
-        for link in links.filter(|link| !link.contains("://")) {
+        for link in links.filter(|link| !link.contains("://") && !link.contains("yours")) {
             assert!(leads_somewhere(&path, link), "{}: {link}", path.display());
         }
     }
@@ -55,6 +56,17 @@ fn files_that_are_named_exist() {
         {
             assert!(root.join(name).exists(), "{}: {name}", path.display());
         }
+    }
+}
+
+#[test]
+fn terms_of_the_glossary_are_in_alphabetical_order() {
+    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/glossary.md")).unwrap();
+    let terms = text.lines().filter_map(|line| line.strip_prefix("- **")?.split("**").next());
+    let terms: Vec<String> = terms.map(str::to_lowercase).collect();
+    assert!(terms.len() > 100);
+    for pair in terms.windows(2) {
+        assert!(pair[0] < pair[1], "{} stands before {}", pair[0], pair[1]);
     }
 }
 

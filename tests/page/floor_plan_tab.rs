@@ -6,7 +6,7 @@ use robovac_app::{
     floor_plan::{BodyChoice, DrawingPart, DrawingSession, DrawingSource, DrawingTool, FloorPlanSettings, coarse},
 };
 use robovac_core::{
-    floor_plan::{SourceFile, room},
+    floor_plan::{SourceFile, TAKEN, room},
     geometry::Point,
     grid::{Grid, Occupancy},
 };
@@ -180,6 +180,16 @@ fn a_slice_too_large_for_a_picture_is_coarser_and_free_only_where_all_of_it_is()
     assert_eq!((grid.width(), grid.height(), times), (3, 2, 3));
     assert_eq!(grid.values(), [false, true, false, true, true, true]);
     assert_eq!(coarse(free.clone(), 7), (free, 1), "one that fits stays");
+}
+
+#[test]
+fn a_refusal_lists_the_accepted_formats_once() {
+    for (name, text) in [("letter.txt", "Dear reader,\n"), ("empty.svg", "<svg xmlns='http://www.w3.org/2000/svg'/>")] {
+        let error = DrawingSession::open(&[file(name, text)]).err().unwrap();
+        let why = error.with_formats();
+        assert_eq!(why.matches(TAKEN).count(), 1, "{why}");
+        assert!(why.starts_with(error.to_string().trim_end_matches('.')), "{why}");
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Decisions and displays of the page's tabs.
 
 mod compare;
+mod counts;
 mod docs;
 mod drawing;
 mod explainers;

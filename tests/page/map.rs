@@ -16,87 +16,87 @@ use robovac_sim::{
 };
 
 /// A session in the room of a link.
-fn survey(link: &str) -> MapSession {
-    let mut session = Session::new();
-    session.restore(link).expect("a link of ours");
-    let mut survey = MapSession::new();
-    survey.take(&session);
-    survey
+fn map_session(link: &str) -> MapSession {
+    let mut explore = Session::new();
+    explore.restore(link).expect("a link of ours");
+    let mut session = MapSession::new();
+    session.take(&explore);
+    session
 }
 
 fn small() -> MapSession {
-    let mut survey = survey("room=room12ft&robot=roomba600&seed=3");
-    survey.set("explorer", "wall_follow").expect("it exists");
-    survey
+    let mut session = map_session("room=room12ft&robot=roomba600&seed=3");
+    session.set("explorer", "wall_follow").expect("it exists");
+    session
 }
 
 /// Runs frames until a condition holds.
-fn arrive(survey: &mut MapSession) {
+fn arrive(session: &mut MapSession) {
     for _ in 0..100_000 {
-        if !matches!(survey.phase(), MapPhase::Resuming | MapPhase::Seeking) {
+        if !matches!(session.phase(), MapPhase::Resuming | MapPhase::Seeking) {
             return;
         }
         let mut looks = 0;
-        survey.frame(0.016, &mut || {
+        session.frame(0.016, &mut || {
             looks += 1;
             looks < 50
         });
     }
-    panic!("still {:?}", survey.phase());
+    panic!("still {:?}", session.phase());
 }
 
-fn known(survey: &MapSession) -> usize {
-    let map = survey.estimate().expect("there is a robot").map;
+fn known(session: &MapSession) -> usize {
+    let map = session.estimate().expect("there is a robot").map;
     map.iter().filter(|&(cell, _)| map.occupancy(cell) != Occupancy::Unknown).count()
 }
 
 #[test]
 fn a_map_begins_empty_and_grows() {
-    let mut survey = small();
-    survey.set("explorer", "bounce").expect("it exists");
-    assert_eq!((survey.phase(), known(&survey)), (MapPhase::Ready, 0));
-    assert_eq!(survey.figures().map(|[here, _]| here.boundary), Some(0.0));
-    survey.run_ahead(120.0);
-    let [early, _] = survey.figures().expect("there is a run");
-    survey.run_ahead(240.0);
-    let [late, _] = survey.figures().expect("there is a run");
+    let mut session = small();
+    session.set("explorer", "bounce").expect("it exists");
+    assert_eq!((session.phase(), known(&session)), (MapPhase::Ready, 0));
+    assert_eq!(session.figures().map(|[here, _]| here.boundary), Some(0.0));
+    session.run_ahead(120.0);
+    let [early, _] = session.figures().expect("there is a run");
+    session.run_ahead(240.0);
+    let [late, _] = session.figures().expect("there is a run");
     assert!(early.boundary > 0.0 && late.boundary >= early.boundary && late.known > early.known, "{early:?} {late:?}");
     assert!(late.known > 0.05 && late.right > 0.5 && late.known <= 1.0, "{late:?}");
-    let times: Vec<f64> = survey.samples().iter().map(|sample| sample.time_s).collect();
+    let times: Vec<f64> = session.samples().iter().map(|sample| sample.time_s).collect();
     assert!(times.len() > 20 && times.is_sorted() && times[0] == 0.0, "{times:?}");
 }
 
 #[test]
 fn perfect_wheels_are_typical_here_unless_asked_for() {
-    let mut survey = small();
-    assert_eq!((survey.view().wheels, survey.view().senses.as_str()), ("typical", "typical"));
-    survey.run_ahead(300.0);
-    let [_, odometry] = survey.figures().expect("there is a run");
+    let mut session = small();
+    assert_eq!((session.view().wheels, session.view().senses.as_str()), ("typical", "typical"));
+    session.run_ahead(300.0);
+    let [_, odometry] = session.figures().expect("there is a run");
     assert!(odometry.heading_deg > Some(0.5), "typical wheels drift: {odometry:?}");
-    survey.set("wheels", "none").expect("a level");
-    survey.set("senses", "off").expect("a level");
-    survey.run_ahead(300.0);
-    let [_, odometry] = survey.figures().expect("there is a run");
+    session.set("wheels", "none").expect("a level");
+    session.set("senses", "off").expect("a level");
+    session.run_ahead(300.0);
+    let [_, odometry] = session.figures().expect("there is a run");
     // The remaining error was caused by pushing along walls.
     assert!(odometry.heading_deg < Some(0.5), "perfect wheels hardly do: {odometry:?}");
     // What Explore has chosen is kept.
-    let mut session = Session::new();
-    session.restore("room=room12ft&slip=harsh&noise.light=harsh").expect("a link of ours");
-    let mut survey = MapSession::new();
-    survey.take(&session);
-    assert_eq!((survey.view().wheels, survey.view().senses.as_str()), ("harsh", "light=harsh"));
+    let mut explore = Session::new();
+    explore.restore("room=room12ft&slip=harsh&noise.light=harsh").expect("a link of ours");
+    let mut session = MapSession::new();
+    session.take(&explore);
+    assert_eq!((session.view().wheels, session.view().senses.as_str()), ("harsh", "light=harsh"));
 }
 
 #[test]
 fn all_odometry_models_can_be_chosen_and_differ() {
     let mut poses = Vec::new();
     for (model, _) in OdometryModel::ALL.map(|(model, id)| (id, model)) {
-        let mut survey = small();
-        survey.set("counts", model).expect("a model");
-        survey.run_ahead(60.0);
-        poses.push(survey.run().and_then(|run| run.baseline()).expect("there is one").pose());
+        let mut session = small();
+        session.set("counts", model).expect("a model");
+        session.run_ahead(60.0);
+        poses.push(session.run().and_then(|run| run.baseline()).expect("there is one").pose());
         // The robot that follows walls by what it feels drives the same, whatever anyone reckons.
-        let view = survey.view();
+        let view = session.view();
         assert_eq!(view.drifts.len(), OdometryModel::ALL.len());
         let [off, turned] = view.drifts[0];
         let [whole, degrees] = view.drifts[2];
@@ -114,67 +114,67 @@ fn all_odometry_models_can_be_chosen_and_differ() {
 
 #[test]
 fn the_thesis_grid_is_drawn_measured_and_exported_in_the_same_run() {
-    let mut survey = small();
-    survey.run_ahead(240.0);
-    let ([own, odometry], time) = (survey.figures().expect("there is a run"), survey.view().time_s);
-    assert!(survey.thesis().is_none());
-    survey.set("grid", "thesis").expect("a grid");
-    assert_eq!((survey.view().time_s, survey.view().grid), (time, "thesis"), "the run goes on");
-    let [thesis, same] = survey.figures().expect("there is a run");
+    let mut session = small();
+    session.run_ahead(240.0);
+    let ([own, odometry], time) = (session.figures().expect("there is a run"), session.view().time_s);
+    assert!(session.thesis().is_none());
+    session.set("grid", "thesis").expect("a grid");
+    assert_eq!((session.view().time_s, session.view().grid), (time, "thesis"), "the run goes on");
+    let [thesis, same] = session.figures().expect("there is a run");
     assert_eq!(same, odometry);
     // By odometry as printed: its pose is about that of the other column, and floor is known in squares of 20 cm.
     assert!(
         thesis.boundary > 0.02 && thesis.known > 0.1 && thesis.right > 0.5 && thesis != own,
         "{thesis:?}, ours {own:?}"
     );
-    let plan = survey.to_plan("thesis").expect("something is known");
+    let plan = session.to_plan("thesis").expect("something is known");
     assert_eq!((plan.occupancy.width(), plan.occupancy.height(), plan.resolution), (100, 100, 0.1));
-    let map = survey.shown().expect("there is a robot");
+    let map = session.shown().expect("there is a robot");
     for (cell, &status) in plan.occupancy.iter() {
         let middle = plan.origin.to_world(cell.centre(0.1));
         // The robot starts in the middle of cells of the map: a little aside of where they meet.
         let at = map.cell_at(middle + Vector::new(0.012, 0.012));
         assert_eq!(map.occupancy(at), status, "{cell:?}");
     }
-    let last = |survey: &MapSession| survey.curve().last().expect("there are samples");
-    let shown = last(&survey);
-    survey.set("grid", "own").expect("a grid");
-    assert_eq!(survey.figures(), Some([own, odometry]));
-    assert_ne!(shown.boundary, last(&survey).boundary);
-    let error = survey.set("grid", "hexagons").unwrap_err().to_string();
+    let last = |session: &MapSession| session.curve().last().expect("there are samples");
+    let shown = last(&session);
+    session.set("grid", "own").expect("a grid");
+    assert_eq!(session.figures(), Some([own, odometry]));
+    assert_ne!(shown.boundary, last(&session).boundary);
+    let error = session.set("grid", "hexagons").unwrap_err().to_string();
     assert!(error.contains("own, thesis"), "{error}");
 }
 
 #[test]
 fn the_same_recipe_makes_the_same_map_and_time_can_be_gone_back() {
-    let mut survey = small();
-    survey.run_ahead(90.0);
-    let digest = |survey: &MapSession| survey.run().expect("there is a run").digest();
-    let (first, cells) = (digest(&survey), known(&survey));
-    let end = survey.run().expect("there is a run").time_s();
-    survey.run_ahead(30.0);
-    survey.seek(end);
-    arrive(&mut survey);
-    assert_eq!((digest(&survey), known(&survey)), (first, cells));
+    let mut session = small();
+    session.run_ahead(90.0);
+    let digest = |session: &MapSession| session.run().expect("there is a run").digest();
+    let (first, cells) = (digest(&session), known(&session));
+    let end = session.run().expect("there is a run").time_s();
+    session.run_ahead(30.0);
+    session.seek(end);
+    arrive(&mut session);
+    assert_eq!((digest(&session), known(&session)), (first, cells));
     let mut other = small();
     other.run_ahead(90.0);
     assert_eq!(digest(&other), first);
-    assert_eq!(other.recipe(), survey.recipe());
+    assert_eq!(other.recipe(), session.recipe());
 }
 
 #[test]
 fn a_survey_that_was_left_goes_on_where_it_was() {
-    let mut survey = small();
-    assert_eq!(survey.store(), None, "nothing is worth it yet");
-    survey.run_ahead(60.0);
-    survey.lift();
-    assert_eq!(survey.phase(), MapPhase::Held);
-    survey.run_ahead(2.0);
-    survey.put_down(Pose::new(1.0, 1.0, 1.2));
-    survey.run_ahead(60.0);
-    let text = survey.store().expect("there is a map");
-    let digest = survey.run().expect("there is a run").digest();
-    let (cells, pose) = (known(&survey), survey.estimate().expect("there is a robot").pose());
+    let mut session = small();
+    assert_eq!(session.store(), None, "nothing is worth it yet");
+    session.run_ahead(60.0);
+    session.lift();
+    assert_eq!(session.phase(), MapPhase::Held);
+    session.run_ahead(2.0);
+    session.put_down(Pose::new(1.0, 1.0, 1.2));
+    session.run_ahead(60.0);
+    let text = session.store().expect("there is a map");
+    let digest = session.run().expect("there is a run").digest();
+    let (cells, pose) = (known(&session), session.estimate().expect("there is a robot").pose());
 
     let mut back = small();
     back.resume(&text).expect("it is one of ours");
@@ -188,23 +188,23 @@ fn a_survey_that_was_left_goes_on_where_it_was() {
     assert!(!back.take_strayed());
     assert_eq!(back.estimate().expect("there is a robot").pose(), pose);
     // And it goes on alike.
-    for survey in [&mut survey, &mut back] {
-        survey.run_ahead(20.0);
+    for session in [&mut session, &mut back] {
+        session.run_ahead(20.0);
     }
-    assert_eq!(back.run().map(Run::digest), survey.run().map(Run::digest));
+    assert_eq!(back.run().map(Run::digest), session.run().map(Run::digest));
 }
 
 /// Where a hand puts a robot is no round number, and time may stand still when the page is left.
 #[test]
 fn a_robot_that_was_carried_comes_back_to_where_it_was_put() {
     for (x, lasts) in [(0.1 + 0.2 + 0.777_777_777_777_7, 0.0), (1.123_456_789_012_345_6, 12.3), (2.0 / 3.0, 0.0)] {
-        let mut survey = small();
-        survey.run_ahead(20.0);
-        survey.lift();
-        survey.put_down(Pose::new(x, x.sqrt(), x * 1.7));
-        survey.run_ahead(lasts);
-        let text = survey.store().expect("there is a map");
-        let run = survey.run().expect("there is a run");
+        let mut session = small();
+        session.run_ahead(20.0);
+        session.lift();
+        session.put_down(Pose::new(x, x.sqrt(), x * 1.7));
+        session.run_ahead(lasts);
+        let text = session.store().expect("there is a map");
+        let run = session.run().expect("there is a run");
         let (digest, pose) = (run.digest(), run.pose());
         let mut back = small();
         back.resume(&text).expect("it is one of ours");
@@ -217,9 +217,9 @@ fn a_robot_that_was_carried_comes_back_to_where_it_was_put() {
 
 #[test]
 fn a_program_that_drives_otherwise_is_noticed() {
-    let mut survey = small();
-    survey.run_ahead(30.0);
-    let mut stored = Stored::from_text(&survey.store().expect("there is a map")).expect("it is one of ours");
+    let mut session = small();
+    session.run_ahead(30.0);
+    let mut stored = Stored::from_text(&session.store().expect("there is a map")).expect("it is one of ours");
     stored.digest ^= 1;
     let mut back = small();
     back.resume(&stored.to_text()).expect("it can be tried");
@@ -230,11 +230,11 @@ fn a_program_that_drives_otherwise_is_noticed() {
 
 #[test]
 fn what_was_stored_at_an_earlier_moment_comes_back_to_that() {
-    let mut survey = small();
-    survey.run_ahead(60.0);
-    survey.seek(20.0);
-    arrive(&mut survey);
-    let text = survey.store().expect("there is a map");
+    let mut session = small();
+    session.run_ahead(60.0);
+    session.seek(20.0);
+    arrive(&mut session);
+    let text = session.store().expect("there is a map");
     let mut back = small();
     back.resume(&text).expect("it is one of ours");
     arrive(&mut back);
@@ -244,10 +244,10 @@ fn what_was_stored_at_an_earlier_moment_comes_back_to_that() {
 
 #[test]
 fn stored_text_keeps_map_marks_and_pose() {
-    let mut survey = small();
-    survey.run_ahead(200.0);
-    let estimate = survey.estimate().expect("there is a robot");
-    let stored = Stored::from_text(&survey.store().expect("there is a map")).expect("it is one of ours");
+    let mut session = small();
+    session.run_ahead(200.0);
+    let estimate = session.estimate().expect("there is a robot");
+    let stored = Stored::from_text(&session.store().expect("there is a map")).expect("it is one of ours");
     let cells =
         |map: &OccupancyMap| map.iter().map(|(cell, odds)| (cell, (100.0 * odds).round() as i32)).collect::<Vec<_>>();
     let sorted = |mut list: Vec<(Cell, i32)>| {
@@ -259,18 +259,18 @@ fn stored_text_keeps_map_marks_and_pose() {
         assert!(estimate.marks.cells(mark).all(|cell| stored.marks.has(cell, mark)));
         assert_eq!(stored.marks.cells(mark).count(), estimate.marks.cells(mark).count());
     }
-    assert_eq!((Some(stored.pose), stored.title.as_str()), (estimate.pose(), survey.view().title.as_str()));
-    assert!(survey.store().is_some_and(|text| text.len() < 60_000), "it is compact");
+    assert_eq!((Some(stored.pose), stored.title.as_str()), (estimate.pose(), session.view().title.as_str()));
+    assert!(session.store().is_some_and(|text| text.len() < 60_000), "it is compact");
 }
 
 #[test]
 fn what_can_not_be_brought_back_is_explained_and_changes_nothing() {
-    let mut survey = small();
-    survey.run_ahead(40.0);
-    let text = survey.store().expect("there is a map");
-    let digest = survey.run().expect("there is a run").digest();
+    let mut session = small();
+    session.run_ahead(40.0);
+    let text = session.store().expect("there is a map");
+    let digest = session.run().expect("there is a run").digest();
     let newer = text.replacen(&format!("\"version\":{STORE_VERSION}"), "\"version\":77", 1);
-    let mut refused = |text: &str| survey.resume(text).expect_err("it can't be brought back");
+    let mut refused = |text: &str| session.resume(text).expect_err("it can't be brought back");
     assert_eq!(refused(&newer), StoreError::Version { found: 77 });
     assert!(refused(&newer).to_string().contains("another version"));
     // Of another version, whatever else may be in it.
@@ -288,60 +288,60 @@ fn what_can_not_be_brought_back_is_explained_and_changes_nothing() {
     let damaged = format!("{}{sign}{}", &text[..at], &text[at + 1..]);
     assert!(matches!(refused(&damaged), StoreError::Damaged { .. }));
 
-    let mut other = self::survey("room=empty&robot=roomba600&seed=3");
-    assert_eq!(other.resume(&text), Err(StoreError::Another { title: survey.view().title }));
-    assert_eq!(survey.run().expect("there is a run").digest(), digest, "nothing has changed");
+    let mut other = map_session("room=empty&robot=roomba600&seed=3");
+    assert_eq!(other.resume(&text), Err(StoreError::Another { title: session.view().title }));
+    assert_eq!(session.run().expect("there is a run").digest(), digest, "nothing has changed");
 }
 
 #[test]
 fn a_kidnapped_robot_does_not_know() {
-    let mut survey = small();
-    survey.run_ahead(30.0);
-    let before = survey.estimate().and_then(|estimate| estimate.pose()).expect("it believes something");
-    survey.lift();
-    survey.put_down(Pose::new(2.5, 2.5, 0.0));
-    survey.run_ahead(0.1);
-    assert_eq!(survey.view().is_sure, Some(false), "it has felt that it was carried");
-    let estimate = survey.estimate().and_then(|estimate| estimate.pose()).expect("it believes something");
-    let truth = survey.run().expect("there is a run").pose();
+    let mut session = small();
+    session.run_ahead(30.0);
+    let before = session.estimate().and_then(|estimate| estimate.pose()).expect("it believes something");
+    session.lift();
+    session.put_down(Pose::new(2.5, 2.5, 0.0));
+    session.run_ahead(0.1);
+    assert_eq!(session.view().is_sure, Some(false), "it has felt that it was carried");
+    let estimate = session.estimate().and_then(|estimate| estimate.pose()).expect("it believes something");
+    let truth = session.run().expect("there is a run").pose();
     assert!((estimate.position() - before.position()).norm() < 0.05, "{estimate} was {before}");
     assert!((truth.position() - before.position()).norm() > 0.2 || (truth.heading - before.heading).abs() > 0.5);
-    assert!(survey.can(MapAction::Lift) || survey.phase() == MapPhase::Held);
-    survey.forget();
-    assert_eq!((survey.phase(), known(&survey)), (MapPhase::Ready, 0));
+    assert!(session.can(MapAction::Lift) || session.phase() == MapPhase::Held);
+    session.forget();
+    assert_eq!((session.phase(), known(&session)), (MapPhase::Ready, 0));
 }
 
 // slow: relocalising takes minutes of driving
 #[test]
-fn an_explorer_that_is_carried_off_finds_itself_and_goes_on_exploring() {
-    let mut survey = survey("room=bedroom&robot=roomba600&seed=3");
-    survey.run_ahead(240.0);
-    let before = known(&survey);
-    survey.lift();
-    survey.put_down(Pose::new(1.0, 1.6, 2.0));
-    survey.run_ahead(2.0);
-    assert_eq!((survey.view().is_sure, survey.view().activity), (Some(false), "relocalising on its map"));
-    let words = survey.description();
+fn a_kidnapped_explorer_relocalises_and_goes_on_exploring() {
+    let mut session = map_session("room=bedroom&robot=roomba600&seed=3");
+    session.run_ahead(240.0);
+    let before = known(&session);
+    session.lift();
+    session.put_down(Pose::new(1.0, 1.6, 2.0));
+    session.run_ahead(2.0);
+    assert_eq!((session.view().is_sure, session.view().activity), (Some(false), "relocalising on its map"));
+    let words = session.description();
     assert!(words.contains("was kidnapped and is relocalising on its map, and"), "{words}");
     let mut waited = 0;
-    while survey.view().is_sure.is_some() && waited < 40 {
-        assert_eq!(survey.view().is_sure, Some(false), "it doesn't go by what it guesses yet");
-        assert_eq!(known(&survey), before, "who is lost doesn't know what he maps");
-        survey.run_ahead(15.0);
+    while session.view().is_sure.is_some() && waited < 40 {
+        assert_eq!(session.view().is_sure, Some(false), "it doesn't go by what it guesses yet");
+        assert_eq!(known(&session), before, "who is lost doesn't know what he maps");
+        session.run_ahead(15.0);
         waited += 1;
     }
-    assert_eq!(survey.view().is_sure, None, "it is found");
-    let off = survey.figures().expect("there is a run")[0].position_m.expect("it has an idea");
+    assert_eq!(session.view().is_sure, None, "it is found");
+    let off = session.figures().expect("there is a run")[0].position_m.expect("it has an idea");
     assert!(off < 0.15, "{off} m off");
-    survey.run_ahead(120.0);
-    assert!(known(&survey) > before, "it goes on");
+    session.run_ahead(120.0);
+    assert!(known(&session) > before, "it goes on");
 }
 
 #[test]
 fn every_explorer_can_be_chosen_and_links_bring_choices_back() {
     for info in explorers() {
-        let mut survey = small();
-        survey.set("explorer", info.id).expect("it is offered");
+        let mut session = small();
+        session.set("explorer", info.id).expect("it is offered");
         for (key, value) in [
             ("track", "odometry"),
             ("wheels", "harsh"),
@@ -350,24 +350,24 @@ fn every_explorer_can_be_chosen_and_links_bring_choices_back() {
             ("layers", "belief,dirt"),
             ("pace", "4"),
         ] {
-            survey.set(key, value).expect(key);
+            session.set(key, value).expect(key);
         }
-        let link = survey.setup().to_link();
+        let link = session.setup().to_link();
         let mut other = small();
         other.restore(&format!("room=flat&place=map&{link}&more=1")).expect("a link of ours");
         assert_eq!(other.setup().to_link(), link);
-        assert_eq!(other.recipe(), survey.recipe());
+        assert_eq!(other.recipe(), session.recipe());
         other.run_ahead(5.0);
         // A Roomba has no laser, and is said to lack it.
         let drives = other.run().is_some_and(|run| run.steps() > 0);
         let needs_laser = other.expectation().is_some_and(|text| text.contains("laser scanner"));
         assert_eq!((drives, needs_laser), (!info.claims.needs_laser, info.claims.needs_laser), "{}", info.id);
     }
-    let mut survey = small();
-    let before = survey.setup().to_link();
-    assert!(survey.restore("explorer=wall_folow").unwrap_err().to_string().contains("wall_follow"));
-    assert!(survey.restore("explorer=bounce&layers=everything").is_err());
-    assert_eq!(survey.setup().to_link(), before, "nothing has changed");
+    let mut session = small();
+    let before = session.setup().to_link();
+    assert!(session.restore("explorer=wall_folow").unwrap_err().to_string().contains("wall_follow"));
+    assert!(session.restore("explorer=bounce&layers=everything").is_err());
+    assert_eq!(session.setup().to_link(), before, "nothing has changed");
 }
 
 #[test]
@@ -378,26 +378,26 @@ fn a_room_that_the_robot_does_not_fit_into_says_so() {
     narrow.load(&[corridor]).expect("it is a map");
     let mut outside = Session::new();
     outside.restore("room=room12ft&robot=roomba600&start=-3,-3,0").expect("a link of ours");
-    for session in [&narrow, &outside] {
-        assert!(session.prepared().is_none());
-        let mut survey = MapSession::new();
-        survey.take(session);
-        assert_eq!(survey.phase(), MapPhase::Failed);
-        assert!(!survey.complaint().is_empty());
+    for explore in [&narrow, &outside] {
+        assert!(explore.prepared().is_none());
+        let mut session = MapSession::new();
+        session.take(explore);
+        assert_eq!(session.phase(), MapPhase::Failed);
+        assert!(!session.complaint().is_empty());
         // Nothing of it may panic.
-        survey.play();
-        survey.step();
-        survey.lift();
-        survey.seek(3.0);
-        survey.frame(0.1, &mut || true);
-        assert!(!survey.description().is_empty());
+        session.play();
+        session.step();
+        session.lift();
+        session.seek(3.0);
+        session.frame(0.1, &mut || true);
+        assert!(!session.description().is_empty());
     }
 }
 
 #[test]
 fn truth_tells_right_from_wrong() {
-    let survey = small();
-    let truth = survey.truth().expect("there is a room");
+    let session = small();
+    let truth = session.truth().expect("there is a room");
     let boundary: Vec<Cell> = truth.boundary().collect();
     assert!(boundary.len() > 100 && boundary.iter().all(|&cell| truth.is_solid(cell)));
     let mut map = OccupancyMap::new(truth.resolution());
@@ -418,17 +418,17 @@ fn truth_tells_right_from_wrong() {
 
 #[test]
 fn a_map_comes_back_from_a_file_where_it_was() {
-    let mut survey = small();
-    survey.run_ahead(120.0);
-    let map = survey.estimate().expect("there is a robot").map.clone();
+    let mut session = small();
+    session.run_ahead(120.0);
+    let map = session.estimate().expect("there is a robot").map.clone();
     let plan = map.to_plan("mapped").expect("something is known");
     let files = to_ros_map(&plan, "mapped", MapImage::Pgm, OccupancyMode::Trinary, false).expect("it can be written");
     let file = |name: &str, bytes: Vec<u8>| SourceFile { name: name.into(), bytes };
     let read =
         load(&[file("mapped.yaml", files.yaml.into_bytes()), file(&files.image_name, files.image)]).expect("ours");
     assert_eq!(read.origin.position(), plan.origin.position());
-    survey.open(&read).expect("it has walls");
-    let known = survey.estimate().expect("there is a robot").map;
+    session.open(&read).expect("it has walls");
+    let known = session.estimate().expect("there is a robot").map;
     for (cell, _) in map.iter() {
         assert_eq!(known.occupancy(cell), map.occupancy(cell), "{cell:?}");
     }
@@ -436,37 +436,37 @@ fn a_map_comes_back_from_a_file_where_it_was() {
 
 // slow: relocalising takes minutes of driving
 #[test]
-fn a_robot_that_is_given_a_map_starts_lost_and_finds_itself() {
-    let mut survey = survey("room=kitchen&robot=roomba600&seed=1");
-    survey.set("explorer", "wall_follow").expect("it exists");
+fn a_robot_that_is_given_a_map_starts_lost_and_relocalises() {
+    let mut session = map_session("room=kitchen&robot=roomba600&seed=1");
+    session.set("explorer", "wall_follow").expect("it exists");
     let plan = (room("kitchen").expect("it ships").build)();
-    survey.open(&plan).expect("it has walls");
-    let here = |survey: &MapSession| survey.figures().expect("there is a run")[0];
-    assert_eq!((here(&survey).position_m, survey.view().is_sure), (None, Some(false)), "it has no idea");
-    assert!(here(&survey).boundary > 0.95 && here(&survey).right > 0.95, "the map is the room: {:?}", here(&survey));
-    let start = survey.prepared().expect("it fits").floor.start;
-    assert_ne!(survey.run().expect("there is a run").pose(), start, "it isn't where it believes to start");
-    assert_eq!(survey.store(), None, "what is known already need not be kept");
-    survey.run_ahead(120.0);
-    let off = here(&survey).position_m.expect("it has an idea");
-    assert!(off < 0.1 && survey.view().is_sure == Some(true), "{off} m off after two minutes");
+    session.open(&plan).expect("it has walls");
+    let here = |session: &MapSession| session.figures().expect("there is a run")[0];
+    assert_eq!((here(&session).position_m, session.view().is_sure), (None, Some(false)), "it has no idea");
+    assert!(here(&session).boundary > 0.95 && here(&session).right > 0.95, "the map is the room: {:?}", here(&session));
+    let start = session.prepared().expect("it fits").floor.start;
+    assert_ne!(session.run().expect("there is a run").pose(), start, "it isn't where it believes to start");
+    assert_eq!(session.store(), None, "what is known already need not be kept");
+    session.run_ahead(120.0);
+    let off = here(&session).position_m.expect("it has an idea");
+    assert!(off < 0.1 && session.view().is_sure == Some(true), "{off} m off after two minutes");
     // The way back to a map of its own.
-    survey.close_map();
-    assert_eq!((survey.phase(), known(&survey), survey.view().known), (MapPhase::Ready, 0, None));
+    session.close_map();
+    assert_eq!((session.phase(), known(&session), session.view().known), (MapPhase::Ready, 0, None));
 }
 
 #[test]
 fn a_map_that_nobody_can_find_himself_on_is_refused_and_the_current_one_stays() {
-    let mut survey = small();
-    survey.run_ahead(60.0);
-    let (digest, cells) = (survey.run().expect("there is a run").digest(), known(&survey));
+    let mut session = small();
+    session.run_ahead(60.0);
+    let (digest, cells) = (session.run().expect("there is a run").digest(), known(&session));
     let mut plan = (room("room12ft").expect("it ships").build)();
     plan.objects.clear();
     for cell in plan.occupancy.values_mut() {
         *cell = Occupancy::Occupied;
     }
-    assert_eq!(survey.open(&plan), Err(OpenError::NothingOnIt));
+    assert_eq!(session.open(&plan), Err(OpenError::NothingOnIt));
     plan.resolution = 50.0;
-    assert!(matches!(survey.open(&plan), Err(OpenError::TooLarge { .. })));
-    assert_eq!((survey.run().expect("there is a run").digest(), known(&survey)), (digest, cells));
+    assert!(matches!(session.open(&plan), Err(OpenError::TooLarge { .. })));
+    assert_eq!((session.run().expect("there is a run").digest(), known(&session)), (digest, cells));
 }

@@ -1,6 +1,6 @@
 //! The plan that the page opens with is what the planner finds, made in advance.
 //!
-//! After a change of a planner: `UPDATE=1 cargo test --test opening` writes it again.
+//! After a change of a planner: `UPDATE=1 cargo test --test page opening` writes it again.
 
 use coverage_planners::{
     Bounds, CoveragePath, Proof,
@@ -43,7 +43,7 @@ fn kept_plan_is_the_planners_own() {
         return;
     }
     let kept = opening::from_runs(request.job.start, opening::WALK);
-    assert!(kept == cells, "the planner finds another walk now: UPDATE=1 cargo test --test opening keeps it");
+    assert!(kept == cells, "the planner finds another walk now: UPDATE=1 cargo test --test page opening keeps it");
 }
 
 #[test]

@@ -78,7 +78,7 @@ async function read(files) {
   } catch (error) {
     if (typeof error === "string") throw error;
     // Files that the browser can't read: folders, deleted files.
-    throw `The file could not be read (${error instanceof Error ? error.message : error}). Choose a file rather than a folder.`;
+    throw `The file could not be read (${error instanceof Error ? error.message : error}). Choose a file rather than a folder. ${TAKEN}`;
   }
 }
 
@@ -87,7 +87,7 @@ async function answer(request) {
   switch (request.type) {
     case "restore":
     case "open":
-      session.open(await read(request.files));
+      session.open(await read(request.files), request.type === "open");
       stages = [];
       return request.type === "restore" && session.set({ ...session.view()?.settings, ...request.settings });
     case "set":
@@ -142,9 +142,6 @@ function hear(said) {
   }
 }
 
-/** Why a file can't be read, and what can. @param {string} why */
-const withFormats = (why) => (why.includes("ccepted formats") ? why : `${why.replace(/([^.!?])$/, "$1.")} ${TAKEN}`);
-
 /** @param {import("./types").ToFloorPlan} message */
 async function take(message) {
   if (isBroken) return;
@@ -161,7 +158,7 @@ async function take(message) {
     } catch (error) {
       // Rust throws messages for users; anything else is a mistake of ours.
       if (error instanceof Error) throw error;
-      tell({ type: "refusal", id, message: message.type === "open" ? withFormats(String(error)) : String(error), view: session.view() });
+      tell({ type: "refusal", id, message: String(error), view: session.view() });
     }
   } else if (hear(message)) show();
   draw();

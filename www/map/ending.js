@@ -1,5 +1,5 @@
 // @ts-check
-// The end of cleaning with a map: what the robot believes, what is true, and what to try next.
+// The end of cleaning with a map: what the robot estimates, what is true, and what to try next.
 import { byId, changed, make, setHidden } from "../dom.js";
 import { percent } from "../format.js";
 
@@ -24,8 +24,8 @@ export function startEnding() {
     setHidden(card, !isOver || isDismissed);
     if (!isOver) return;
     const [swept, all] = by_map;
-    const believed = `By its map the robot has swept ${percent(swept / Math.max(all, 1e-9))} %; the other ${(all - swept).toFixed(1)} m² are spots too small or too narrow.`;
-    const text = `${believed} Actually swept: ${percent(coverage)} % of the floor, as neither map nor position is exact.`;
+    const estimated = `By its map the robot has swept ${percent(swept / Math.max(all, 1e-9))} %; the other ${(all - swept).toFixed(1)} m² are spots too small or too narrow.`;
+    const text = `${estimated} Actually swept: ${percent(coverage)} % of the floor, as neither map nor position is exact.`;
     if (changed(card, "text", text)) words.textContent = text;
     setHidden(next, !can.open || !can.use_map);
   };

@@ -2,7 +2,7 @@
 
 use floor_drawing::{DrawingError, drawing_kind};
 use robovac_core::{
-    floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile},
+    floor_plan::{self, FloorPlan, MapError, Scenario, SourceFile, TAKEN},
     program::Program,
     registry::Params,
     robot::CustomRobot,
@@ -81,6 +81,14 @@ pub enum ImportError {
         /// Its type, e.g. "a DXF drawing".
         kind: &'static str,
     },
+}
+
+impl ImportError {
+    /// The reason, and what can be read, if the reason doesn't say so itself.
+    pub fn with_formats(&self) -> String {
+        let why = self.to_string();
+        if why.contains(TAKEN) { why } else { format!("{}. {TAKEN}.", why.trim_end_matches('.')) }
+    }
 }
 
 /// An unknown value in a scenario.

@@ -43,7 +43,7 @@ pub struct Scene<'a> {
     /// Changes whenever `life` or `sensed` can have changed.
     pub steps: u64,
     /// Its estimated trail; empty if it isn't shown.
-    pub believed: &'a [Point],
+    pub estimated_trail: &'a [Point],
     /// The robot; `None` before there is a run.
     pub robot: Option<RobotView>,
     /// The planner's current decision, if it is shown.
@@ -141,7 +141,7 @@ impl<'a> Scene<'a> {
             trail: &[],
             life: None,
             steps: 0,
-            believed: &[],
+            estimated_trail: &[],
             robot: None,
             start: None,
             search: None,

@@ -64,8 +64,8 @@ struct CleanOutcome {
     /// Share of the reachable floor that it had really swept by then.
     swept_mapping: f64,
     swept: f64,
-    /// Share of the floor that it can get to by its map which it believes to have swept.
-    believed: Option<f64>,
+    /// Share of the floor that is reachable on its map which it estimates to have swept.
+    estimate: Option<f64>,
     /// Error of its pose in the end, m.
     error_m: f64,
     bumps: u32,
@@ -128,7 +128,7 @@ fn clean(mut run: Run, arguments: &Arguments, planner: &'static str, seed: u64) 
         end_s: run.time_s(),
         swept_mapping,
         swept: run.coverage(),
-        believed: swept.map(|[swept, all]| swept / all.max(1e-9)),
+        estimate: swept.map(|[swept, all]| swept / all.max(1e-9)),
         error_m: run.pose_error_m().unwrap_or_default(),
         bumps: run.bumps(),
         end: if run.is_finished() { run.activity() } else { "not finished" },
@@ -163,9 +163,9 @@ fn to_text(outcomes: &[CleanOutcome]) -> String {
 
 impl CleanOutcome {
     fn numbers(&self) -> [f64; 7] {
-        let believed = self.believed.unwrap_or_default();
+        let estimate = self.estimate.unwrap_or_default();
         let Self { mapped_s, end_s, swept_mapping, swept, error_m, bumps, .. } = *self;
-        [mapped_s, swept_mapping, end_s - mapped_s, swept, believed, error_m, f64::from(bumps)]
+        [mapped_s, swept_mapping, end_s - mapped_s, swept, estimate, error_m, f64::from(bumps)]
     }
 }
 

@@ -258,7 +258,7 @@ impl Host {
             pose: robot.pose().into(),
             mode: robot.mode().to_string(),
             awake: robot.is_awake(),
-            on_errand: robot.is_on_errand(),
+            on_errand: robot.runs_builtin_program(),
             lifted: robot.robot().is_lifted(),
             fallen: robot.robot().has_fallen(),
             bumped: robot.sensors().bumped(),

@@ -52,7 +52,7 @@ impl Life {
     }
 
     /// Advances by one simulation step. `is_taken` returns whether a disc would touch the robot, which movers avoid.
-    pub fn step(&mut self, world: &World, mut is_taken: impl FnMut(Point, f64) -> bool) {
+    pub(crate) fn step(&mut self, world: &World, mut is_taken: impl FnMut(Point, f64) -> bool) {
         for ((mover, disc), (_, path)) in self.movers.iter_mut().zip(&mut self.discs).zip(&world.movers) {
             mover.step(path, STEP_S, &mut is_taken);
             *disc = mover.disc();

@@ -74,7 +74,7 @@ pub struct Run {
     /// The robot's estimated pose if its controller has none, and its estimated trail.
     odometry: Option<Odometry>,
     observer: Option<Box<dyn RunObserver>>,
-    believed: RecentTrail,
+    estimated_trail: RecentTrail,
     events: VecDeque<Event>,
 }
 
@@ -104,7 +104,7 @@ impl Run {
             turning_rad: 0.0,
             bumps: 0,
             falls: 0,
-            believed: trail.clone(),
+            estimated_trail: trail.clone(),
             trail,
             odometry,
             observer: None,
@@ -152,7 +152,6 @@ impl Run {
         let activity = self.controller.activity();
         drive_on(&mut self.robot, &mut *self.controller, STEP_S, |_, _| false);
         let Self { life, robot, world, floor, .. } = self;
-        life.step(world, |centre, radius| robot.is_near_disc(centre, radius, 0.0));
         robot.step(&floor.walls, world, life);
         let pose = robot.pose();
         self.steps += 1;
@@ -164,7 +163,7 @@ impl Run {
             self.falls += 1;
             self.note(What::Fell);
         }
-        self.believe();
+        self.update_estimate();
         if self.robot.is_lifted() || had_fallen {
             return;
         }
@@ -263,7 +262,7 @@ impl Run {
     }
 
     /// Updates the estimated pose.
-    fn believe(&mut self) {
+    fn update_estimate(&mut self) {
         if let Some(odometry) = &mut self.odometry {
             odometry.update(self.robot.sensors());
         }
@@ -271,7 +270,7 @@ impl Run {
             observer.observe(self.robot.sensors());
         }
         if let Some(estimate) = self.estimate() {
-            self.believed.extend(estimate.position());
+            self.estimated_trail.extend(estimate.position());
         }
     }
 
@@ -382,8 +381,8 @@ impl Run {
     }
 
     /// The recent estimated trail, oldest first, m.
-    pub fn believed_trail(&self) -> &[Point] {
-        &self.believed.0
+    pub fn estimated_trail(&self) -> &[Point] {
+        &self.estimated_trail.0
     }
 
     /// Approximate memory of a clone, bytes.
@@ -431,7 +430,7 @@ impl Clone for Run {
             trail: self.trail.clone(),
             odometry: self.odometry.clone(),
             observer: self.observer.as_ref().map(|observer| observer.boxed_clone()),
-            believed: self.believed.clone(),
+            estimated_trail: self.estimated_trail.clone(),
             events: self.events.clone(),
             ..*self
         }

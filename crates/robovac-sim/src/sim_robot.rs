@@ -141,8 +141,9 @@ impl SimRobot {
         !self.is_lifted && self.footprint.is_near_disc(self.pose, centre, radius, gap)
     }
 
-    /// One step of [`STEP_S`] at the last wheel speeds of [`RobotPort::drive`].
+    /// One step of [`STEP_S`] at the last wheel speeds of [`RobotPort::drive`], after one of what moves in the room.
     pub fn step(&mut self, walls: &Walls, world: &World, life: &mut Life) {
+        life.step(world, |centre, radius| self.is_near_disc(centre, radius, 0.0));
         let before = self.pose;
         let drive = if self.senses.is_empty() { Drive::STOP } else { self.wanted };
         let touch = self.roll(CollisionObstacles { walls, movers: life.movers() }, world, drive);

@@ -300,7 +300,7 @@ fn draw_robots(
     if has("trails") {
         marks::trail(context, viewport, run.trail(), (ink.truth, 1.75));
         if run.locator().is_none() {
-            marks::trail(context, viewport, run.believed_trail(), (ink.estimate, 2.5));
+            marks::trail(context, viewport, run.estimated_trail(), (ink.estimate, 2.5));
         }
     }
     if has("odometry")

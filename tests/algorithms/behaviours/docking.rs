@@ -180,7 +180,7 @@ fn a_planned_run_with_charge_left_is_the_same_as_without_a_dock() {
 }
 
 #[test]
-fn a_planned_run_that_was_carried_off_finds_its_place_at_the_dock() {
+fn a_kidnapped_planned_run_relocalises_at_the_dock() {
     let mut home = 0;
     for seed in 0..4 {
         let (_, mut run) = planned(90, 15.0, NoiseLevel::Typical, seed);

@@ -71,7 +71,7 @@ fn time_is_real_while_one_holds_the_robot() {
 }
 
 #[test]
-fn planned_robot_that_is_carried_off_is_told_to_go_on_blindly() {
+fn a_kidnapped_planned_robot_is_told_to_go_on_blindly() {
     let mut session = opened();
     session.run_ahead(20.0);
     let there = session.recording().unwrap().run().pose();

@@ -34,9 +34,9 @@ fn a_nudge_finds_swapped_encoders_and_odometry_is_right_after_it() {
         wire.ask(Request::Answer { value: 1.0 });
         let view = wire.view().calibration;
         assert_eq!((view.step, view.swapped), ("done", swapped), "{personality}");
-        let (before, believed) = (wire.pose().heading, wire.view().pose[2]);
+        let (before, estimated) = (wire.pose().heading, wire.view().pose[2]);
         calibrate(&mut wire, Calibration::Spin);
-        let (turned, thinks) = (difference(before, wire.pose().heading), difference(believed, wire.view().pose[2]));
+        let (turned, thinks) = (difference(before, wire.pose().heading), difference(estimated, wire.view().pose[2]));
         assert!(difference(turned, thinks).abs() < 0.03, "{personality}: {turned} {thinks}");
     }
 }
@@ -161,7 +161,7 @@ fn measured(wire: &mut Wire) -> Vec<f64> {
 }
 
 #[test]
-fn put_at_the_start_it_believes_to_be_there_whatever_it_believed_before() {
+fn put_at_the_start_its_estimate_is_there_wherever_it_was_before() {
     let start = Pose::new(2.0, 2.0, 0.5);
     let mut wire = armed("model");
     wire.hold_ahead(1.0);

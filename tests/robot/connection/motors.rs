@@ -277,11 +277,11 @@ fn clock_and_schedule_make_it_clean_by_itself() {
     wire.ask(Request::Clock { day: 1, hour: 13, minute: 58 });
     wire.ask(Request::Schedule { days: 0b10, times: [[13, 59]; 7] });
     wire.pass(55.0);
-    assert!(!wire.robot.is_on_errand());
-    wire.pass_until(10.0, |wire| wire.robot.is_on_errand());
+    assert!(!wire.robot.runs_builtin_program());
+    wire.pass_until(10.0, |wire| wire.robot.runs_builtin_program());
     wire.ask(Request::Stop);
     wire.ask(Request::Press { button: PressedButton::Max });
-    wire.pass_until(5.0, |wire| wire.robot.is_on_errand());
+    wire.pass_until(5.0, |wire| wire.robot.runs_builtin_program());
 }
 
 #[test]

@@ -170,13 +170,13 @@ fn the_schedule_makes_it_clean_when_its_time_has_come() {
     lab.send(&schedule);
     lab.send(&[168, 1, 0, 0]);
     lab.wait(110.0);
-    assert!(!lab.robot.is_on_errand());
+    assert!(!lab.robot.runs_builtin_program());
     lab.wait(20.0);
-    assert!(lab.robot.is_on_errand());
+    assert!(lab.robot.runs_builtin_program());
     // Not while it is controlled in Safe.
     let mut lab = Lab::in_mode(Mode::Safe);
     lab.send(&schedule);
     lab.send(&[168, 1, 0, 0]);
     lab.wait(200.0);
-    assert!(!lab.robot.is_on_errand() && lab.robot.mode() == Mode::Safe);
+    assert!(!lab.robot.runs_builtin_program() && lab.robot.mode() == Mode::Safe);
 }

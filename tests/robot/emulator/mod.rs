@@ -1,7 +1,7 @@
 //! The emulated Roomba against the specification's tables and the project's fact sheet.
 
 mod actuators;
-mod errands;
+mod builtin_programs;
 mod line;
 mod modes;
 mod packets;

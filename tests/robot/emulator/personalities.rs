@@ -49,7 +49,7 @@ fn sleepers_are_woken_by_brc_if_the_wire_is_there() {
         lab.robot.press(Buttons::from_byte(1));
         lab.wait(0.2);
         assert!(lab.robot.is_awake());
-        assert_eq!(lab.robot.is_on_errand(), has_wire, "the one that was awake cleans");
+        assert_eq!(lab.robot.runs_builtin_program(), has_wire, "the one that was awake cleans");
         lab.send(&[128]);
         assert_eq!(lab.ask(35), [1]);
     }

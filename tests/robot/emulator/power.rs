@@ -59,11 +59,11 @@ fn asleep_is_silent_and_only_the_clean_button_or_brc_wakes() {
             lab.robot.set_brc(false);
         }
         lab.wait(0.1);
-        assert!(lab.robot.is_awake() && !lab.robot.is_on_errand());
+        assert!(lab.robot.is_awake() && !lab.robot.runs_builtin_program());
         assert_eq!((lab.take(), lab.ask(35)), (vec![], vec![1]));
         // Awake, the button cleans.
         lab.robot.press(CLEAN);
-        assert!(lab.robot.is_on_errand());
+        assert!(lab.robot.runs_builtin_program());
         assert_eq!(lab.value(18), 1);
     }
 }

@@ -16,7 +16,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
     #[test]
-    fn nothing_panics_and_nothing_moves_it_but_safe_full_and_errands(
+    fn nothing_panics_and_nothing_moves_it_but_safe_full_and_builtin_programs(
         who in 0..PERSONALITIES.len(),
         parts in proptest::collection::vec((bytes(), 0..12_usize, 0.0..2.0_f64, any::<u8>()), 1..12),
     ) {
@@ -36,9 +36,9 @@ proptest! {
             }
             for _ in 0..(time / 0.015) as u32 {
                 robot.advance(0.015);
-                let may_move = robot.mode() >= Mode::Safe || robot.is_on_errand();
+                let may_move = robot.mode() >= Mode::Safe || robot.runs_builtin_program();
                 quiet_steps = if may_move { 0 } else { quiet_steps + 1 };
-                // It takes 14 steps to brake from 0.5 m/s, and 42 gently, as when an errand is paused.
+                // It takes 14 steps to brake from 0.5 m/s, and 42 gently, as when a built-in program is paused.
                 let speed = robot.robot().speed();
                 prop_assert!(quiet_steps < 60 || speed.is_stop(), "{speed:?} in {}", robot.mode());
             }
@@ -46,7 +46,7 @@ proptest! {
         }
     }
 
-    /// Whole commands without motion and errands never move it.
+    /// Whole commands without motion and built-in programs never move it.
     #[test]
     fn only_motion_commands_move_it(bytes in bytes()) {
         let mut decoder = CommandDecoder::default();

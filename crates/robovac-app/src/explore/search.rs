@@ -42,8 +42,8 @@ impl PlanSearch {
         let before = corner.checked_sub(1)?;
         let (from, to) = (self.line[before], self.line[corner]);
         let length = (to - from).norm();
-        let believed = run.estimate().unwrap_or(run.pose()).position();
-        let along = ((believed - from).dot(&(to - from)) / length).clamp(0.0, length);
+        let estimated = run.estimate().unwrap_or(run.pose()).position();
+        let along = ((estimated - from).dot(&(to - from)) / length).clamp(0.0, length);
         // Rounding must not yield the previous cell at a corner that the robot has reached.
         let at = self.corners[before] + along + 1e-6;
         let index = self.arrivals.partition_point(|&arrival| arrival <= at).saturating_sub(1);

@@ -21,12 +21,12 @@ pub struct MapErrorFigures {
 }
 
 impl MapErrorFigures {
-    /// The errors of the estimated pose `believed` on `map` while the robot is at `pose`.
-    pub fn of(map: &OccupancyMap, believed: Option<Pose>, pose: Pose, truth: &RoomTruth) -> Self {
+    /// The errors of the pose `estimate` on `map` while the robot is at `pose`.
+    pub fn of(map: &OccupancyMap, estimate: Option<Pose>, pose: Pose, truth: &RoomTruth) -> Self {
         let MapQuality { right, known, boundary, .. } = truth.quality(map);
         Self {
-            position_m: believed.map(|believed| (believed.position() - pose.position()).norm()),
-            heading_deg: believed.map(|believed| difference(pose.heading, believed.heading).abs().to_degrees()),
+            position_m: estimate.map(|estimate| (estimate.position() - pose.position()).norm()),
+            heading_deg: estimate.map(|estimate| difference(pose.heading, estimate.heading).abs().to_degrees()),
             right,
             known,
             boundary,

@@ -118,7 +118,7 @@ impl MapStage {
             return;
         }
         self.counted = Some(now);
-        let of = |map, believed| MapErrorFigures::of(map, believed, run.pose(), &self.truth);
+        let of = |map, estimate| MapErrorFigures::of(map, estimate, run.pose(), &self.truth);
         let here = self.estimate().map(|estimate| of(estimate.map, estimate.pose()));
         let odometry = run.baseline().map(|mapper| of(mapper.map(), Some(mapper.pose())));
         self.thesis = run.thesis().map(|thesis| of(thesis.map(), Some(thesis.pose())));

@@ -276,14 +276,17 @@ mod tests {
         for seed in 0..5 {
             let [rounded, _] = lines(seed);
             let trajectory = Trajectory::new(&rounded, &limits());
+            let mut curves = 0;
             for pair in trajectory.knots().windows(2) {
                 let way = pair[1].distance_m - pair[0].distance_m;
                 if way > 0.0 {
                     let turned = 0.5 * way * (pair[0].curvature + pair[1].curvature);
                     let real = difference(pair[0].pose.heading, pair[1].pose.heading);
                     assert!((turned - real).abs() < 1e-6, "{turned} {real}");
+                    curves += usize::from(real.abs() > 0.01);
                 }
             }
+            assert!(curves > 0, "seed {seed}: it never turns on its way");
         }
     }
 }

@@ -168,8 +168,8 @@ impl Machine {
             self.trouble();
             return;
         }
-        self.errands += 1;
-        let (robot, seed) = self.errand_setup();
+        self.builtin_programs += 1;
+        let (robot, seed) = self.builtin_program_setup();
         self.builtin_program = super::builtin_program::BuiltinProgram::new(chore, robot, seed, self.charger.on_dock);
         self.sound.sound(sound::BEGINS);
     }

@@ -65,7 +65,7 @@ pub(super) struct Machine {
     pub charger: Charger,
     pub builtin_program: Option<BuiltinProgram>,
     /// Number of built-in programs so far: each has its own random numbers.
-    pub errands: u64,
+    pub builtin_programs: u64,
     pub is_in_trouble: bool,
     /// Pressed buttons, and until when.
     pub pressed: (Buttons, Nanos),
@@ -113,7 +113,7 @@ impl Machine {
             sound: Sound::default(),
             charger: Charger::default(),
             builtin_program: None,
-            errands: 0,
+            builtin_programs: 0,
             is_in_trouble: false,
             pressed: (Buttons::default(), 0),
             calendar: Calendar::default(),
@@ -157,7 +157,6 @@ impl Machine {
         self.next_step += STEP;
         self.drive();
         let Self { life, robot, world, floor, .. } = self;
-        life.step(world, |centre, radius| robot.is_near_disc(centre, radius, 0.0));
         robot.step(&floor.walls, world, life);
         self.travel.count(self.robot.sensors());
         self.supply();
@@ -304,8 +303,8 @@ impl Machine {
     }
 
     /// Parameters of a built-in program: the robot, and a seed.
-    pub fn errand_setup(&self) -> (&RobotModel, u64) {
-        (&self.model, self.seed.wrapping_add(self.errands.wrapping_mul(0x9e37_79b9_7f4a_7c15)))
+    pub fn builtin_program_setup(&self) -> (&RobotModel, u64) {
+        (&self.model, self.seed.wrapping_add(self.builtin_programs.wrapping_mul(0x9e37_79b9_7f4a_7c15)))
     }
 
     fn is_on_carpet(&self) -> bool {

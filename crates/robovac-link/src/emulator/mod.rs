@@ -230,7 +230,7 @@ impl Emulator {
     }
 
     /// Whether a built-in program is running.
-    pub fn is_on_errand(&self) -> bool {
+    pub fn runs_builtin_program(&self) -> bool {
         self.machine.builtin_program.as_ref().is_some_and(|builtin_program| !builtin_program.is_paused)
     }
 

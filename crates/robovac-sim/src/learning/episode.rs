@@ -125,9 +125,6 @@ impl Episode {
         robot.drive(drive);
         for _ in 0..task.sim_steps {
             let (heading, was_pressed) = (robot.pose().heading, robot.sensors().bumped());
-            if !life.movers().is_empty() {
-                life.step(&room.world, |centre, radius| robot.is_near_disc(centre, radius, 0.0));
-            }
             robot.step(&room.floor.walls, &room.world, life);
             let pose = robot.pose();
             if let Some(map) = own_map {

@@ -49,7 +49,7 @@ impl Session {
             trail: run.filter(|_| film.is_none()).map_or(&[], Run::trail),
             life: run.map_or(self.life_before.as_ref(), |run| Some(run.life())),
             steps: run.map_or(0, Run::steps),
-            believed: run.filter(|_| estimate).map_or(&[], Run::believed_trail),
+            estimated_trail: run.filter(|_| estimate).map_or(&[], Run::estimated_trail),
             robot,
             search: self.decision().map(|step| SearchScene { step, cell_size: self.settings.cell_size }),
             start: self.prepared.as_ref().map(|p| p.floor.start),

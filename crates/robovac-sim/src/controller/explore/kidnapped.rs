@@ -60,7 +60,7 @@ fn one_wheel_that_drops_does_not_start_the_search_anew() {
 }
 
 #[test]
-fn a_wall_that_goes_on_is_come_back_to_after_it_was_carried_off() {
+fn a_wall_that_goes_on_is_returned_to_after_a_kidnapping() {
     with_setup(|setup| {
         let end = Pose::new(2.0, 1.0, 0.5);
         let route = || Route::new(Point::origin(), vec![end.position()]);

@@ -77,7 +77,7 @@ impl Home {
                 pilot.go(&[]);
             }
             HomePhase::Charging if !sensed.battery.on_dock => {
-                // Pushed or carried off the dock.
+                // Pushed off the dock, or kidnapped.
                 self.phase = HomePhase::Going;
                 self.dock.begin(pilot);
             }

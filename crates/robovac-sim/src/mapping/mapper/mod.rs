@@ -148,11 +148,6 @@ impl Mapper {
         self.is_lost
     }
 
-    /// Whether it stood on a dock before it first moved.
-    pub fn began_on_dock(&self) -> bool {
-        self.docked.is_some()
-    }
-
     /// Its pose on its dock, if it knows the dock.
     pub fn berth(&self) -> Option<Pose> {
         self.berth

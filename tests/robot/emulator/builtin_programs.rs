@@ -38,7 +38,7 @@ fn cleaning_commands_and_buttons_clean() {
     for (button, lamps) in [(0b1, 0), (0b10, 0b10), (0b100, 0b100)] {
         let mut lab = Lab::in_mode(Mode::Passive);
         lab.send(&[165, button]);
-        assert!(lab.robot.is_on_errand());
+        assert!(lab.robot.runs_builtin_program());
         assert_eq!(lab.robot.take_display().lamps.byte(), lamps);
     }
 }
@@ -50,33 +50,33 @@ fn buttons_are_seen_in_every_mode_and_do_something_in_off_and_passive() {
         let mut lab = Lab::in_mode(mode);
         lab.robot.press(clean);
         lab.wait(0.01);
-        assert_eq!(lab.robot.is_on_errand(), mode < Mode::Safe, "{mode}");
+        assert_eq!(lab.robot.runs_builtin_program(), mode < Mode::Safe, "{mode}");
         assert_eq!(lab.robot.mode(), mode);
         if mode >= Mode::Safe {
             assert_eq!(lab.value(18), 1, "it is seen all the same");
             lab.wait(0.2);
             lab.send(&[165, 1]);
-            assert_eq!((lab.robot.is_on_errand(), lab.robot.mode(), lab.value(18)), (false, mode, 1));
+            assert_eq!((lab.robot.runs_builtin_program(), lab.robot.mode(), lab.value(18)), (false, mode, 1));
         }
     }
 }
 
 #[test]
-fn safe_and_full_end_an_errand_and_start_doesnt() {
+fn safe_and_full_end_a_builtin_program_and_start_doesnt() {
     for opcode in [131, 132] {
         let mut lab = Lab::in_mode(Mode::Passive);
         lab.send(&[135]);
         lab.wait(2.0);
         lab.send(&[128]);
-        assert!(lab.robot.is_on_errand());
+        assert!(lab.robot.runs_builtin_program());
         lab.send(&[opcode]);
         lab.wait(1.0);
-        assert!(!lab.robot.is_on_errand() && driven(&mut lab, 5.0) == 0.0);
+        assert!(!lab.robot.runs_builtin_program() && driven(&mut lab, 5.0) == 0.0);
     }
 }
 
 #[test]
-fn being_lifted_ends_an_errand_with_a_complaint() {
+fn being_lifted_ends_a_builtin_program_with_a_complaint() {
     let mut lab = Lab::in_mode(Mode::Passive);
     lab.send(&[135]);
     lab.wait(2.0);
@@ -84,12 +84,12 @@ fn being_lifted_ends_an_errand_with_a_complaint() {
     lab.robot.apply(Input::Lift);
     lab.wait(0.1);
     let display = lab.robot.take_display();
-    assert!(!lab.robot.is_on_errand() && display.lamps.check_robot && display.tunes.len() == 1);
+    assert!(!lab.robot.runs_builtin_program() && display.lamps.check_robot && display.tunes.len() == 1);
     lab.robot.apply(Input::PutDown(Pose::new(3.0, 2.0, 0.0)));
     lab.wait(1.0);
-    assert!(!lab.robot.is_on_errand());
+    assert!(!lab.robot.runs_builtin_program());
     lab.robot.press(Buttons::from_byte(1));
-    assert!(lab.robot.is_on_errand() && !lab.robot.take_display().lamps.check_robot);
+    assert!(lab.robot.runs_builtin_program() && !lab.robot.take_display().lamps.check_robot);
 }
 
 #[test]
@@ -97,9 +97,9 @@ fn spot_ends_after_a_while_and_then_it_may_sleep() {
     let mut lab = Lab::in_mode(Mode::Passive);
     lab.send(&[134]);
     lab.wait(70.0);
-    assert!(lab.robot.is_on_errand());
+    assert!(lab.robot.runs_builtin_program());
     lab.wait(10.0);
-    assert!(!lab.robot.is_on_errand() && lab.robot.is_awake());
+    assert!(!lab.robot.runs_builtin_program() && lab.robot.is_awake());
     lab.wait(290.0);
     assert!(lab.robot.is_awake(), "cleaning is activity");
     lab.wait(15.0);
@@ -116,7 +116,7 @@ fn seek_dock_finds_the_dock_and_charges() {
     lab.send(&[143]);
     for _ in 0..1000 {
         lab.wait(1.0);
-        if !lab.robot.is_on_errand() {
+        if !lab.robot.runs_builtin_program() {
             break;
         }
     }
