@@ -6,11 +6,12 @@ use super::{
     run::{Pace, SourceMap},
     topic::{self, Stamped},
 };
-use coverage_planners::sweep::{Waypoint, waypoints};
+use coverage_planners::sweep::Waypoint;
 use robovac_core::{
     coverage::with_objects,
     geometry::{Pose, difference},
     robot::RobotModel,
+    trajectory::DriveLimits,
 };
 
 /// Time between two poses, s.
@@ -19,7 +20,7 @@ const ODOMETRY_S: f64 = Pace::FILE.odometry_s;
 /// Room, path and a drive along it without errors, from `heading` rad at its first corner.
 pub fn path_topics(source: &SourceMap<'_>, heading: f64) -> Vec<Stamped> {
     let origin = source.plan.origin;
-    let stops = waypoints(source.path, heading, source.robot);
+    let stops = source.places(heading);
     let Some(first) = stops.first().map(|stop| stop.pose) else { return Vec::new() };
     let mut out = vec![
         topic::MAP.stamped(0.0, message::occupancy_grid(0.0, &with_objects(source.plan), origin)),
@@ -29,15 +30,21 @@ pub fn path_topics(source: &SourceMap<'_>, heading: f64) -> Vec<Stamped> {
     let samples = (end_s / ODOMETRY_S).ceil() as usize;
     let to_odom = compose(origin, first);
     let mut before = Pose::new(0.0, 0.0, 0.0);
-    let mut next = 0;
+    let (mut next, mut knot) = (0, 0);
+    let smooth = source.smooth.zip(DriveLimits::of(source.robot));
     for sample in 0..=samples {
         let time_s = (sample as f64 * ODOMETRY_S).min(end_s);
         while next + 2 < stops.len() && stops[next + 1].time <= time_s {
             next += 1;
         }
-        let at = match &stops[next..] {
-            [from, to, ..] => between(from, to, time_s, source.robot),
-            _ => first,
+        let moment = smooth.and_then(|(trajectory, limits)| trajectory.moment(time_s, &limits, knot));
+        let at = match (moment, &stops[next..]) {
+            (Some((last, moment)), _) => {
+                knot = last;
+                moment.pose
+            }
+            (None, [from, to, ..]) => between(from, to, time_s, source.robot),
+            (None, _) => first,
         };
         let pose = relative_to(first, at);
         let now = velocity(before, pose, if sample == 0 { 0.0 } else { ODOMETRY_S });
@@ -99,9 +106,9 @@ mod tests {
     fn a_path_without_corners_has_no_messages() {
         let plan = (room("bedroom").unwrap().build)();
         let robot = model("octagon").unwrap();
-        assert!(path_topics(&SourceMap { plan: &plan, robot, path: &[] }, 0.0).is_empty());
+        assert!(path_topics(&SourceMap { plan: &plan, robot, path: &[], smooth: None }, 0.0).is_empty());
         let path = [Point::new(1.0, 1.0)];
         // Map, plan, and one moment.
-        assert_eq!(path_topics(&SourceMap { plan: &plan, robot, path: &path }, 0.0).len(), 4);
+        assert_eq!(path_topics(&SourceMap { plan: &plan, robot, path: &path, smooth: None }, 0.0).len(), 4);
     }
 }
