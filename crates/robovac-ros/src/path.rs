@@ -89,7 +89,12 @@ fn travelled(time: f64, distance: f64, speed: f64, acceleration: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use robovac_core::{floor_plan::room, geometry::Point, robot::model};
+    use robovac_core::{
+        floor_plan::room,
+        geometry::Point,
+        robot::model,
+        trajectory::{RoundedLine, Rounding, Trajectory},
+    };
 
     #[test]
     fn motion_ends_when_the_robot_model_says() {
@@ -100,6 +105,24 @@ mod tests {
             let half = travelled(0.5 * end, distance, speed, robot.acceleration);
             assert!((half - 0.5 * distance).abs() < 1e-12, "{half} of {distance}");
         }
+    }
+
+    #[test]
+    fn a_smooth_path_is_driven_in_the_time_of_its_trajectory() {
+        let plan = (room("bedroom").unwrap().build)();
+        let robot = model("roomba600").unwrap();
+        let path = [[0.5, 0.5], [1.5, 0.5], [1.5, 1.5]].map(|[x, y]| Point::new(x, y));
+        let roundings = [Rounding::Stop, Rounding::Alone(0.15), Rounding::Stop];
+        let limits = DriveLimits::of(robot).unwrap();
+        let trajectory = Trajectory::new(&RoundedLine::new(&path, 0.0, &roundings), &limits);
+        let source = SourceMap { plan: &plan, robot, path: &path, smooth: Some(&trajectory) };
+        let smooth = path_topics(&source, 0.0);
+        let stopping = path_topics(&SourceMap { smooth: None, ..source }, 0.0);
+        let [curve_s, corner_s] = [&smooth, &stopping].map(|all| all.last().unwrap().time_s);
+        assert!((curve_s - trajectory.duration_s()).abs() < 1e-9 && curve_s < corner_s - 0.5, "{curve_s} {corner_s}");
+        // The plan has places along the curve, not its corner.
+        let places = source.places(0.0);
+        assert!(places.len() > 10 && places.iter().all(|place| (place.pose.position() - path[1]).norm() > 0.02));
     }
 
     #[test]

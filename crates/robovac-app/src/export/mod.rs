@@ -265,7 +265,12 @@ pub fn path_dxf(plan: &FloorPlan, path: SavedPath<'_>) -> Result<Vec<u8>, Drawin
 #[cfg(test)]
 mod tests {
     use super::*;
-    use robovac_core::floor_plan::room;
+    use robovac_core::{
+        floor_plan::room,
+        geometry::Pose,
+        robot::model,
+        trajectory::{DriveLimits, Knot, RoundedLine, Rounding},
+    };
 
     #[test]
     fn every_format_gives_files() {
@@ -287,6 +292,48 @@ mod tests {
             exported.path = &[];
             assert_eq!(exported.files(format.id).is_err(), format.needs_path, "{}", format.id);
         }
+    }
+
+    /// A path with a rounded corner in a room whose origin is elsewhere: all files that tell places tell those of the curve.
+    #[test]
+    fn files_of_a_smooth_path_hold_its_curves() {
+        let mut plan = (room("bedroom").unwrap().build)();
+        plan.origin = Pose::new(-5.0, 2.0, 0.5);
+        let path = [Point::new(0.5, 0.5), Point::new(1.5, 0.5), Point::new(1.5, 1.5)];
+        let limits = DriveLimits::of(model("roomba600").unwrap()).unwrap();
+        let heading = plan.start.map_or(0.0, |start| start.heading);
+        let rounded = RoundedLine::new(&path, heading, &[Rounding::Stop, Rounding::Alone(0.15), Rounding::Stop]);
+        let trajectory = Trajectory::new(&rounded, &limits);
+        let scenario = Scenario::of(&plan);
+        let stopping = Exported {
+            scenario: &scenario,
+            plan: &plan,
+            path: &path,
+            smooth: None,
+            stem: "b",
+            mode: OccupancyMode::Trinary,
+            negate: false,
+        };
+        let smooth = Exported { smooth: Some(&trajectory), ..stopping.clone() };
+        for format in FORMATS {
+            let [with_stops, with_curves] = [&stopping, &smooth].map(|exported| exported.files(format.id).unwrap());
+            let has_places = format.needs_path || ["svg", "dxf"].contains(&format.id);
+            assert_eq!(with_stops != with_curves, has_places, "{}", format.id);
+        }
+        let table = String::from_utf8(smooth.files("path_csv").unwrap().remove(0).bytes).unwrap();
+        let rows =
+            table.lines().skip(1).map(|row| row.split(',').map(|cell| cell.parse().unwrap()).collect::<Vec<f64>>());
+        let knots = trajectory.knots();
+        let rows: Vec<Vec<f64>> = rows.collect();
+        for row in &rows {
+            let off = |knot: &Knot| (plan.origin.to_world(knot.pose.position()) - Point::new(row[0], row[1])).norm();
+            let nearest = knots
+                .windows(2)
+                .map(|pair| off(&pair[0]).min(off(&pair[1])) - (pair[1].distance_m - pair[0].distance_m));
+            assert!(nearest.fold(f64::MAX, f64::min) < 1e-3, "{row:?}");
+        }
+        let last = rows.last().unwrap();
+        assert!((last[4] - trajectory.duration_s()).abs() < 1e-3, "{last:?}");
     }
 
     #[test]
