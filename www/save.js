@@ -82,7 +82,7 @@ async function build() {
   });
 
   return (/** @type {import("./main.js").App} */ app, /** @type {string} */ why) => {
-    const path = app.playground.corners();
+    const [path, knots] = [app.playground.corners(), app.playground.knots()];
     formats.forEach(({ needs_path }, i) => {
       const radio = /** @type {HTMLInputElement} */ (kinds[i]?.querySelector("input"));
       radio.disabled = needs_path && path.length === 0;
@@ -96,11 +96,11 @@ async function build() {
         if (["run_mcap", "film"].includes(chosen()) && app.view.run_end_s === 0) throw "There is no run yet: press play first.";
         if (chosen() === "film" || chosen() === "picture") return void shown(app, chosen());
         if (chosen() === "run_mcap") {
-          const request = { snapshot: app.playground.snapshot(), corners: path, inputs: app.playground.inputs(), end_s: app.view.run_end_s, log: app.playground.program_log() };
+          const request = { snapshot: app.playground.snapshot(), corners: path, knots, inputs: app.playground.inputs(), end_s: app.view.run_end_s, log: app.playground.program_log() };
           void import("./bags.js").then(({ saveBag }) => saveBag(request, `${fileName(app.view.room.title)}.run`)).catch((error) => complain(textOf(error)));
           return;
         }
-        const files = export_files(chosen(), app.playground.scenario_json(), path, fileName(app.view.room.title), mode.value, negate.checked);
+        const files = export_files(chosen(), app.playground.scenario_json(), path, knots, fileName(app.view.room.title), mode.value, negate.checked);
         for (const { name, bytes, kind } of files) download(name, bytes, kind);
       } catch (error) {
         event.preventDefault();

@@ -5,7 +5,7 @@ import type { BenchResult, SessionSnapshot } from "./types";
 export type PlanRequest = { id: number; planner: string; bytes: Uint8Array; place?: import("./types").SessionSnapshot };
 
 /** A run to be written as a bag: of Explore, or of the Map tab with its link and stored state. */
-export type BagRequest = { snapshot: SessionSnapshot } & ({ corners: Float64Array; inputs: Float64Array; end_s: number; log?: Uint8Array | undefined } | { link: string; stored: string; log?: Uint8Array | undefined });
+export type BagRequest = { snapshot: SessionSnapshot } & ({ corners: Float64Array; knots: Float64Array; inputs: Float64Array; end_s: number; log?: Uint8Array | undefined } | { link: string; stored: string; log?: Uint8Array | undefined });
 
 /** A path from a worker, x, y, x, y, ...: the cells of a walk, or the corners of a path in metres. */
 export type WirePath = Uint32Array | Float64Array;

@@ -60,7 +60,7 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
       answer({ type: "traded", id });
     } else if (message.type === "bag") {
       const { request } = message;
-      const bytes = "stored" in request ? map_bag(request.snapshot, request.link, request.stored, request.log) : run_bag(request.snapshot, request.corners, request.inputs, request.end_s, request.log);
+      const bytes = "stored" in request ? map_bag(request.snapshot, request.link, request.stored, request.log) : run_bag(request.snapshot, request.corners, request.knots, request.inputs, request.end_s, request.log);
       answer({ type: "bagged", id, bytes }, [bytes.buffer]);
     } else if (message.type === "runs") {
       runner ??= new Runner();

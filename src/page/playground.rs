@@ -19,7 +19,7 @@ use robovac_core::{floor_plan::Object, geometry::Vector, grid::Cell};
 use robovac_playground::frame_clock::FrameClock;
 use robovac_playground::{
     canvas::Canvas,
-    wire::{clock, to_js},
+    wire::{clock, to_js, trajectory::trajectory_to_js},
 };
 use robovac_sim::controller;
 use serde::Serialize;
@@ -170,6 +170,12 @@ impl Playground {
     /// Corners of the line that was planned, x and y in turn, m; none if there is no plan.
     pub fn corners(&self) -> Vec<f64> {
         self.session.planned().map_or(Vec::new(), |planned| planned.line.iter().flat_map(|p| [p.x, p.y]).collect())
+    }
+
+    /// The knots of its trajectory if it is driven smoothly, for `export_files` and `run_bag`; none with stops.
+    pub fn knots(&self) -> Float64Array {
+        let smooth = self.session.planned().and_then(|planned| planned.smooth.as_deref());
+        smooth.map_or_else(|| Float64Array::new_with_length(0), trajectory_to_js)
     }
 
     /// A person's inputs of the run, for `run_bag`.

@@ -9,7 +9,10 @@ use coverage_planners::sweep::{SweepError, sweep};
 use floor_drawing::Traced;
 use mcap::MessageStream;
 use rand::RngExt;
-use robovac_app::{export::path_bag, floor_plan::sweep_dxf};
+use robovac_app::{
+    export::{SavedPath, path_bag},
+    floor_plan::sweep_dxf,
+};
 use robovac_core::{
     geometry::{Point, Pose, Vector},
     rng,
@@ -96,7 +99,7 @@ fn drawings_and_bags_touch_nothing() {
         let room = Traced::of_map(plan, 1.0);
         let drawing = sweep_dxf(&found, &room, None).unwrap();
         let robot = model(if setup.turns { "roomba600" } else { "octagon" }).unwrap();
-        let bag = path_bag(&room.plan, robot, &found.path, 0.0).unwrap();
+        let bag = path_bag(&room.plan, robot, SavedPath::with_stops(&found.path, 0.0)).unwrap();
         let drawn = of_dxf(&drawing, "SWEEP_PATH");
         assert_eq!(drawn.len(), 1, "round {round}");
         let strokes = of_dxf(&drawing, "SWEEP_FINISH");

@@ -67,7 +67,7 @@ impl<'a> Output<'a> {
     /// Writes the file, and what belongs to it beside it.
     pub fn write(&self, plan: &FloorPlan, mode: OccupancyMode, negate: bool) -> Result<(), Failure> {
         let scenario = Scenario::of(plan);
-        let exported = Exported { scenario: &scenario, plan, path: &[], stem: self.stem, mode, negate };
+        let exported = Exported { scenario: &scenario, plan, path: &[], smooth: None, stem: self.stem, mode, negate };
         for file in exported.files(self.format)? {
             let path = self.path.with_file_name(&file.name);
             fs::write(&path, file.bytes).map_err(|error| Failure::io(path.display(), &error))?;

@@ -1,10 +1,11 @@
 //! `lanes`: a path in metres through a room, with its bounds.
 
 use super::{failure::Failure, output, simulate::parse_seconds, source::RoomSource};
-use coverage_planners::lanes::{LanesError, LanesObjective, LanesPlan, LanesProgress, LanesSetup, plan_lanes};
-use coverage_planners::smooth::SmoothSetup;
-use coverage_planners::sweep::in_frame;
-use robovac_app::export::{PathFormat, path_bag, path_dxf};
+use coverage_planners::lanes::{
+    LanesError, LanesObjective, LanesPlan, LanesProgress, LanesSetup, MetricBound, plan_lanes,
+};
+use coverage_planners::smooth::{SmoothPath, SmoothSetup};
+use robovac_app::export::{PathFormat, SavedPath, path_bag, path_dxf};
 use robovac_core::{
     coverage::ReachableFloor,
     floor_plan::FloorPlan,
@@ -52,7 +53,7 @@ pub struct Arguments {
     #[arg(long)]
     drive: bool,
     /// Output file; can be repeated; its extension chooses the format: .csv table, .yaml ROS path, .mcap ROS 2 bag, .oi.txt
-    /// Open Interface bytes for a Roomba 600, .txt program, .dxf drawing of room and path
+    /// Open Interface bytes for a Roomba 600, .txt program, .dxf drawing of room and path; with --smooth along the curves
     #[arg(long, value_name = "FILE")]
     out: Vec<PathBuf>,
     /// Write one JSON object instead of a summary
@@ -93,6 +94,11 @@ struct SmoothReport {
     length_m: f64,
     duration_s: f64,
     coverage: f64,
+    /// Above the bounds on paths without stops for the coverage reached, as shares.
+    bound_length_m: f64,
+    bound_duration_s: f64,
+    excess_length: f64,
+    excess_duration: f64,
 }
 
 /// The path driven in the simulator.
@@ -128,10 +134,6 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         ControlFlow::Continue(arguments.seconds.map_or(0.0, |seconds| now / seconds))
     })?;
     let planning_s = begin.elapsed().as_secs_f64();
-    for (out, format) in arguments.out.iter().zip(formats) {
-        let content = written(format, &found, &plan, &floor, robot)?;
-        fs::write(out, content).map_err(|error| Failure::io(out.display(), &error))?;
-    }
     let area = floor.area();
     let required = arguments.coverage / 100.0;
     let room = RoomSetup::on(&plan, floor, robot, robot.default_cell);
@@ -142,6 +144,12 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     } else {
         None
     };
+    let trajectory = smooth.as_ref().map(|path| &path.trajectory);
+    let path = SavedPath { corners: &found.path, heading: room.floor.start.heading, smooth: trajectory };
+    for (out, format) in arguments.out.iter().zip(formats) {
+        let content = written(format, path, &plan, robot)?;
+        fs::write(out, content).map_err(|error| Failure::io(out.display(), &error))?;
+    }
     let trajectory = smooth.as_ref().map(|path| Arc::new(path.trajectory.clone()));
     let driven = arguments.drive.then(|| drive(&room, &found, trajectory));
     let report = LanesReport {
@@ -161,15 +169,29 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         excess_duration: found.excess[1],
         first_path_s,
         planning_s,
-        smooth: smooth.map(|path| SmoothReport {
-            rounded: path.rounded,
-            length_m: path.trajectory.length_m(),
-            duration_s: path.trajectory.duration_s(),
-            coverage: path.coverage,
-        }),
+        smooth: smooth.map(|path| SmoothReport::of(&path, &room)),
         driven,
     };
     Ok(if arguments.json { output::json(&report) } else { summary(&report, robot) })
+}
+
+impl SmoothReport {
+    fn of(path: &SmoothPath, room: &RoomSetup) -> Self {
+        let RoomSetup { floor, robot, .. } = room;
+        let (length_m, duration_s) = (path.trajectory.length_m(), path.trajectory.duration_s());
+        let bound = MetricBound::new(floor, robot, path.coverage).without_stops(robot);
+        let [excess_length, excess_duration] = bound.excess(length_m, duration_s);
+        Self {
+            rounded: path.rounded,
+            length_m,
+            duration_s,
+            coverage: path.coverage,
+            bound_length_m: bound.length_m,
+            bound_duration_s: bound.duration_s,
+            excess_length,
+            excess_duration,
+        }
+    }
 }
 
 fn drive(room: &RoomSetup, found: &LanesPlan, smooth: Option<Arc<Trajectory>>) -> DrivenReport {
@@ -190,20 +212,13 @@ fn format_of(out: &std::path::Path) -> Result<PathFormat, Failure> {
     })
 }
 
-fn written(
-    format: PathFormat,
-    found: &LanesPlan,
-    plan: &FloorPlan,
-    floor: &ReachableFloor,
-    robot: &RobotModel,
-) -> Result<Vec<u8>, Failure> {
-    let (path, heading) = in_frame(&found.path, floor.start.heading, plan.origin);
-    match format.text((&path, heading), robot, robot.title) {
+fn written(format: PathFormat, path: SavedPath<'_>, plan: &FloorPlan, robot: &RobotModel) -> Result<Vec<u8>, Failure> {
+    match format.text(path, plan.origin, robot, robot.title) {
         Some(text) => Ok(text.into_bytes()),
         None if format == PathFormat::Bag => {
-            path_bag(plan, robot, &found.path, floor.start.heading).map_err(|error| Failure::system(error.to_string()))
+            path_bag(plan, robot, path).map_err(|error| Failure::system(error.to_string()))
         }
-        None => Ok(path_dxf(plan, &found.path)?),
+        None => Ok(path_dxf(plan, path)?),
     }
 }
 
@@ -219,11 +234,16 @@ fn summary(report: &LanesReport<'_>, robot: &RobotModel) -> String {
     });
     let smooth = report.smooth.as_ref().map_or_else(String::new, |path| {
         format!(
-            "Smooth    {:.1} m in {}, {:.2} % of the floor, {} corners rounded\n",
+            "Smooth    {:.1} m in {}, {:.2} % of the floor, {} corners rounded\n\
+             Excess    {:.1} % in metres, {:.1} % in minutes: without stops at least {:.1} m and {}\n",
             path.length_m,
             output::minutes(path.duration_s),
             100.0 * path.coverage,
-            path.rounded
+            path.rounded,
+            100.0 * path.excess_length,
+            100.0 * path.excess_duration,
+            path.bound_length_m,
+            output::minutes(path.bound_duration_s),
         )
     });
     let short = if report.coverage < report.required_coverage {

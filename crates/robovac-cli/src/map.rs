@@ -179,7 +179,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
             let observer = MapObserver::default().with_mapper(mapper);
             let run = prepared.run_behaviour(info, &params, conditions, seed);
             let run = run.ok_or_else(|| Failure::unknown("behaviour", id, "behaviours"))?.observed(Box::new(observer));
-            let source = SourceMap { plan: &placement.plan, robot: &prepared.robot, path: &[] };
+            let source = SourceMap { plan: &placement.plan, robot: &prepared.robot, path: &[], smooth: None };
             record(run, &source, arguments.minutes, path)?;
         }
         let mappers = ways.iter().map(|&way| Kept::Mapper(Box::new(Mapper::new(setup(way)))));

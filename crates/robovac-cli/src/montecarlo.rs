@@ -35,6 +35,9 @@ pub struct Arguments {
     minutes: f64,
     #[command(flatten)]
     conditions: ConditionsArguments,
+    /// Round the corners of plans: curves instead of stops where they keep the floor swept
+    #[arg(long)]
+    smooth: bool,
     /// Runs in parallel [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     jobs: Option<u16>,
@@ -66,7 +69,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let terms = Terms {
         conditions,
         odometry,
-        smooth: false,
+        smooth: arguments.smooth,
         duration_s: 60.0 * arguments.minutes,
         plan_seed: arguments.plan_seed.unwrap_or(arguments.seed),
     };
@@ -89,6 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         cell_size_m: placement.cell_size,
         conditions,
         odometry,
+        smooth: arguments.smooth,
         minutes: arguments.minutes,
     };
     Ok(match (arguments.json, arguments.csv) {
@@ -115,26 +119,30 @@ impl EntrantArguments {
     }
 }
 
+/// Columns of numbers.
+const COLUMNS: usize = 11;
+
 /// A Markdown table: medians, with 10 to 90 % of the runs in brackets.
 fn table(head: &RunsHeader<'_>, placement: &Placement, arguments: &Arguments, entries: &[EntrantRuns<'_>]) -> String {
     let Conditions { slip, noise, quantised, start_charge_percent: charge, .. } = head.conditions;
     let quantised = if quantised { ", rounded wheel speeds" } else { "" };
+    let smooth = if arguments.smooth { ", rounded corners" } else { "" };
     let charge = if charge < 100 { format!(", start charge {charge} %") } else { String::new() };
     let (robot, minutes) = (placement.robot.title, head.minutes);
     let mut text = format!(
-        "### {}, {robot}: {} runs of {minutes} min, slip {}, noise {noise}{quantised}{charge}\n\n\
-         | Algorithm | Coverage, % | 90 % after, min | runs | 99 % after, min | runs | Distance, m | Excess, % | Bumps | Falls | Dirt left, % |\n\
+        "### {}, {robot}: {} runs of {minutes} min, slip {}, noise {noise}{quantised}{smooth}{charge}\n\n\
+         | Algorithm | Coverage, % | 90 % after, min | runs | 99 % after, min | runs | Distance, m | Excess in metres, % | in minutes, % | Bumps | Falls | Dirt left, % |\n\
          |---{}|\n",
         head.room,
         arguments.seeds,
         slip.id(),
-        "|--:".repeat(10),
+        "|--:".repeat(COLUMNS),
     );
     for (entrant, result) in entries {
         let summary = match result {
             Ok(runs) => Summary::of(runs),
             Err(why) => {
-                let _ = writeln!(text, "| {entrant} ({why}) |{}", " – |".repeat(10));
+                let _ = writeln!(text, "| {entrant} ({why}) |{}", " – |".repeat(COLUMNS));
                 None
             }
         };
@@ -142,12 +150,14 @@ fn table(head: &RunsHeader<'_>, placement: &Placement, arguments: &Arguments, en
         let Summary { runs, coverage, time_to: [to_90, to_99], distance_m, bumps, falls, dirt_left, excess } = summary;
         let percent = coverage.times(100.0);
         let dirt = dirt_left.map_or("–".to_owned(), |left| band(left.times(100.0), 1));
-        let excess = excess.map_or("–".to_owned(), |[metres, _]| band(metres.times(100.0), 0));
+        let excess =
+            excess.map_or(["–", "–"].map(str::to_owned), |above| above.map(|share| band(share.times(100.0), 0)));
+        let [metres, minutes] = excess;
         let time = |to: &TimeTo| format!("{} | {}", times(to), share(to.reached, runs));
         // Writing to a string doesn't fail.
         let _ = writeln!(
             text,
-            "| {entrant} | {} | {} | {} | {} | {excess} | {} | {falls} | {dirt} |",
+            "| {entrant} | {} | {} | {} | {} | {metres} | {minutes} | {} | {falls} | {dirt} |",
             band(percent, 1),
             time(&to_90),
             time(&to_99),
@@ -156,7 +166,7 @@ fn table(head: &RunsHeader<'_>, placement: &Placement, arguments: &Arguments, en
         );
     }
     text += "\nMedians, with the 10th and 90th percentiles in brackets. Dash: too few runs got there in time.\n\
-             Excess: distance above the least that sweeping as much floor takes.\n";
+             Excess: distance above the least that sweeping as much floor takes, and time above driving that at top speed.\n";
     if entries.iter().any(|(entrant, _)| entrant.explores()) {
         text += "Coverage of exploring behaviours: share of reachable walls and furniture detected.\n";
     }

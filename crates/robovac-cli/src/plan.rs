@@ -3,13 +3,14 @@
 use super::{
     failure::Failure,
     output,
-    task::{self, CoverageArguments, ParamArguments, PlacementArguments},
+    task::{self, CoverageArguments, MissedCoverage, ParamArguments, PlacementArguments},
 };
 use coverage_planners::{PlannerInfo, find, metrics::MetricExcess};
 use robovac_sim::experiment::{
     Algorithm,
     planning::{CELL_ROBOT, PlanReport, PlanningTask},
 };
+use serde::Serialize;
 use std::time::Instant;
 
 /// Plan a path that covers a room
@@ -29,17 +30,26 @@ pub struct Arguments {
     json: bool,
 }
 
+/// A plan, and the coverage that it misses.
+#[derive(Serialize)]
+struct PlanOutput {
+    #[serde(flatten)]
+    report: PlanReport,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    missed: Option<MissedCoverage>,
+}
+
 /// Plans and returns the output.
 pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let planner = planner(&arguments.planner)?;
     let params = arguments.params.checked(planner.params)?;
     let placement = arguments.placement.placement(CELL_ROBOT)?;
     let mut task = PlanningTask { placement, planner, params, seed: arguments.params.seed, is_rounded: false };
-    arguments.coverage.fit_cells(&mut task)?;
+    let missed = arguments.coverage.fit_cells(&mut task)?;
     let begin = Instant::now();
     let solution = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
-    let report = PlanReport::new(&task, solution);
-    Ok(if arguments.json { output::json(&report) } else { summary(&task, &report) })
+    let output = PlanOutput { report: PlanReport::new(&task, solution), missed };
+    Ok(if arguments.json { output::json(&output) } else { summary(&task, &output) })
 }
 
 /// The planner with that id.
@@ -47,7 +57,9 @@ pub fn planner(id: &str) -> Result<&'static PlannerInfo, Failure> {
     find(id).ok_or_else(|| Failure::unknown("planner", id, "planners"))
 }
 
-fn summary(task: &PlanningTask, report: &PlanReport) -> String {
+fn summary(task: &PlanningTask, output: &PlanOutput) -> String {
+    let PlanOutput { report, missed } = output;
+    let missed = missed.as_ref().map(MissedCoverage::to_text).unwrap_or_default();
     let PlanReport { walk, drive, bounds, .. } = report;
     let above =
         report.above_bound_percent.map(|percent| format!(", the walk is {percent:.1} % above")).unwrap_or_default();
@@ -82,6 +94,7 @@ fn summary(task: &PlanningTask, report: &PlanReport) -> String {
     format!(
         "{}\
          Coverage  {:.1} % of the reachable floor{cells}\n\
+         {missed}\
          {path}\n\
          Drive     {:.1} m in {}, {:.1} Wh\n\
          {excess}\

@@ -187,7 +187,7 @@ impl<'a> NodeScene<'a> {
             node.subscribe()?;
         }
         let (plan, robot): (&FloorPlan, &RobotModel) = (&self.placement.plan, &self.prepared.robot);
-        let topics = RunTopics::new(&SourceMap { plan, robot, path: &self.line }, &run, pace);
+        let topics = RunTopics::new(&SourceMap { plan, robot, path: &self.line, smooth: None }, &run, pace);
         Ok(Robot { node, run, topics, remote, heard: Instant::now() })
     }
 

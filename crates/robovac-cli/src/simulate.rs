@@ -5,7 +5,7 @@ use super::{
     conditions::ConditionsArguments,
     failure::Failure,
     output, plan,
-    task::{self, CoverageArguments, ParamArguments, PlacementArguments},
+    task::{self, CoverageArguments, MissedCoverage, ParamArguments, PlacementArguments},
     twin,
 };
 use coverage_planners::smooth::{SmoothPath, SmoothSetup};
@@ -16,7 +16,7 @@ use robovac_sim::{
     controller::{self, BehaviourInfo},
     experiment::{
         Algorithm, Settings,
-        planning::{Placement, PlanSolution, Planned, PlanningError, PlanningTask, RoomSetup, TaskReport},
+        planning::{PathToDrive, Placement, PlanSolution, Planned, PlanningError, PlanningTask, RoomSetup, TaskReport},
     },
 };
 use serde::Serialize;
@@ -98,6 +98,9 @@ struct SimulateReport {
     /// Corners of the scenario's path, which is driven in place of the planner's.
     #[serde(skip_serializing_if = "Option::is_none")]
     path_corners: Option<usize>,
+    /// The coverage that was asked for, if no planning cells reach it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    missed: Option<MissedCoverage>,
     /// The plan with rounded corners, if they are.
     #[serde(skip_serializing_if = "Option::is_none")]
     smooth: Option<RoundedPlan>,
@@ -187,23 +190,26 @@ impl Arguments {
 }
 
 impl SimulatedTask {
-    /// The room laid out, and the plan if it is one.
-    fn prepare(&mut self, coverage: &CoverageArguments) -> Result<(RoomSetup, Option<Planned>), Failure> {
+    /// The room laid out, the plan if it is one, and the coverage that it misses.
+    fn prepare(
+        &mut self,
+        coverage: &CoverageArguments,
+    ) -> Result<(RoomSetup, Option<Planned>, Option<MissedCoverage>), Failure> {
         let Placement { plan, robot, cell_size, .. } = &self.placement;
         if let Some(path) = &self.path {
             let heading = plan.start.map_or(0.0, |start| start.heading);
             let prepared = RoomSetup::along(plan, robot, *cell_size, path, heading).map_err(PlanningError::from)?;
             let planned = Planned::along(&prepared, path, 0.0);
-            return Ok((prepared, Some(planned)));
+            return Ok((prepared, Some(planned), None));
         }
-        let Some(planner) = self.algorithm.planner() else { return Ok((self.placement.prepare()?, None)) };
+        let Some(planner) = self.algorithm.planner() else { return Ok((self.placement.prepare()?, None, None)) };
         let (placement, params) = (self.placement.clone(), self.params.clone());
         let mut task = PlanningTask { placement, planner, params, seed: self.seed, is_rounded: self.smooth };
-        coverage.fit_cells(&mut task)?;
+        let missed = coverage.fit_cells(&mut task)?;
         self.placement.clone_from(&task.placement);
         let begin = Instant::now();
         let PlanSolution { prepared, planned, .. } = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
-        Ok((prepared, Some(planned)))
+        Ok((prepared, Some(planned), missed))
     }
 }
 
@@ -212,23 +218,28 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let mut task = arguments.task()?;
     // First of all: a long run that can't be written is lost.
     let mut bag = arguments.mcap.as_deref().map(BagFile::create).transpose()?;
-    let (prepared, planned) = task.prepare(&arguments.coverage)?;
+    let (prepared, planned, missed) = task.prepare(&arguments.coverage)?;
     let SimulatedTask { placement, algorithm, params, seed, conditions, odometry, path: own_path, .. } = task;
     let mut smooth = None;
-    let (mut run, path) = if let Some(mut planned) = planned {
+    let (mut run, driven) = if let Some(mut planned) = planned {
         if task.smooth {
             let (rounded, plan) = round(planned, &prepared)?;
             (planned, smooth) = (rounded, Some(plan));
         }
-        (planned.run(&prepared, conditions, odometry, seed), planned.line.to_vec())
+        (planned.run(&prepared, conditions, odometry, seed), planned.driven())
     } else {
         let info = algorithm.behaviour().ok_or_else(|| Failure::unknown("planner", algorithm.id(), "planners"))?;
         let run = prepared.run_behaviour(info, &params, conditions, seed);
-        (run.ok_or_else(|| Failure::unknown("behaviour", info.id, "behaviours"))?, Vec::new())
+        (run.ok_or_else(|| Failure::unknown("behaviour", info.id, "behaviours"))?, PathToDrive::default())
     };
     let never_ends = algorithm.behaviour().is_some_and(|info| !info.claims.ends);
     let max_time = arguments.max_time.or(never_ends.then_some(MOST_TIME_S));
-    let source = SourceMap { plan: &placement.plan, robot: &prepared.robot, path: &path };
+    let source = SourceMap {
+        plan: &placement.plan,
+        robot: &prepared.robot,
+        path: &driven.line,
+        smooth: driven.smooth.as_deref(),
+    };
     let mut topics = bag.is_some().then(|| RunTopics::new(&source, &run, Pace::FILE));
     let mut record = |run: &Run| match (&mut topics, &mut bag) {
         (Some(topics), Some(bag)) => {
@@ -251,6 +262,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         start_charge_percent: conditions.start_charge_percent,
         odometry,
         path_corners: own_path.map(|path| path.corners().len()),
+        missed,
         smooth,
         totals: Totals::of(&run),
         samples,
@@ -345,6 +357,7 @@ impl SimulateReport {
         if let Some(corners) = self.path_corners {
             let _ = writeln!(text, "Path      {corners} corners of the scenario, in place of the planner's");
         }
+        text += &self.missed.as_ref().map(MissedCoverage::to_text).unwrap_or_default();
         let quantised = if self.quantised { ", rounded speeds" } else { "" };
         let _ = writeln!(text, "Wheels    slip: {}, odometry: {}{quantised}", self.slip.id(), self.odometry.id());
         let _ = writeln!(text, "Sensors   noise: {}", self.noise);

@@ -3,11 +3,11 @@
 use super::{drawing::DrawingOptions, failure::Failure, output, source::RoomSource};
 use coverage_planners::{
     stage::LineEndContact,
-    sweep::{LinkOrder, Sweep, SweepError, SweepSetup, in_frame, planned_for, sweep},
+    sweep::{LinkOrder, Sweep, SweepError, SweepSetup, planned_for, sweep},
 };
 use floor_drawing::{Traced, is_drawing, is_dxf};
 use robovac_app::{
-    export::{PathFormat, path_bag},
+    export::{PathFormat, SavedPath, path_bag},
     floor_plan::sweep_dxf,
 };
 use robovac_core::{
@@ -182,11 +182,11 @@ fn written(
     (robot, heading, planned): (&RobotModel, f64, &str),
 ) -> Result<Vec<u8>, Failure> {
     let Some(format) = format else { return Ok(output::json(&stages(found, report)).into_bytes()) };
+    let path = SavedPath::with_stops(&found.path, heading);
     if format == PathFormat::Bag {
-        return path_bag(&room.plan, robot, &found.path, heading).map_err(|error| Failure::system(error.to_string()));
+        return path_bag(&room.plan, robot, path).map_err(|error| Failure::system(error.to_string()));
     }
-    let (path, heading) = in_frame(&found.path, heading, room.plan.origin);
-    match format.text((&path, heading), robot, planned) {
+    match format.text(path, room.plan.origin, robot, planned) {
         Some(text) => Ok(text.into_bytes()),
         None => Ok(sweep_dxf(found, room, original)?),
     }

@@ -10,6 +10,7 @@ use robovac_sim::experiment::{
     Algorithm, Settings,
     planning::{Placement, PlanningTask, TaskReport, choose_robot},
 };
+use serde::Serialize;
 use std::ops::ControlFlow;
 
 /// Room, robot and start.
@@ -37,6 +38,16 @@ pub struct CoverageArguments {
     /// Choose the planning cells with which the planner sweeps this share of the reachable floor in the least time
     #[arg(long, value_name = "PERCENT", value_parser = parse_percent, conflicts_with = "cell")]
     coverage: Option<f64>,
+}
+
+/// A coverage that no planning cells reach.
+#[derive(Serialize)]
+pub struct MissedCoverage {
+    /// What was asked for, as a share of the reachable floor, 0 to 1.
+    asked: f64,
+    /// The most that any cells reach, and their side.
+    most: f64,
+    cell_size_m: f64,
 }
 
 /// Parameters and seed of one algorithm.
@@ -93,9 +104,10 @@ impl CoverageArguments {
         self.coverage.is_some()
     }
 
-    /// Sets the task's planning cells, if they are to be chosen for a coverage. The start in cells is one of the default cells.
-    pub fn fit_cells(&self, task: &mut PlanningTask) -> Result<(), Failure> {
-        let Some(percent) = self.coverage else { return Ok(()) };
+    /// Sets the task's planning cells, if they are to be chosen for a coverage; returns what is missing if none reach it. The
+    /// start in cells is one of the default cells.
+    pub fn fit_cells(&self, task: &mut PlanningTask) -> Result<Option<MissedCoverage>, Failure> {
+        let Some(percent) = self.coverage else { return Ok(None) };
         let room = task.placement.prepare()?;
         let share = percent / 100.0;
         let fitted = room.fit_cells(task.planner, &task.params, task.seed, share, &mut |_| ControlFlow::Continue(()));
@@ -109,7 +121,17 @@ impl CoverageArguments {
         task.placement.cell_size = fitted.cell_size;
         // The same place in other cells.
         task.placement.start = task.placement.start.map(|_| Cell::at(room.floor.start.position(), fitted.cell_size));
-        Ok(())
+        let missed = MissedCoverage { asked: share, most: fitted.coverage, cell_size_m: fitted.cell_size };
+        Ok((missed.most < missed.asked).then_some(missed))
+    }
+}
+
+impl MissedCoverage {
+    /// A line of a summary.
+    pub fn to_text(&self) -> String {
+        let Self { asked, most, cell_size_m } = self;
+        let (asked, most) = (100.0 * asked, 100.0 * most);
+        format!("Missed    no planning cells reach {asked:.2} %: those of {cell_size_m} m sweep most, {most:.2} %\n")
     }
 }
 

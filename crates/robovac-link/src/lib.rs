@@ -43,6 +43,8 @@ pub mod emulator;
 mod path_commands;
 pub mod recording;
 pub mod sensors;
+mod smooth_commands;
 pub mod twin;
 
 pub use path_commands::{TimedCommand, commands, commands_text};
+pub use smooth_commands::{smooth_commands, smooth_commands_text};

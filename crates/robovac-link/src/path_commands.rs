@@ -15,7 +15,7 @@ use std::fmt::Write;
 
 /// Update period of the robot, in which it processes commands (Open Interface, "Serial port"); times between commands
 /// are multiples of it.
-const PERIOD: f64 = 0.015;
+pub(super) const PERIOD: f64 = 0.015;
 /// Time for a change of mode, s (ours).
 const MODE_CHANGE: f64 = 2.0 * PERIOD;
 /// Rest after every move, beyond the stopping time of the motion model, s (ours).
@@ -58,9 +58,7 @@ impl TimedCommand {
 /// unlike slip. Slower speeds are chosen for turns that end nearer, and for moves that would end more than a millimetre
 /// off. After every move the robot waits until its wheels rest, so this takes longer than by the motion model.
 pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCommand> {
-    let mut list = List { robot, commands: Vec::new(), now: 0.0 };
-    list.send(Command::Start, MODE_CHANGE, "start the interface".to_owned());
-    list.send(Command::Safe, MODE_CHANGE, "safe mode: the robot stops at cliffs and when lifted".to_owned());
+    let mut list = CommandList::begin(robot);
     if let Some(&first) = path.first() {
         let mut pose = Pose::new(first.x, first.y, heading);
         for to in &path[1..] {
@@ -76,16 +74,25 @@ pub fn commands(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<TimedCo
             pose = Pose::new(pose.x + moved.x, pose.y + moved.y, pose.heading);
         }
     }
-    list.send(Command::DriveDirect { right: 0, left: 0 }, PERIOD, "stand still".to_owned());
-    list.send(Command::Stop, MODE_CHANGE, "end the interface".to_owned());
-    list.commands
+    list.end()
 }
 
 /// The [`commands`] of a path as a text file: time, bytes in hexadecimal, meaning. `planned` names the robot that the
 /// path was planned for, in words that follow "for"; `robot` is the one that executes them.
 pub fn commands_text(path: &[Point], heading: f64, robot: &RobotModel, planned: &str) -> String {
-    let commands = commands(path, heading, robot);
-    let start = path.first().map(|at| start_text(Pose::new(at.x, at.y, heading)));
+    let start = path.first().map(|at| Pose::new(at.x, at.y, heading));
+    text_of(commands(path, heading, robot), start, robot, planned, "")
+}
+
+/// Commands as a text file; `driven` are more lines of its head.
+pub(super) fn text_of(
+    commands: Vec<TimedCommand>,
+    start: Option<Pose>,
+    robot: &RobotModel,
+    planned: &str,
+    driven: &str,
+) -> String {
+    let start = start.map(start_text);
     let duration = commands.last().map_or(0.0, |last| last.at_s + last.wait_s);
     let moves: f64 = commands.iter().filter(|command| command.is_motion()).map(|command| command.wait_s).sum();
     let body = Outline::of(robot).to_string();
@@ -98,6 +105,7 @@ pub fn commands_text(path: &[Point], heading: f64, robot: &RobotModel, planned: 
         "# planned   for {planned}\n\
          # runs on   {}, {body}; 115200 baud\n\
          {differs}\
+         {driven}\
          # frame     {FRAME}\n\
          # units     s, mm/s, m, degrees (left is counter-clockwise)\n\
          # start     {}\n\
@@ -116,14 +124,29 @@ pub fn commands_text(path: &[Point], heading: f64, robot: &RobotModel, planned: 
 }
 
 /// A list under construction.
-struct List<'a> {
+pub(super) struct CommandList<'a> {
     robot: &'a RobotModel,
     commands: Vec<TimedCommand>,
     now: f64,
 }
 
-impl List<'_> {
-    fn send(&mut self, command: Command<'_>, wait_s: f64, meaning: String) {
+impl<'a> CommandList<'a> {
+    /// The list for a robot, which starts the interface.
+    pub(super) fn begin(robot: &'a RobotModel) -> Self {
+        let mut list = Self { robot, commands: Vec::new(), now: 0.0 };
+        list.send(Command::Start, MODE_CHANGE, "start the interface".to_owned());
+        list.send(Command::Safe, MODE_CHANGE, "safe mode: the robot stops at cliffs and when lifted".to_owned());
+        list
+    }
+
+    /// The commands, with a last stop.
+    pub(super) fn end(mut self) -> Vec<TimedCommand> {
+        self.send(Command::DriveDirect { right: 0, left: 0 }, PERIOD, "stand still".to_owned());
+        self.send(Command::Stop, MODE_CHANGE, "end the interface".to_owned());
+        self.commands
+    }
+
+    pub(super) fn send(&mut self, command: Command<'_>, wait_s: f64, meaning: String) {
         let mut buffer = [0; MAX_WRITTEN];
         // All speeds are within the limits.
         if let Ok(bytes) = command.encode(&mut buffer) {
@@ -164,7 +187,12 @@ impl List<'_> {
     /// A move with a rest after it.
     fn go(&mut self, command: Command<'_>, go: &Go, meaning: String) {
         self.send(command, f64::from(go.periods) * PERIOD, meaning);
-        let slowing = f64::from(go.speed.unsigned_abs()) * 1e-3 / self.robot.acceleration;
+        self.rest(go.speed.unsigned_abs());
+    }
+
+    /// Stops, and waits for wheels of `speed` mm/s to stand still.
+    pub(super) fn rest(&mut self, speed: u16) {
+        let slowing = f64::from(speed) * 1e-3 / self.robot.acceleration;
         let rest = ((slowing + REST) / PERIOD).ceil() * PERIOD;
         self.send(Command::DriveDirect { right: 0, left: 0 }, rest, "stand still".to_owned());
     }
@@ -191,7 +219,7 @@ impl List<'_> {
     }
 
     /// Speeds in whole mm/s that the controller can keep, from `limit` m/s downwards.
-    fn speeds(&self, limit: f64) -> Vec<i16> {
+    pub(super) fn speeds(&self, limit: f64) -> Vec<i16> {
         let [smallest, step] = self.robot.speed_steps.map(|speed| speed * 1e3);
         let most = (limit * 1e3 + 1e-6) as i16;
         if step <= 0.0 {

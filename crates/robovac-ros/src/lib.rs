@@ -16,7 +16,7 @@
 //! let mut run = setup.run_behaviour(behaviour, &params, Conditions::default(), 1).unwrap();
 //!
 //! let mut bag = Bag::new(Cursor::new(Vec::new()), "").unwrap();
-//! let mut topics = RunTopics::new(&SourceMap { plan: &plan, robot, path: &[] }, &run, Pace::FILE);
+//! let mut topics = RunTopics::new(&SourceMap { plan: &plan, robot, path: &[], smooth: None }, &run, Pace::FILE);
 //! bag.put_all(topics.take()).unwrap();
 //! while run.time_s() < 1.0 {
 //!     run.step();

@@ -6,11 +6,12 @@ use super::{
     run::{Pace, SourceMap},
     topic::{self, Stamped},
 };
-use coverage_planners::sweep::{Waypoint, waypoints};
+use coverage_planners::sweep::Waypoint;
 use robovac_core::{
     coverage::with_objects,
     geometry::{Pose, difference},
     robot::RobotModel,
+    trajectory::DriveLimits,
 };
 
 /// Time between two poses, s.
@@ -19,7 +20,7 @@ const ODOMETRY_S: f64 = Pace::FILE.odometry_s;
 /// Room, path and a drive along it without errors, from `heading` rad at its first corner.
 pub fn path_topics(source: &SourceMap<'_>, heading: f64) -> Vec<Stamped> {
     let origin = source.plan.origin;
-    let stops = waypoints(source.path, heading, source.robot);
+    let stops = source.places(heading);
     let Some(first) = stops.first().map(|stop| stop.pose) else { return Vec::new() };
     let mut out = vec![
         topic::MAP.stamped(0.0, message::occupancy_grid(0.0, &with_objects(source.plan), origin)),
@@ -29,15 +30,21 @@ pub fn path_topics(source: &SourceMap<'_>, heading: f64) -> Vec<Stamped> {
     let samples = (end_s / ODOMETRY_S).ceil() as usize;
     let to_odom = compose(origin, first);
     let mut before = Pose::new(0.0, 0.0, 0.0);
-    let mut next = 0;
+    let (mut next, mut knot) = (0, 0);
+    let smooth = source.smooth.zip(DriveLimits::of(source.robot));
     for sample in 0..=samples {
         let time_s = (sample as f64 * ODOMETRY_S).min(end_s);
         while next + 2 < stops.len() && stops[next + 1].time <= time_s {
             next += 1;
         }
-        let at = match &stops[next..] {
-            [from, to, ..] => between(from, to, time_s, source.robot),
-            _ => first,
+        let moment = smooth.and_then(|(trajectory, limits)| trajectory.moment(time_s, &limits, knot));
+        let at = match (moment, &stops[next..]) {
+            (Some((last, moment)), _) => {
+                knot = last;
+                moment.pose
+            }
+            (None, [from, to, ..]) => between(from, to, time_s, source.robot),
+            (None, _) => first,
         };
         let pose = relative_to(first, at);
         let now = velocity(before, pose, if sample == 0 { 0.0 } else { ODOMETRY_S });
@@ -82,7 +89,12 @@ fn travelled(time: f64, distance: f64, speed: f64, acceleration: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use robovac_core::{floor_plan::room, geometry::Point, robot::model};
+    use robovac_core::{
+        floor_plan::room,
+        geometry::Point,
+        robot::model,
+        trajectory::{RoundedLine, Rounding, Trajectory},
+    };
 
     #[test]
     fn motion_ends_when_the_robot_model_says() {
@@ -96,12 +108,30 @@ mod tests {
     }
 
     #[test]
+    fn a_smooth_path_is_driven_in_the_time_of_its_trajectory() {
+        let plan = (room("bedroom").unwrap().build)();
+        let robot = model("roomba600").unwrap();
+        let path = [[0.5, 0.5], [1.5, 0.5], [1.5, 1.5]].map(|[x, y]| Point::new(x, y));
+        let roundings = [Rounding::Stop, Rounding::Alone(0.15), Rounding::Stop];
+        let limits = DriveLimits::of(robot).unwrap();
+        let trajectory = Trajectory::new(&RoundedLine::new(&path, 0.0, &roundings), &limits);
+        let source = SourceMap { plan: &plan, robot, path: &path, smooth: Some(&trajectory) };
+        let smooth = path_topics(&source, 0.0);
+        let stopping = path_topics(&SourceMap { smooth: None, ..source }, 0.0);
+        let [curve_s, corner_s] = [&smooth, &stopping].map(|all| all.last().unwrap().time_s);
+        assert!((curve_s - trajectory.duration_s()).abs() < 1e-9 && curve_s < corner_s - 0.5, "{curve_s} {corner_s}");
+        // The plan has places along the curve, not its corner.
+        let places = source.places(0.0);
+        assert!(places.len() > 10 && places.iter().all(|place| (place.pose.position() - path[1]).norm() > 0.02));
+    }
+
+    #[test]
     fn a_path_without_corners_has_no_messages() {
         let plan = (room("bedroom").unwrap().build)();
         let robot = model("octagon").unwrap();
-        assert!(path_topics(&SourceMap { plan: &plan, robot, path: &[] }, 0.0).is_empty());
+        assert!(path_topics(&SourceMap { plan: &plan, robot, path: &[], smooth: None }, 0.0).is_empty());
         let path = [Point::new(1.0, 1.0)];
         // Map, plan, and one moment.
-        assert_eq!(path_topics(&SourceMap { plan: &plan, robot, path: &path }, 0.0).len(), 4);
+        assert_eq!(path_topics(&SourceMap { plan: &plan, robot, path: &path, smooth: None }, 0.0).len(), 4);
     }
 }

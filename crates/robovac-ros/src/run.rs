@@ -5,12 +5,13 @@ use super::{
     message::{self, BatteryState, BumperState, Velocity, velocity, velocity_of},
     topic::{self, Stamped, Topic},
 };
-use coverage_planners::sweep::{Waypoint, waypoints};
+use coverage_planners::sweep::{Waypoint, waypoints, waypoints_along};
 use robovac_core::{
     coverage::with_objects,
     floor_plan::FloorPlan,
     geometry::{Point, Pose},
     robot::{Odometry, OdometryModel, RobotModel},
+    trajectory::Trajectory,
 };
 use robovac_sim::Run;
 use std::sync::Arc;
@@ -48,9 +49,19 @@ pub struct SourceMap<'a> {
     pub robot: &'a RobotModel,
     /// Corners of its planned path in the room, m; empty without one.
     pub path: &'a [Point],
+    /// How it is driven smoothly; `None` with a stop at each corner.
+    pub smooth: Option<&'a Trajectory>,
 }
 
 impl SourceMap<'_> {
+    /// The robot's places along its path, from `heading` rad: all stops, or places along the trajectory.
+    pub(crate) fn places(&self, heading: f64) -> Vec<Waypoint> {
+        self.smooth.map_or_else(
+            || waypoints(self.path, heading, self.robot),
+            |trajectory| waypoints_along(trajectory, self.robot),
+        )
+    }
+
     pub(crate) fn plan_of(&self, stops: &[Waypoint], epoch_s: f64) -> super::Cdr {
         let at = |stop: &Waypoint| (epoch_s + stop.time, compose(self.plan.origin, stop.pose));
         message::path(epoch_s, &stops.iter().map(at).collect::<Vec<_>>())
@@ -111,8 +122,8 @@ impl RunTopics {
         let room = message::occupancy_grid(began, &with_objects(source.plan), self.origin);
         self.put(if run.mapper().is_some() { &topic::TRUE_MAP } else { &topic::MAP }, began, room);
         if !source.path.is_empty() {
-            let stops = waypoints(source.path, self.start.heading, source.robot);
-            self.put(&topic::PLAN, began, source.plan_of(&stops, began));
+            let places = source.places(self.start.heading);
+            self.put(&topic::PLAN, began, source.plan_of(&places, began));
         }
         self.tell(run);
     }

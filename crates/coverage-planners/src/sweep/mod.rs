@@ -15,12 +15,16 @@ mod finish;
 mod linker;
 mod pipeline;
 mod program;
+mod program_smooth;
 mod stages;
 mod track;
+mod track_smooth;
 
 pub use crate::stage::{LineEndContact, Subgoal};
 pub use error::SweepError;
 pub use pipeline::{SCAN_WIDTHS, sweep};
 pub use program::{planned_for, program};
+pub use program_smooth::smooth_program;
 pub use stages::{CLEARANCE, LinkOrder, OrderCost, SubgoalLink, Sweep, SweepSetup};
 pub use track::{FRAME, Waypoint, in_frame, start_text, to_csv, to_ros_path, waypoints};
+pub use track_smooth::waypoints_along;

@@ -74,23 +74,22 @@ pub fn waypoints(path: &[Point], heading: f64, robot: &RobotModel) -> Vec<Waypoi
     stops
 }
 
-/// A path as a table: `x_m,y_m,heading_rad,distance_m,time_s`, headings counter-clockwise from +x, one line per stop of
-/// a robot that begins with `heading` rad. Times are by the robot's motion model, from rest to rest.
-pub fn to_csv(path: &[Point], heading: f64, robot: &RobotModel) -> String {
+/// A path as a table: `x_m,y_m,heading_rad,distance_m,time_s`, headings counter-clockwise from +x, one line for each of
+/// `places`.
+pub fn to_csv(places: &[Waypoint]) -> String {
     let mut text = "x_m,y_m,heading_rad,distance_m,time_s\n".to_owned();
-    for Waypoint { pose, distance, time } in waypoints(path, heading, robot) {
+    for Waypoint { pose, distance, time } in places {
         let _ = writeln!(text, "{:.4},{:.4},{:.6},{distance:.4},{time:.3}", pose.x, pose.y, pose.heading);
     }
     text
 }
 
 /// A path in the map's frame as a `nav_msgs/Path` in YAML, as accepted by `ros2 topic pub`: frame `map`, REP 103. The
-/// stamps of the poses are seconds from the start, by the robot's motion model.
-pub fn to_ros_path(path: &[Point], heading: f64, robot: &RobotModel) -> String {
-    let stops = waypoints(path, heading, robot);
+/// stamps of the poses are seconds from the start.
+pub fn to_ros_path(places: &[Waypoint]) -> String {
     let mut text = "header:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: map\n".to_owned();
-    text += if stops.is_empty() { "poses: []\n" } else { "poses:\n" };
-    for Waypoint { pose, time, .. } in stops {
+    text += if places.is_empty() { "poses: []\n" } else { "poses:\n" };
+    for Waypoint { pose, time, .. } in places {
         let (sin, cos) = math::sin_cos(0.5 * normalize(pose.heading));
         let nanoseconds = (time * 1e9).round() as u64;
         let (sec, nanosec) = (nanoseconds / 1_000_000_000, nanoseconds % 1_000_000_000);
@@ -116,7 +115,7 @@ mod tests {
     #[test]
     fn table_has_a_line_for_every_stop() {
         let roomba = model("roomba600").unwrap();
-        let table = to_csv(&corner(), 0.0, roomba);
+        let table = to_csv(&waypoints(&corner(), 0.0, roomba));
         let lines: Vec<&str> = table.lines().collect();
         assert_eq!(lines.len(), 5, "{table}");
         assert_eq!(lines[1], "1.0000,1.0000,0.000000,0.0000,0.000");
@@ -125,7 +124,7 @@ mod tests {
         let expected = roomba.straight_time(2.0) + roomba.turn_time(math::FRAC_PI_2) + roomba.straight_time(1.0);
         assert!((time - expected).abs() < 1e-3);
         // The octagon keeps its heading.
-        let table = to_csv(&corner(), 0.0, model("octagon").unwrap());
+        let table = to_csv(&waypoints(&corner(), 0.0, model("octagon").unwrap()));
         assert_eq!(table.lines().count(), 4);
         assert!(table.lines().skip(1).all(|line| line.contains(",0.000000,")), "{table}");
     }
@@ -134,14 +133,14 @@ mod tests {
     fn poses_are_in_the_map_frame() {
         let roomba = model("roomba600").unwrap();
         let (path, heading) = in_frame(&corner(), 0.0, Pose::new(-5.0, 2.0, math::FRAC_PI_2));
-        let text = to_ros_path(&path, heading, roomba);
+        let text = to_ros_path(&waypoints(&path, heading, roomba));
         // A quarter turn takes (1, 1) to (-1, 1), and half the heading has the sine of half the square root of 2.
         assert!(text.contains("position: {x: -6.0000, y: 3.0000, z: 0.0}"), "{text}");
         assert!(text.contains("orientation: {x: 0.0, y: 0.0, z: 0.707106781, w: 0.707106781}"), "{text}");
         assert!(text.starts_with("header:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: map\nposes:\n- header:\n"));
-        assert!(to_ros_path(&[], 0.0, roomba).ends_with("poses: []\n"));
+        assert!(to_ros_path(&[]).ends_with("poses: []\n"));
         // The table agrees.
-        assert!(to_csv(&path, heading, roomba).contains("\n-6.0000,3.0000,1.570796,0.0000,0.000\n"));
+        assert!(to_csv(&waypoints(&path, heading, roomba)).contains("\n-6.0000,3.0000,1.570796,0.0000,0.000\n"));
     }
 
     #[test]

@@ -4,7 +4,7 @@ mod rooms;
 mod touching;
 
 use coverage_planners::sweep::{
-    CLEARANCE, LinkOrder, Sweep, SweepError, SweepSetup, program, sweep, to_csv, to_ros_path,
+    CLEARANCE, LinkOrder, Sweep, SweepError, SweepSetup, program, sweep, to_csv, to_ros_path, waypoints,
 };
 use rand::RngExt;
 
@@ -69,8 +69,8 @@ fn checked(plan: &FloorPlan, setup: &SweepSetup, found: &Sweep) -> f64 {
     let (robot, heading) = if setup.turns { ("roomba600", 0.7) } else { ("octagon", 0.0) };
     let robot = model(robot).unwrap();
     let files = [
-        of_csv(&to_csv(&found.path, heading, robot)),
-        of_ros_path(&to_ros_path(&found.path, heading, robot)),
+        of_csv(&to_csv(&waypoints(&found.path, heading, robot))),
+        of_ros_path(&to_ros_path(&waypoints(&found.path, heading, robot))),
         of_program(&program(&found.path, heading, robot, "it")),
     ];
     let told = files.iter().map(|path| nearest(plan, &solids, &setup.outline, setup.turns, path));

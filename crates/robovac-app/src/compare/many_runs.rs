@@ -456,6 +456,7 @@ impl ManyRuns {
             cell_size_m: base.settings.cell_size,
             conditions: base.settings.conditions,
             odometry: base.settings.odometry,
+            smooth: base.settings.smooth,
             minutes: f64::from(self.minutes),
         };
         let runs = |index: usize| {

@@ -3,20 +3,23 @@
 mod path_format;
 mod recording_bag;
 mod run_bag;
+mod saved_path;
 mod svg;
 
 pub use path_format::PathFormat;
 pub use recording_bag::{LineTopics, recording_bag};
 pub use run_bag::{BAG_TYPE, RunBag, path_bag};
+pub use saved_path::SavedPath;
 pub use svg::to_svg;
 
 use self::path_format::ROOMBA;
-use coverage_planners::sweep::{in_frame, planned_for};
+use coverage_planners::sweep::planned_for;
 use floor_drawing::DrawingError;
 use robovac_core::{
     floor_plan::{FloorPlan, MapImage, OccupancyMode, RosMapError, Scenario, to_ascii, to_ros_map},
     geometry::Point,
     robot::RobotModel,
+    trajectory::Trajectory,
 };
 use robovac_ros::BagError;
 use robovac_sim::experiment::planning::choose_robot;
@@ -86,8 +89,8 @@ pub const FORMATS: &[Format] = &[
     Format {
         id: "path_csv",
         title: "Path, CSV table",
-        note: "Position, heading, distance and time at every corner, in metres, radians and seconds. Origin: the \
-            map's, or the room's lower left corner.",
+        note: "Position, heading, distance and time at every corner and along curves, in metres, radians and seconds. \
+            Origin: the map's, or the room's lower left corner.",
         needs_path: true,
     },
     Format {
@@ -133,6 +136,8 @@ pub struct Exported<'a> {
     pub plan: &'a FloorPlan,
     /// Corners of the path, m; empty if there is none.
     pub path: &'a [Point],
+    /// How the path is driven smoothly; `None` with a stop at each corner.
+    pub smooth: Option<&'a Trajectory>,
     /// Name of the files without ending.
     pub stem: &'a str,
     /// Mode of a ROS map's occupancy values.
@@ -180,7 +185,7 @@ impl Exported<'_> {
         match format.id {
             "scenario" => Ok(self.one("json", "application/json", self.scenario.to_json())),
             "text" => Ok(self.one("txt", "text/plain", to_ascii(self.plan))),
-            "svg" => Ok(self.one("svg", "image/svg+xml", to_svg(self.plan, self.path))),
+            "svg" => Ok(self.one("svg", "image/svg+xml", to_svg(self.plan, &self.saved().line()))),
             "dxf" => self.dxf(),
             "ros_pgm" => self.ros_map(MapImage::Pgm),
             "ros_png" => self.ros_map(MapImage::Png),
@@ -191,12 +196,10 @@ impl Exported<'_> {
     /// The path, in the frame of the map that the room came from.
     fn path_file(&self, format: &str) -> Result<Vec<ExportFile>, ExportError> {
         let robot = self.robot()?;
-        let start = self.plan.start.map_or(0.0, |start| start.heading);
         if format == "path_mcap" {
-            let bytes = path_bag(self.plan, &robot, self.path, start)?;
+            let bytes = path_bag(self.plan, &robot, self.saved())?;
             return Ok(vec![ExportFile { name: format!("{}.path.mcap", self.stem), kind: BAG_TYPE, bytes }]);
         }
-        let (path, heading) = in_frame(self.path, start, self.plan.origin);
         let (name, format) = match format {
             "path_csv" => ("", PathFormat::Csv),
             "path_ros" => ("path.", PathFormat::Poses),
@@ -204,9 +207,15 @@ impl Exported<'_> {
             "roomba" => ("", PathFormat::Commands),
             other => return Err(ExportError::Unknown(other.to_owned())),
         };
-        let text = format.text((&path, heading), &robot, &planned_for(&robot)).ok_or(ExportError::NoRobot)?;
+        let text = format.text(self.saved(), self.plan.origin, &robot, &planned_for(&robot));
+        let text = text.ok_or(ExportError::NoRobot)?;
         let (ending, kind) = format.file_type();
         Ok(self.one(&format!("{name}{ending}"), kind, text))
+    }
+
+    fn saved(&self) -> SavedPath<'_> {
+        let heading = self.plan.start.map_or(0.0, |start| start.heading);
+        SavedPath { corners: self.path, heading, smooth: self.smooth }
     }
 
     /// The robot of the scenario, or the Roomba if it names none.
@@ -223,7 +232,7 @@ impl Exported<'_> {
     }
 
     fn dxf(&self) -> Result<Vec<ExportFile>, ExportError> {
-        let bytes = path_dxf(self.plan, self.path)?;
+        let bytes = path_dxf(self.plan, self.saved())?;
         Ok(vec![ExportFile { name: format!("{}.dxf", self.stem), kind: "image/vnd.dxf", bytes }])
     }
 
@@ -242,11 +251,12 @@ impl Exported<'_> {
 }
 
 /// Walls, furniture and a path in metres as a DXF drawing, in the frame of the map that the room came from; an empty path
-/// leaves its layer out.
-pub fn path_dxf(plan: &FloorPlan, path: &[Point]) -> Result<Vec<u8>, DrawingError> {
+/// leaves its layer out. Curves are polylines.
+pub fn path_dxf(plan: &FloorPlan, path: SavedPath<'_>) -> Result<Vec<u8>, DrawingError> {
     let mut overlays = floor_drawing::outlines(plan);
-    if !path.is_empty() {
-        let path = path.iter().map(|&at| plan.origin.to_world(at)).collect();
+    let line = path.line();
+    if !line.is_empty() {
+        let path = line.iter().map(|&at| plan.origin.to_world(at)).collect();
         overlays.push(floor_drawing::Overlay { layer: "PATH".to_owned(), colour: 5, lines: vec![path] });
     }
     floor_drawing::to_dxf(None, &overlays)
@@ -255,7 +265,12 @@ pub fn path_dxf(plan: &FloorPlan, path: &[Point]) -> Result<Vec<u8>, DrawingErro
 #[cfg(test)]
 mod tests {
     use super::*;
-    use robovac_core::floor_plan::room;
+    use robovac_core::{
+        floor_plan::room,
+        geometry::Pose,
+        robot::model,
+        trajectory::{DriveLimits, Knot, RoundedLine, Rounding},
+    };
 
     #[test]
     fn every_format_gives_files() {
@@ -267,6 +282,7 @@ mod tests {
                 scenario: &scenario,
                 plan: &plan,
                 path: &path,
+                smooth: None,
                 stem: "flat",
                 mode: OccupancyMode::Trinary,
                 negate: false,
@@ -278,6 +294,48 @@ mod tests {
         }
     }
 
+    /// A path with a rounded corner in a room whose origin is elsewhere: all files that tell places tell those of the curve.
+    #[test]
+    fn files_of_a_smooth_path_hold_its_curves() {
+        let mut plan = (room("bedroom").unwrap().build)();
+        plan.origin = Pose::new(-5.0, 2.0, 0.5);
+        let path = [Point::new(0.5, 0.5), Point::new(1.5, 0.5), Point::new(1.5, 1.5)];
+        let limits = DriveLimits::of(model("roomba600").unwrap()).unwrap();
+        let heading = plan.start.map_or(0.0, |start| start.heading);
+        let rounded = RoundedLine::new(&path, heading, &[Rounding::Stop, Rounding::Alone(0.15), Rounding::Stop]);
+        let trajectory = Trajectory::new(&rounded, &limits);
+        let scenario = Scenario::of(&plan);
+        let stopping = Exported {
+            scenario: &scenario,
+            plan: &plan,
+            path: &path,
+            smooth: None,
+            stem: "b",
+            mode: OccupancyMode::Trinary,
+            negate: false,
+        };
+        let smooth = Exported { smooth: Some(&trajectory), ..stopping.clone() };
+        for format in FORMATS {
+            let [with_stops, with_curves] = [&stopping, &smooth].map(|exported| exported.files(format.id).unwrap());
+            let has_places = format.needs_path || ["svg", "dxf"].contains(&format.id);
+            assert_eq!(with_stops != with_curves, has_places, "{}", format.id);
+        }
+        let table = String::from_utf8(smooth.files("path_csv").unwrap().remove(0).bytes).unwrap();
+        let rows =
+            table.lines().skip(1).map(|row| row.split(',').map(|cell| cell.parse().unwrap()).collect::<Vec<f64>>());
+        let knots = trajectory.knots();
+        let rows: Vec<Vec<f64>> = rows.collect();
+        for row in &rows {
+            let off = |knot: &Knot| (plan.origin.to_world(knot.pose.position()) - Point::new(row[0], row[1])).norm();
+            let nearest = knots
+                .windows(2)
+                .map(|pair| off(&pair[0]).min(off(&pair[1])) - (pair[1].distance_m - pair[0].distance_m));
+            assert!(nearest.fold(f64::MAX, f64::min) < 1e-3, "{row:?}");
+        }
+        let last = rows.last().unwrap();
+        assert!((last[4] - trajectory.duration_s()).abs() < 1e-3, "{last:?}");
+    }
+
     #[test]
     fn an_unknown_format_names_those_that_there_are() {
         let plan = (room("thesis8").unwrap().build)();
@@ -286,6 +344,7 @@ mod tests {
             scenario: &scenario,
             plan: &plan,
             path: &[],
+            smooth: None,
             stem: "r",
             mode: OccupancyMode::Raw,
             negate: false,

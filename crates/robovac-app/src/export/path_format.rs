@@ -1,12 +1,12 @@
 //! Files of a path.
 
-use super::run_bag::BAG_TYPE;
-use coverage_planners::sweep::{program, to_csv, to_ros_path};
+use super::{SavedPath, run_bag::BAG_TYPE};
+use coverage_planners::sweep::{in_frame, program, smooth_program, to_csv, to_ros_path};
 use robovac_core::{
-    geometry::Point,
+    geometry::Pose,
     robot::{RobotModel, model},
 };
-use robovac_link::commands_text;
+use robovac_link::{commands_text, smooth_commands_text};
 use serde::{Deserialize, Serialize};
 
 /// The robot of command files: only its drive speaks the Open Interface.
@@ -47,15 +47,25 @@ impl PathFormat {
         }
     }
 
-    /// The text of a path (corners, m, and the heading at its start) for `robot`, described by `planned`; `None` for a
-    /// drawing and a bag, which are no texts and require more than a path.
-    pub fn text(self, (path, heading): (&[Point], f64), robot: &RobotModel, planned: &str) -> Option<String> {
-        Some(match self {
-            Self::Commands => commands_text(path, heading, model(ROOMBA)?, planned),
-            Self::Program => program(path, heading, robot, planned),
-            Self::Csv => to_csv(path, heading, robot),
-            Self::Poses => to_ros_path(path, heading, robot),
-            Self::Bag | Self::Dxf => return None,
+    /// The text of a path for `robot`, described by `planned`, in the frame in which the room's origin is at `origin`; `None` for
+    /// a drawing and a bag, which are no texts and require more than a path.
+    pub fn text(self, path: SavedPath<'_>, origin: Pose, robot: &RobotModel, planned: &str) -> Option<String> {
+        let stopped = || in_frame(path.corners, path.heading, origin);
+        let smooth = path.smooth.map(|trajectory| trajectory.in_frame(origin));
+        Some(match (self, smooth) {
+            (Self::Commands, Some(trajectory)) => smooth_commands_text(&trajectory, robot, model(ROOMBA)?, planned),
+            (Self::Commands, None) => {
+                let (line, heading) = stopped();
+                commands_text(&line, heading, model(ROOMBA)?, planned)
+            }
+            (Self::Program, Some(trajectory)) => smooth_program(&trajectory, robot, planned),
+            (Self::Program, None) => {
+                let (line, heading) = stopped();
+                program(&line, heading, robot, planned)
+            }
+            (Self::Csv, _) => to_csv(&path.places(origin, robot)),
+            (Self::Poses, _) => to_ros_path(&path.places(origin, robot)),
+            (Self::Bag | Self::Dxf, _) => return None,
         })
     }
 }

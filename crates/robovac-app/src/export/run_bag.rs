@@ -1,14 +1,11 @@
 //! Runs and paths as MCAP bags with ROS 2 messages.
 
+use super::SavedPath;
 use crate::{explore::Session, map::MapSession};
-use robovac_core::{
-    floor_plan::FloorPlan,
-    geometry::{Point, Pose},
-    robot::RobotModel,
-};
+use robovac_core::{floor_plan::FloorPlan, geometry::Pose, robot::RobotModel};
 use robovac_ros::{Bag, BagError, Pace, RunTopics, SourceMap, file_of, path_topics};
-use robovac_sim::{Input, RunRecording, STEP_S, controller::Joystick};
-use std::{io::Cursor, sync::Arc};
+use robovac_sim::{Input, RunRecording, STEP_S, controller::Joystick, experiment::planning::PathToDrive};
+use std::io::Cursor;
 
 /// Media type of bags.
 pub const BAG_TYPE: &str = "application/x-mcap";
@@ -24,18 +21,22 @@ pub struct RunBag {
 }
 
 impl RunBag {
-    /// The run of a session that has the room and settings of the original one: along `line` (corners, m) for a planner,
+    /// The run of a session that has the room and settings of the original one: along `driven` for a planner,
     /// with a person's inputs, up to `end_s`. `None` if the robot doesn't fit.
     pub fn of_session(
         session: &Session,
-        line: Vec<Point>,
+        driven: &PathToDrive,
         inputs: Vec<(u64, Input)>,
         end_s: f64,
     ) -> Result<Option<Self>, BagError> {
-        let line: Arc<[Point]> = line.into();
-        let (Some(prepared), Some(run)) = (session.prepared(), session.new_run(&line)) else { return Ok(None) };
+        let (Some(prepared), Some(run)) = (session.prepared(), session.new_run(driven)) else { return Ok(None) };
         let recording = RunRecording::within(run, 0).with_inputs(inputs);
-        let source = SourceMap { plan: session.plan(), robot: &prepared.robot, path: &line };
+        let source = SourceMap {
+            plan: session.plan(),
+            robot: &prepared.robot,
+            path: &driven.line,
+            smooth: driven.smooth.as_deref(),
+        };
         Self::new(&source, recording, end_s).map(Some)
     }
 
@@ -43,7 +44,7 @@ impl RunBag {
     pub fn of_mapping(session: &MapSession) -> Result<Option<Self>, BagError> {
         let (Some(plan), Some(prepared)) = (session.plan(), session.prepared()) else { return Ok(None) };
         let Some((recording, end_s)) = session.again() else { return Ok(None) };
-        let source = SourceMap { plan, robot: &prepared.robot, path: &[] };
+        let source = SourceMap { plan, robot: &prepared.robot, path: &[], smooth: None };
         Self::new(&source, recording, end_s).map(Some)
     }
 
@@ -93,15 +94,17 @@ impl RunBag {
     }
 }
 
-/// A planned path with its room as a bag: corners in the room, m, and the heading at the start, rad.
-pub fn path_bag(plan: &FloorPlan, robot: &RobotModel, path: &[Point], heading: f64) -> Result<Vec<u8>, BagError> {
-    file_of(path_topics(&SourceMap { plan, robot, path }, heading))
+/// A planned path with its room as a bag.
+pub fn path_bag(plan: &FloorPlan, robot: &RobotModel, path: SavedPath<'_>) -> Result<Vec<u8>, BagError> {
+    let SavedPath { corners, heading, smooth } = path;
+    file_of(path_topics(&SourceMap { plan, robot, path: corners, smooth }, heading))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use robovac_core::geometry::Pose;
+    use robovac_sim::experiment::planning::Planned;
 
     /// A session that was driven for a while, lifted, put down and driven on; and the digest of its state.
     fn driven(link: &str) -> (Session, f64, u64) {
@@ -120,16 +123,19 @@ mod tests {
 
     #[test]
     fn the_bag_of_a_run_is_of_that_very_run() {
-        for link in ["room=bedroom&behaviour=bounce&slip=typical", "room=bedroom&planner=boustrophedon&slip=typical"] {
+        let planned = "room=bedroom&planner=boustrophedon&slip=typical";
+        let links = ["room=bedroom&behaviour=bounce&slip=typical", planned, &format!("{planned}&smooth=true")];
+        for link in links {
             let (session, end_s, digest) = driven(link);
-            let line = session.planned().map_or(Vec::new(), |planned| planned.line.to_vec());
+            let path = session.planned().map_or(PathToDrive::default(), Planned::driven);
+            assert_eq!(path.smooth.is_some(), link.contains("smooth"), "{link}");
             let numbers = RunBag::inputs_to_numbers(session.recording().unwrap().inputs());
             let inputs = RunBag::inputs_from_numbers(&numbers);
             assert_eq!(inputs, session.recording().unwrap().inputs());
             // Another session, as in a worker: it has no plan.
             let mut other = Session::new();
             other.follow(&session.snapshot()).unwrap();
-            let (bytes, found) = RunBag::of_session(&other, line, inputs, end_s).unwrap().unwrap().finish().unwrap();
+            let (bytes, found) = RunBag::of_session(&other, &path, inputs, end_s).unwrap().unwrap().finish().unwrap();
             assert_eq!(found, digest, "{link}");
             assert!(bytes.starts_with(b"\x89MCAP0") && bytes.len() > 50_000, "{link}: {} bytes", bytes.len());
         }

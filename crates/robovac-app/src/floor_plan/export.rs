@@ -2,10 +2,10 @@
 
 use super::{DrawingPart, DrawingSession, DrawingSource};
 use crate::{
-    export::{ExportFile, PathFormat, path_bag},
+    export::{ExportFile, PathFormat, SavedPath, path_bag},
     floor_plan::sweep_dxf,
 };
-use coverage_planners::sweep::{Sweep, in_frame, planned_for};
+use coverage_planners::sweep::{Sweep, planned_for};
 use floor_drawing::Traced;
 use robovac_core::{
     cspace::Outline,
@@ -29,11 +29,11 @@ impl DrawingSession {
         // A robot that turns begins as the room's start says; any other keeps the heading that the path was planned for.
         let turns = model.wheels == WheelLayout::Differential;
         let start = room.plan.start.filter(|_| turns).map_or(0.0, |start| start.heading);
-        let (path, heading) = in_frame(&sweep.path, start, room.plan.origin);
-        let bytes = match format.text((&path, heading), model, &planned) {
+        let path = SavedPath::with_stops(&sweep.path, start);
+        let bytes = match format.text(path, room.plan.origin, model, &planned) {
             Some(text) => text.into_bytes(),
             None if format == PathFormat::Bag => {
-                path_bag(&room.plan, model, &sweep.path, start).map_err(|error| error.to_string())?
+                path_bag(&room.plan, model, path).map_err(|error| error.to_string())?
             }
             None => self.dxf(room, sweep)?,
         };

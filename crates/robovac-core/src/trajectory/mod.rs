@@ -13,10 +13,12 @@
 
 mod clothoid;
 mod limits;
+mod moment;
 mod profile;
 mod round;
 mod timed;
 
 pub use limits::DriveLimits;
+pub use moment::PlannedMoment;
 pub use round::{CornerShape, RoundedLine, Rounding, Stretch};
 pub use timed::{Knot, Trajectory};

@@ -59,6 +59,15 @@ impl Trajectory {
         Self { knots, turning_s }
     }
 
+    /// The same in the frame in which the present one's origin is at `origin`.
+    pub fn in_frame(&self, origin: Pose) -> Self {
+        let moved = |knot: &Knot| {
+            let at = origin.to_world(knot.pose.position());
+            Knot { pose: Pose::new(at.x, at.y, knot.pose.heading + origin.heading), ..*knot }
+        };
+        Self { knots: self.knots.iter().map(moved).collect(), turning_s: self.turning_s }
+    }
+
     /// Adds a run from rest to rest that ends at `end`.
     fn go(&mut self, run: &[Stretch], limits: &DriveLimits, end: Pose) {
         let Some(last) = run.last() else { return };

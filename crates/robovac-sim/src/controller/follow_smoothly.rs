@@ -42,13 +42,6 @@ pub struct FollowSmoothly {
     last: Pose,
 }
 
-/// What a trajectory wants at a moment.
-struct Wanted {
-    pose: Pose,
-    speed: f64,
-    turn_rate: f64,
-}
-
 impl FollowSmoothly {
     /// Follows `trajectory`, which rounds corners of the line of `inner`. `None` for a robot that isn't a differential drive.
     pub fn new(robot: &RobotModel, inner: FollowPath, trajectory: Arc<Trajectory>) -> Option<Self> {
@@ -142,7 +135,7 @@ impl FollowSmoothly {
     /// One step along the trajectory.
     fn track(&mut self, dt_s: f64) -> Drive {
         let pose = self.inner.pose();
-        let (_, now) = self.wanted(self.time_s);
+        let Some((_, now)) = self.trajectory.moment(self.time_s, &self.limits, self.at) else { return self.leave() };
         let behind = now.pose.position() - pose.position();
         let ahead = pose.direction();
         let (along, beside) = (ahead.dot(&behind), ahead.perp(&behind));
@@ -152,7 +145,7 @@ impl FollowSmoothly {
         }
         self.time_s += dt_s * (1.0 - (along - BEHIND[0]) / BEHIND[1]).clamp(0.0, 1.0);
         // Speeds are reached one step later.
-        let (at, next) = self.wanted(self.time_s);
+        let Some((at, next)) = self.trajectory.moment(self.time_s, &self.limits, self.at) else { return self.leave() };
         self.at = at;
         if self.time_s >= self.trajectory.duration_s() {
             self.inner.finish();
@@ -164,52 +157,6 @@ impl FollowSmoothly {
         let drive = Drive::from_twist(speed, turn_rate, 2.0 * self.limits.half_base);
         let fastest = drive.left.abs().max(drive.right.abs());
         if fastest > self.top_wheel_speed { drive.times(self.top_wheel_speed / fastest) } else { drive }
-    }
-
-    /// Index of the knot before a time at or after the present one, and what the trajectory wants then.
-    fn wanted(&self, time_s: f64) -> (usize, Wanted) {
-        let knots = self.trajectory.knots();
-        let mut at = self.at;
-        while at + 2 < knots.len() && knots[at + 1].time_s <= time_s {
-            at += 1;
-        }
-        let [a, b] = [knots[at], knots[(at + 1).min(knots.len() - 1)]];
-        let lasts = b.time_s - a.time_s;
-        let since = (time_s - a.time_s).clamp(0.0, lasts);
-        let turn = difference(a.pose.heading, b.pose.heading);
-        let length = b.distance_m - a.distance_m;
-        if lasts <= 0.0 {
-            return (at, Wanted { pose: b.pose, speed: b.speed, turn_rate: 0.0 });
-        }
-        if length <= 0.0 {
-            let (share, rate) = self.turned(turn, since, lasts);
-            let pose = Pose::new(a.pose.x, a.pose.y, a.pose.heading + share * turn);
-            return (at, Wanted { pose, speed: 0.0, turn_rate: rate });
-        }
-        // Constant acceleration; the curvature is linear in the way.
-        let acceleration = (b.speed - a.speed) / lasts;
-        let speed = a.speed + acceleration * since;
-        let done = (0.5 * (a.speed + speed) * since / length).clamp(0.0, 1.0);
-        let place = a.pose.position() + (b.pose.position() - a.pose.position()) * done;
-        let curvature = a.curvature + (b.curvature - a.curvature) * done;
-        let turned = done * length * 0.5 * (a.curvature + curvature);
-        let pose = Pose::new(place.x, place.y, a.pose.heading + turned);
-        (at, Wanted { pose, speed, turn_rate: speed * curvature })
-    }
-
-    /// The share of a turn on the spot by `turn` that is done after `since` of `lasts` seconds, and the turn rate.
-    fn turned(&self, turn: f64, since: f64, lasts: f64) -> (f64, f64) {
-        let DriveLimits { wheel_speed, acceleration, half_base, .. } = self.limits;
-        let ramp = (wheel_speed / acceleration).min(0.5 * lasts);
-        let way = |time: f64| match time {
-            _ if time < ramp => 0.5 * acceleration * time * time,
-            _ => 0.5 * acceleration * ramp * ramp + acceleration * ramp * (time - ramp),
-        };
-        let whole = 2.0 * way(0.5 * lasts);
-        let is_first_half = since < 0.5 * lasts;
-        let done = if is_first_half { way(since) } else { whole - way(lasts - since) };
-        let wheel = acceleration * since.min(lasts - since).min(ramp);
-        (if whole > 0.0 { done / whole } else { 1.0 }, (wheel / half_base).copysign(turn))
     }
 
     /// Takes the trajectory up again if the robot drives along one of its straight pieces, as fast as planned.

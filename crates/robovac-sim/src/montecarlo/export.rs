@@ -21,6 +21,8 @@ pub struct RunsHeader<'a> {
     pub conditions: Conditions,
     /// How followers of planned paths compute their poses.
     pub odometry: OdometryModel,
+    /// Whether they round corners.
+    pub smooth: bool,
     /// Simulated time of each run, min.
     pub minutes: f64,
 }

@@ -5,12 +5,12 @@ use crate::explore::{FilmPicture, PlanSearch, SessionState, Showing, opening, pi
 use coverage_planners::{
     CoveragePath, PlanError, PlannerInfo, ProgressReport, Proof, metrics::SweepBound, smooth::SmoothSetup,
 };
-use robovac_core::{coverage::FloorError, floor_plan, geometry::Point, trajectory::Trajectory};
+use robovac_core::{coverage::FloorError, floor_plan, trajectory::Trajectory};
 use robovac_sim::{
     Life, Run, RunRecording,
     experiment::{
         Algorithm, Settings,
-        planning::{PlanAnswer, PlanRequest, Planned, RoomSetup},
+        planning::{PathToDrive, PlanAnswer, PlanRequest, Planned, RoomSetup},
     },
 };
 use std::{ops::ControlFlow, sync::Arc};
@@ -167,14 +167,14 @@ impl Session {
         }
     }
 
-    /// A run from the start: along `line` (corners, m) for a planner or a path from elsewhere. `None` if the robot doesn't fit, or if the
+    /// A run from the start: along `driven` for a planner or a path from elsewhere. `None` if the robot doesn't fit, or if the
     /// behaviour isn't available.
-    pub(crate) fn new_run(&self, line: &Arc<[Point]>) -> Option<Run> {
+    pub(crate) fn new_run(&self, driven: &PathToDrive) -> Option<Run> {
         let prepared = self.prepared.as_ref()?;
         let Settings { algorithm, ref params, ref path, conditions, odometry, seed, .. } = self.settings;
         match algorithm {
-            _ if path.is_some() => Some(prepared.run_along(line, conditions, odometry, seed)),
-            Algorithm::Planner(_) => Some(prepared.run_along(line, conditions, odometry, seed)),
+            _ if path.is_some() => Some(prepared.run_driven(driven, conditions, odometry, seed)),
+            Algorithm::Planner(_) => Some(prepared.run_driven(driven, conditions, odometry, seed)),
             Algorithm::Behaviour(_) if self.program_drives() => Some(self.program_run(prepared)),
             Algorithm::Behaviour(behaviour) => {
                 prepared.run_one_of(self.settings.behaviours(), behaviour, params, conditions, seed)
@@ -262,15 +262,9 @@ impl Session {
 
     /// A run from the start, once there is a path for those that need one.
     pub(super) fn fresh_run(&self) -> Option<Run> {
-        if let (Some(prepared), Some(planned)) = (&self.prepared, &self.planned)
-            && planned.smooth.is_some()
-        {
-            let Settings { conditions, odometry, seed, .. } = self.settings;
-            return Some(planned.run(prepared, conditions, odometry, seed));
-        }
-        let line = self.planned.as_ref().map(|planned| Arc::clone(&planned.line));
+        let driven = self.planned.as_ref().map(Planned::driven);
         let needs_line = self.settings.path.is_some() || self.settings.algorithm.planner().is_some();
-        if needs_line && line.is_none() { None } else { self.new_run(&line.unwrap_or_default()) }
+        if needs_line && driven.is_none() { None } else { self.new_run(&driven.unwrap_or_default()) }
     }
 
     /// Begins with a run.

@@ -196,6 +196,63 @@ fn lanes_print_their_numbers_drive_and_write_files() {
     assert!(text.contains("Bound     at least") && text.contains("Excess"), "{text}");
 }
 
+/// What `--smooth` saves is the trajectory: every file takes its time and ends where it does.
+#[test]
+fn lanes_with_rounded_corners_are_so_in_every_file() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("lanes_smooth");
+    fs::create_dir_all(&folder).unwrap();
+    let files = ["csv", "yaml", "mcap", "oi.txt", "txt", "dxf"].map(|ending| folder.join(format!("s.{ending}")));
+    let out = files.each_ref().map(|file| ["--out", file.to_str().unwrap()]).concat();
+    let common = ["lanes", "--room", "bedroom", "--coverage", "95", "--effort", "5", "--smooth"];
+    let report: Value = serde_json::from_str(&text(&[&common[..], &["--json"], &out].concat())).unwrap();
+    let smooth = |key: &str| report["smooth"][key].as_f64().unwrap();
+    let (seconds, metres) = (smooth("duration_s"), smooth("length_m"));
+    assert!(seconds < 0.9 * report["duration_s"].as_f64().unwrap(), "{report}");
+    assert!(smooth("bound_duration_s") < seconds && smooth("bound_length_m") < metres, "{report}");
+    assert!((smooth("excess_duration") - (seconds / smooth("bound_duration_s") - 1.0)).abs() < 1e-9, "{report}");
+    let [csv, yaml, _, bytes, program, _] = files.each_ref().map(|file| fs::read_to_string(file).unwrap_or_default());
+    let rows: Vec<Vec<f64>> =
+        csv.lines().skip(1).map(|row| row.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
+    let end = rows.last().unwrap();
+    assert!((end[4] - seconds).abs() < 1e-3 && (end[3] - metres).abs() < 1e-3, "{end:?} {report}");
+    // As far as the rows tell it: chords are shorter than curves.
+    let way: f64 = rows.windows(2).map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1])).sum();
+    assert!((0.99..1.0).contains(&(way / metres)), "{way} {metres}");
+    assert_eq!(yaml.matches("  pose:").count(), rows.len());
+    assert!(yaml.contains(&format!("sec: {}, ", seconds.floor())), "{seconds}");
+    // The program's times, and those of the bytes.
+    let times = program.lines().filter_map(|line| line.strip_suffix(" s")?.rsplit_once(" in ")?.1.parse::<f64>().ok());
+    assert!((times.sum::<f64>() - seconds).abs() < 2e-3, "{seconds}");
+    let last = bytes.lines().last().unwrap();
+    let takes = last.split(' ').next().unwrap().parse::<f64>().unwrap() / seconds;
+    assert!((1.0..1.03).contains(&takes) && last.contains("  AD "), "{takes} {last}");
+    assert!(bytes.lines().nth_back(1).unwrap().contains("stand still"), "{bytes}");
+    // Times of the bag's messages are as far as those of the path.
+    assert!(fs::read(&files[2]).unwrap().starts_with(b"\x89MCAP"));
+    let drawing = read(&SourceFile { name: "s.dxf".into(), bytes: fs::read(&files[5]).unwrap() }).unwrap();
+    let drawn = drawing.strokes.iter().find(|stroke| drawing.layers[stroke.layer as usize].name == "PATH").unwrap();
+    let corners = drawing.corners(drawn);
+    let length: f64 = corners.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+    assert!((length - metres).abs() < 0.01, "{length} {metres}");
+    let told = text(&common);
+    assert!(told.contains("in minutes: without stops at least"), "{told}");
+}
+
+#[test]
+fn a_coverage_out_of_reach_is_told_with_the_most_that_can_be() {
+    let base = ["plan", "--room", "bedroom", "--robot", "roomba600", "--planner", "boustrophedon", "--coverage"];
+    let (missed, reached) = (text(&[&base[..], &["100"]].concat()), text(&[&base[..], &["90"]].concat()));
+    assert!(
+        missed.contains("\nMissed    no planning cells reach 100.00 %: those of 0.") && !reached.contains("Missed")
+    );
+    let json: Value = serde_json::from_str(&text(&[&base[..], &["100", "--json"]].concat())).unwrap();
+    let most = json["missed"]["most"].as_f64().unwrap();
+    assert!(missed.contains(&format!("sweep most, {:.2} %\n", 100.0 * most)), "{missed}");
+    assert!((json["excess"]["swept"].as_f64().unwrap() - most).abs() < 1e-3, "it is the plan that was made: {json}");
+    let simulated = text(&["simulate", "--room", "bedroom", "--planner", "boustrophedon", "--coverage", "100"]);
+    assert!(simulated.contains("\nMissed    no planning cells reach 100.00 %"), "{simulated}");
+}
+
 #[test]
 fn lanes_say_what_is_wrong() {
     let with = |more: &[&str]| failure(&[&["lanes", "--room", "bedroom"], more].concat());

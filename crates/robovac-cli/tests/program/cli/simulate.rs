@@ -168,6 +168,27 @@ fn montecarlo_tells_the_same_in_every_form_and_on_any_number_of_cores() {
 }
 
 #[test]
+fn montecarlo_rounds_the_corners_of_plans() {
+    let base = ["montecarlo", "--room", "bedroom", "--planner", "boustrophedon", "--seeds", "2", "--minutes", "15"];
+    let of = |more: &[&str]| text(&[&base[..], more].concat());
+    let first = |more: &[&str], key: &str| {
+        let json: Value = serde_json::from_str(&of(&[more, &["--json"]].concat())).unwrap();
+        assert_eq!(json["smooth"], more == ["--smooth"]);
+        let each = &json["algorithms"][0]["each"][0];
+        (each["time_s"].as_f64().unwrap(), each[key][1].as_f64().unwrap())
+    };
+    let (stopping, smooth) = (first(&[], "excess"), first(&["--smooth"], "excess"));
+    assert!(smooth.0 < 0.9 * stopping.0 && smooth.1 < stopping.1, "{smooth:?} {stopping:?}");
+    let table = of(&["--smooth"]);
+    assert!(table.contains("noise off, rounded corners\n") && table.contains("| in minutes, % |"), "{table}");
+    let excess = format!("| {:.0} (", 100.0 * smooth.1);
+    assert!(table.contains(&excess), "{excess} in {table}");
+    // That a robot without wheels to turn has no plan is a result.
+    let octagon = text(&["montecarlo", "--room", "empty", "--robot", "octagon", "--planner", "snake", "--smooth"]);
+    assert!(octagon.contains("can't round corners"), "{octagon}");
+}
+
+#[test]
 fn montecarlo_says_what_it_does_not_know() {
     let base = ["montecarlo", "--room", "empty"];
     for (arguments, expected) in [

@@ -223,7 +223,7 @@ impl RoomSetup {
 }
 
 /// A line, and how it is driven.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct PathToDrive {
     /// Corners, m.
     pub line: Arc<[Point]>,
