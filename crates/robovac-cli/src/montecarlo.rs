@@ -86,7 +86,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let head = RunsHeader {
         room: &placement.plan.name,
         robot: placement.robot.id,
-        cell_size_m: placement.cell_size,
+        cell_size_m: placement.cells.size,
         conditions,
         odometry,
         minutes: arguments.minutes,

@@ -55,6 +55,8 @@ pub struct SessionView {
     pub params: Params,
     /// Side of the planning cells, m.
     pub cell_size_m: f64,
+    /// How far the planning cells begin to the left of the room's lower-left corner and below it, m.
+    pub cell_offset_m: [f64; 2],
     /// Seed of everything random.
     pub seed: u64,
     /// Level of wheel slip.

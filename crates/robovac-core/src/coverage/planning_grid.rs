@@ -1,6 +1,6 @@
 //! The planning grid: square cells of any size laid over the floor that a robot can reach.
 
-use super::ReachableFloor;
+use super::{PlanningCells, ReachableFloor};
 use crate::{
     geometry::{Point, Vector},
     grid::{Cell, Direction, Grid, reachable},
@@ -15,8 +15,8 @@ use std::collections::VecDeque;
 /// wall between two anchors) the cell whose anchor lies farther from its centre is dropped.
 #[derive(Debug, Clone)]
 pub struct PlanningGrid {
-    /// Side of a planning cell, m.
-    pub cell_size: f64,
+    /// Where the cells lie.
+    pub cells: PlanningCells,
     /// Free planning cells, all connected with `start`.
     pub free: Grid<bool>,
     /// The cell of the robot's start.
@@ -25,14 +25,18 @@ pub struct PlanningGrid {
 }
 
 impl PlanningGrid {
-    /// Lays cells of `cell_size` metres over `floor`, from the map's lower-left corner.
-    pub fn new(floor: &ReachableFloor, cell_size: f64) -> Self {
-        let standing = &floor.standing;
-        let cells = |n: usize| ((n as f64 * floor.resolution / cell_size - 1e-6).ceil() as usize).max(1);
-        let (width, height) = (cells(standing.width()), cells(standing.height()));
+    /// Lays cells over `floor`; a number is their side in metres, from the map's lower-left corner.
+    pub fn new(floor: &ReachableFloor, cells: impl Into<PlanningCells>) -> Self {
+        Self::lay(floor, cells.into())
+    }
+
+    fn lay(floor: &ReachableFloor, cells: PlanningCells) -> Self {
+        let (standing, cell_size) = (&floor.standing, cells.size);
+        let count = |axis: usize, n: usize| cells.along(axis, n as f64 * floor.resolution);
+        let (width, height) = (count(0, standing.width()), count(1, standing.height()));
         let planning_cell = |p: Point| {
-            let index = |v: f64, n: usize| ((v / cell_size) as i32).min(n as i32 - 1);
-            Cell::new(index(p.x, width), index(p.y, height))
+            let cell = cells.at(p);
+            Cell::new(cell.x.clamp(0, width as i32 - 1), cell.y.clamp(0, height as i32 - 1))
         };
         let mut free = Grid::filled(width, height, false);
         for (fine, _) in standing.iter().filter(|&(_, &stands)| stands) {
@@ -40,7 +44,7 @@ impl PlanningGrid {
         }
         let targets = Targets {
             free: &free,
-            cell_size,
+            cells,
             shift: (2.0 * floor.tool_radius - cell_size).clamp(0.0, 0.5 * cell_size),
         };
         let mut anchors = Grid::filled(width, height, Point::origin());
@@ -58,7 +62,7 @@ impl PlanningGrid {
             anchors[cell] = settle(floor, anchors[cell], targets.of(cell));
         }
         let start = planning_cell(floor.start.position());
-        let mut planning_grid = Self { cell_size, free, start, anchors };
+        let mut planning_grid = Self { cells, free, start, anchors };
         for index in 0..planning_grid.free.len() {
             let cell = planning_grid.free.cell(index);
             for next in [cell.step(Direction::Right), cell.step(Direction::Up)] {
@@ -125,7 +129,7 @@ impl PlanningGrid {
 
     /// Points to drive through from the anchor of `from` to that of its neighbour `to`, the last one included.
     fn link(&self, floor: &ReachableFloor, from: Cell, to: Cell) -> Option<Vec<Point>> {
-        way(floor, self.anchor(from), self.anchor(to), self.cell_size)
+        way(floor, self.anchor(from), self.anchor(to), self.cells.size)
     }
 }
 
@@ -188,7 +192,7 @@ fn way(floor: &ReachableFloor, from: Point, to: Point, margin: f64) -> Option<Ve
 /// Target positions of the anchors: the centre of each cell, or towards the wall where there is no neighbouring cell.
 struct Targets<'a> {
     free: &'a Grid<bool>,
-    cell_size: f64,
+    cells: PlanningCells,
     /// Largest shift of a lane beside a wall that leaves no gap to the next lane, m.
     shift: f64,
 }
@@ -201,10 +205,11 @@ impl Targets<'_> {
             (true, false) => -self.shift,
             _ => 0.0,
         };
-        Point::new(
-            (f64::from(cell.x) + 0.5) * self.cell_size + towards_wall(Direction::Right, Direction::Left),
-            (f64::from(cell.y) + 0.5) * self.cell_size + towards_wall(Direction::Up, Direction::Down),
-        )
+        self.cells.centre(cell)
+            + Vector::new(
+                towards_wall(Direction::Right, Direction::Left),
+                towards_wall(Direction::Up, Direction::Down),
+            )
     }
 }
 

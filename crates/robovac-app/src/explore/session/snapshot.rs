@@ -29,7 +29,7 @@ impl Session {
         let Shows { sensors, estimate, .. } = self.settings.shows;
         let is_lost = self.settings.conditions.slip != SlipLevel::None;
         let robot = run.map(|run| RobotView::of(run, &model, estimate || is_lost));
-        let film = self.picture().map(|picture| FilmScene { picture, cell_size: self.settings.cell_size });
+        let film = self.picture().map(|picture| FilmScene { picture, cells: self.settings.cells() });
         // A picture of the film shows the plan alone, without the robot.
         let robot = robot.filter(|_| film.is_none());
         let coverage = self.settings.shows.coverage && film.is_none();
@@ -51,7 +51,7 @@ impl Session {
             steps: run.map_or(0, Run::steps),
             believed: run.filter(|_| estimate).map_or(&[], Run::believed_trail),
             robot,
-            search: self.decision().map(|step| SearchScene { step, cell_size: self.settings.cell_size }),
+            search: self.decision().map(|step| SearchScene { step, cells: self.settings.cells() }),
             start: self.prepared.as_ref().map(|p| p.floor.start),
             start_radius: model.radius,
             start_body: model.body,
@@ -105,6 +105,7 @@ impl Session {
             dirt_left: life.filter(|life| !life.spots().is_empty()).map(Life::dirt_left),
             params: self.settings.params.clone(),
             cell_size_m: self.settings.cell_size,
+            cell_offset_m: self.settings.cells().offset,
             seed: self.settings.seed,
             slip: conditions.slip.id(),
             noise: SensorKind::ALL.map(|(kind, _)| conditions.noise.of(kind).id()),

@@ -38,6 +38,10 @@ impl Settings {
             push("path", path);
         }
         push("cell", self.cell_size.to_string());
+        if self.cell_offset != default.cell_offset {
+            let [x, y] = self.cell_offset;
+            push("offset", format!("{x},{y}"));
+        }
         if self.seed != default.seed {
             push("seed", self.seed.to_string());
         }
@@ -114,6 +118,14 @@ impl Settings {
                 })?);
             }
             "cell" => self.set_cell_size(number("the cell size", "a length from 0.02 to 2 (metres)")?)?,
+            "offset" => {
+                let numbers: Vec<f64> = value.split(',').filter_map(|n| n.trim().parse().ok()).collect();
+                self.set_cell_offset(numbers.try_into().map_err(|_| SettingsError::Invalid {
+                    kind: "the cells' offset",
+                    value: value.to_owned(),
+                    expected: "two lengths in metres, e.g. 0.04,0.08",
+                })?)?;
+            }
             "seed" => self.set_seed(value.parse().ok(), value)?,
             "slip" => self.set_slip(value)?,
             "noise" => self.set_noise(None, value)?,
