@@ -51,7 +51,7 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
       const map = message.type === "read" ? read_map(message.request.files) : flat(message.request.flat);
       answer({ type: "read", id, map }, [map.buffer]);
     } else if (message.type === "fit") {
-      answer({ type: "fitted", id, metres: fit_cells(message.request.snapshot, message.request.percent) });
+      answer({ type: "fitted", id, cells: fit_cells(message.request.snapshot, message.request.percent) });
     } else if (message.type === "bag") {
       const { request } = message;
       const bytes = "stored" in request ? map_bag(request.snapshot, request.link, request.stored, request.log) : run_bag(request.snapshot, request.corners, request.inputs, request.end_s, request.log);

@@ -95,6 +95,8 @@ pub struct SessionView {
     /// The least distance in which any robot with this tool sweeps as much floor, m; `None` until the run is over, of those that plan
     /// it, and where it isn't known.
     pub least_m: Option<f64>,
+    /// Time for that distance at the robot's top speed, s: no run that sweeps as much takes less.
+    pub least_s: Option<f64>,
     /// Sum of all turning, degrees.
     pub turning_deg: f64,
     /// Number of bumps.
