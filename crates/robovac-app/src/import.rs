@@ -124,7 +124,19 @@ impl ScenarioChoices {
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
         let Scenario {
-            robot, twin, own_robot, path, cell_size, cell_offset, planner, behaviour, slip, noise, odometry, smooth, ..
+            robot,
+            twin,
+            own_robot,
+            path,
+            cell_size,
+            cell_offset,
+            planner,
+            behaviour,
+            slip,
+            noise,
+            odometry,
+            smooth,
+            ..
         } = scenario.clone();
         Self {
             robot,

@@ -134,7 +134,8 @@ impl ParamArguments {
 pub fn summary(algorithm: Algorithm, placement: &Placement, report: &TaskReport) -> String {
     let room = &report.room;
     let kind = if algorithm.planner().is_some() { "Planner" } else { "Behaviour" };
-    let begun = room.offset_m.map_or_else(String::new, |[x, y]| format!(", begun {x} m left of the corner and {y} m below it"));
+    let begun =
+        room.offset_m.map_or_else(String::new, |[x, y]| format!(", begun {x} m left of the corner and {y} m below it"));
     format!(
         "{kind:10}{}, seed {}\n\
          Room      {}: {} x {} cells of {} m{begun}\n\

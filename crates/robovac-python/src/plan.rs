@@ -74,7 +74,8 @@ fn fit_cells(task: &mut PlanningTask, percent: f64, watch: &mut SignalWatch) -> 
     }
     let room = task.placement.prepare()?;
     let look = &mut |_: f64| watch.look();
-    let Some(fitted) = room.fit_cells(task.planner, &task.params, task.seed, percent / 100.0, task.is_rounded, look) else {
+    let Some(fitted) = room.fit_cells(task.planner, &task.params, task.seed, percent / 100.0, task.is_rounded, look)
+    else {
         let way = if task.planner.claims.in_metres {
             "the planner needs no cells; use its parameter coverage"
         } else {

@@ -74,7 +74,8 @@ impl Row {
         let rooms: Vec<Vec<PlanNumbers>> =
             rooms.iter().map(|trials| trials.iter().filter_map(|t| t.as_ref().ok()).copied().collect()).collect();
         // Shares of different rooms don't add up.
-        let values = METRICS.iter().map(|metric| over_rooms(&|n| metric.value(n), metric.unit == "%", &rooms)).collect();
+        let values =
+            METRICS.iter().map(|metric| over_rooms(&|n| metric.value(n), metric.unit == "%", &rooms)).collect();
         Self {
             entrant,
             index,
@@ -98,7 +99,8 @@ impl Row {
 
 /// The exact coverage, and the bounds for it.
 fn least(rooms: &[Vec<PlanNumbers>]) -> Option<SweepBound> {
-    let median = |value: &dyn Fn(&PlanNumbers) -> Option<f64>, is_share| Some(over_rooms(value, is_share, rooms)?.median);
+    let median =
+        |value: &dyn Fn(&PlanNumbers) -> Option<f64>, is_share| Some(over_rooms(value, is_share, rooms)?.median);
     Some(SweepBound {
         coverage: median(&|numbers| Some(numbers.excess?.swept), true)?,
         length_m: median(&|numbers| Some(numbers.excess?.bound.length_m), false)?,

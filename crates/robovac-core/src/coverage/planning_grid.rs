@@ -42,11 +42,8 @@ impl PlanningGrid {
         for (fine, _) in standing.iter().filter(|&(_, &stands)| stands) {
             free[planning_cell(floor.centre(fine))] = true;
         }
-        let targets = Targets {
-            free: &free,
-            cells,
-            shift: (2.0 * floor.tool_radius - cell_size).clamp(0.0, 0.5 * cell_size),
-        };
+        let targets =
+            Targets { free: &free, cells, shift: (2.0 * floor.tool_radius - cell_size).clamp(0.0, 0.5 * cell_size) };
         let mut anchors = Grid::filled(width, height, Point::origin());
         let mut offsets = Grid::filled(width, height, f64::MAX);
         for (fine, _) in standing.iter().filter(|&(_, &stands)| stands) {
@@ -206,10 +203,7 @@ impl Targets<'_> {
             _ => 0.0,
         };
         self.cells.centre(cell)
-            + Vector::new(
-                towards_wall(Direction::Right, Direction::Left),
-                towards_wall(Direction::Up, Direction::Down),
-            )
+            + Vector::new(towards_wall(Direction::Right, Direction::Left), towards_wall(Direction::Up, Direction::Down))
     }
 }
 
@@ -265,13 +259,15 @@ mod tests {
             "..............\n..............\n......##......\n......##......\n..............\n....##....##..\n..............\n..............",
             0.25,
         );
-        for size in [0.1, 0.15, 0.22, 0.35] {
-            let planning_grid = PlanningGrid::new(&floor, size);
+        for (size, offset) in
+            [(0.1, [0.0, 0.0]), (0.15, [0.1, 0.0]), (0.15, [0.0, 0.0]), (0.22, [0.05, 0.2]), (0.35, [0.0, 0.3])]
+        {
+            let planning_grid = PlanningGrid::new(&floor, PlanningCells { size, offset });
             for (cell, _) in planning_grid.free.iter().filter(|&(_, &f)| f) {
                 for next in cell.neighbours().into_iter().filter(|&n| planning_grid.free.is_set(n)) {
                     let mut at = planning_grid.anchor(cell);
                     for point in planning_grid.link(&floor, cell, next).unwrap() {
-                        assert!(floor.is_straight_free(at, point), "{cell} to {next} at {size} m");
+                        assert!(floor.is_straight_free(at, point), "{cell} to {next} at {size} m, {offset:?}");
                         at = point;
                     }
                 }
@@ -298,6 +294,17 @@ mod tests {
             let anchor = planning_grid.anchor(Cell::new(x, 10));
             assert!((anchor - Point::new((f64::from(x) + 0.5) * 0.12, 10.5 * 0.12)).norm() < 1e-9, "{x}: {anchor}");
         }
+    }
+
+    #[test]
+    fn cells_begin_where_they_are_told_to() {
+        let floor = floor(&"..........\n".repeat(10), 0.25);
+        let planning_grid = PlanningGrid::new(&floor, PlanningCells { size: 0.12, offset: [0.04, 0.08] });
+        // 2.5 m and what lies outside.
+        assert_eq!((planning_grid.free.width(), planning_grid.free.height()), (22, 22));
+        let anchor = planning_grid.anchor(Cell::new(8, 10));
+        assert!((anchor - Point::new(8.5 * 0.12 - 0.04, 10.5 * 0.12 - 0.08)).norm() < 1e-9, "{anchor}");
+        assert_eq!(planning_grid.start, planning_grid.cells.at(floor.start.position()));
     }
 
     #[test]

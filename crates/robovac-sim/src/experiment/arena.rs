@@ -10,7 +10,12 @@ use coverage_planners::{
     smooth::{SmoothError, SmoothSetup},
 };
 use robovac_core::{
-    coverage::{FloorError, PlanningCells}, floor_plan::FloorPlan, geometry::Pose, grid::Cell, registry::Params, robot::RobotModel,
+    coverage::{FloorError, PlanningCells},
+    floor_plan::FloorPlan,
+    geometry::Pose,
+    grid::Cell,
+    registry::Params,
+    robot::RobotModel,
     trajectory::Trajectory,
 };
 use std::sync::Arc;

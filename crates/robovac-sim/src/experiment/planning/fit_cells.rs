@@ -182,7 +182,9 @@ mod tests {
         let room = room("roomba600");
         let planner = find("boustrophedon").unwrap();
         let params = Params::defaults(planner.params);
-        let fit = |coverage| room.fit_cells(planner, &params, 1, coverage, false, &mut |_| ControlFlow::Continue(())).unwrap();
+        let fit = |coverage| {
+            room.fit_cells(planner, &params, 1, coverage, false, &mut |_| ControlFlow::Continue(())).unwrap()
+        };
         let [some, much, all] = [0.9, 0.97, 1.0].map(fit);
         assert!(some.coverage >= 0.9 && much.coverage >= 0.97, "{some:?} {much:?}");
         assert!(some.duration_s < much.duration_s && some.cells.size > much.cells.size, "{some:?} {much:?}");
@@ -190,6 +192,27 @@ mod tests {
         // It is the plan that these cells give.
         let again = room.with_cells(much.cells).try_cells(planner, &params, 1, false);
         assert_eq!(again.unwrap().duration_s, much.duration_s);
+    }
+
+    // slow: some dozen plans
+    #[test]
+    fn other_offsets_and_rounded_corners_take_less_time() {
+        let room = room("roomba600");
+        let planner = find("boustrophedon").unwrap();
+        let params = Params::defaults(planner.params);
+        let fit =
+            |rounds| room.fit_cells(planner, &params, 1, 0.97, rounds, &mut |_| ControlFlow::Continue(())).unwrap();
+        let (stops, rounded) = (fit(false), fit(true));
+        let at_corner: Vec<FittedCells> = (0..=40)
+            .map(|i| short(SIDES.1 * room.robot.tool_width - f64::from(i) * STEP))
+            .filter_map(|side| room.with_cells(side).try_cells(planner, &params, 1, false).ok())
+            .collect();
+        let best = at_corner.into_iter().min_by(|a, b| a.compare(b, 0.97)).unwrap();
+        assert!(stops.coverage >= 0.97 && rounded.coverage >= 0.97, "{stops:?} {rounded:?}");
+        assert!(stops.duration_s <= best.duration_s, "{stops:?} {best:?}");
+        assert!(rounded.duration_s < 0.95 * stops.duration_s, "{rounded:?} {stops:?}");
+        let with_curves = room.with_cells(rounded.cells).try_cells(planner, &params, 1, true).unwrap();
+        assert_eq!(with_curves, rounded);
     }
 
     #[test]

@@ -156,3 +156,29 @@ impl Settings {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn offsets_of_cells_are_in_links_and_go_with_another_size() {
+        let mut settings = Settings::new();
+        assert!(settings.to_link().iter().all(|(key, _)| key != "offset"), "links stay as they were");
+        settings.set_cell_size(0.15).unwrap();
+        settings.set_cell_offset([0.05, 0.1]).unwrap();
+        let mut other = Settings::new();
+        for (key, value) in settings.to_link() {
+            other.take_link(&key, &value).unwrap();
+        }
+        assert_eq!(other.cells(), settings.cells());
+        assert!(settings.plans_like(&other) && !settings.plans_like(&Settings::new()));
+        for wrong in ["0.1", "0.15,0", "-0.01,0", "0,nan", "a,b", "0,0,0"] {
+            assert!(other.take_link("offset", wrong).is_err(), "{wrong}");
+        }
+        other.set_cell_size(0.15).unwrap();
+        assert_eq!(other.cells(), 0.15.into());
+        settings.select_robot("cell").unwrap();
+        assert_eq!(settings.cells().offset, [0.0, 0.0]);
+    }
+}
