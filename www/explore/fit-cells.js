@@ -6,8 +6,7 @@ import { hire } from "../workers.js";
 import { cellsOf, inCentimetres } from "./panel.js";
 
 /** Chooses the cells with which the algorithm sweeps so many percent in the least time, and says what they reach. @param {import("../main.js").App} app @param {number} percent */
-export async function fitCells(app, percent) {
-  const { playground, act } = app;
+export async function fitCells({ playground, act }, percent) {
   const menu = select("cell-size");
   const asked = playground.link();
   menu.disabled = true;
@@ -24,13 +23,14 @@ export async function fitCells(app, percent) {
     // Whatever was changed meanwhile counts.
     if (playground.link() !== asked) return;
     act((p) => p.set_cells(size, left, below));
-    const note = byId("cell-fit");
-    const rounded = app.view.smooth && app.view.can_smooth ? ", corners rounded" : "";
+    // The app's view is that of the last frame.
+    const [note, view] = [byId("cell-fit"), playground.view()];
+    const rounded = view.smooth && view.can_smooth ? ", corners rounded" : "";
     const reached = `${asPercent(coverage)} %`;
     const told = coverage < percent / 100 ? `${percent} % can't be reached with cells: ${reached} is the most` : `${reached} swept`;
-    setText(note, `${told}, in ${clock(seconds)}${rounded}.${begin(left, below)}`);
-    note.dataset.of = cellsOf(app.view);
     setHidden(note, false);
+    setText(note, `${told}, in ${clock(seconds)}${rounded}.${begin(left, below)}`);
+    note.dataset.of = cellsOf(view);
   } catch (error) {
     act(() => {
       throw error;
