@@ -29,7 +29,7 @@ fn measured(id: &str) -> Result<String, Box<dyn Error>> {
     let plan = room(TABLE_2_ROOM).map(|info| (info.build)()).ok_or("the room is gone")?;
     let (robot, cell_size) = choose_robot(CELL_ROBOT, &plan, None).ok_or("the robot is gone")?;
     let params = Params::defaults(planner.params);
-    let placement = Placement { plan, robot, cell_size, start: None, heading_deg: None };
+    let placement = Placement { plan, robot, cells: cell_size.into(), start: None, heading_deg: None };
     let task = PlanningTask { placement, planner, params, seed: 1, is_rounded: false };
     let planned = task.solve(|| 0.0, None)?.planned;
     // The thesis counts a reversal as one turn.

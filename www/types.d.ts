@@ -897,6 +897,8 @@ dirt_left: number | null,
 params: Params,
 /** Side of the planning cells, m. */
 cell_size_m: number,
+/** How far the planning cells begin to the left of the room's lower-left corner and below it, m. */
+cell_offset_m: [number, number],
 /** Seed of everything random. */
 seed: number,
 /** Level of wheel slip. */
@@ -935,6 +937,8 @@ distance_m: number,
 /** The least distance in which any robot with this tool sweeps as much floor, m; `None` until the run is over, of those that plan
  * it, and where it isn't known. */
 least_m: number | null,
+/** Time for that distance at the robot's top speed, s: no run that sweeps as much takes less. */
+least_s: number | null,
 /** Sum of all turning, degrees. */
 turning_deg: number,
 /** Number of bumps. */
@@ -1243,6 +1247,8 @@ export type RoundingMode = "down" | "nearest" | "up";
 export type RowView = {
 /** Number of the planner in the view's `entrants`. */
 entrant: number, trials: number, missing: number, failure: string, values: Array<MedianAndRange | null>,
+/** The exact coverage of its paths and the bounds for it, above which the excess is: medians of seeds, sums over rooms. */
+least: SweepBound | null,
 /** Which values are the best of their columns. */
 best: Array<boolean>,
 /** Whether it leaves floor out that others clean: it then has the best of nothing that costs. */
@@ -1273,6 +1279,8 @@ twin: string | null,
 own_robot: string | null,
 /** Side of the planning cells, m. */
 cell_size: number | null,
+/** How far they begin to the left of the room's lower-left corner and below it, m. */
+cell_offset: [number, number] | null,
 /** Id of the planner. */
 planner: string | null,
 /** Id of the behaviour. */

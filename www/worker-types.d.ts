@@ -52,8 +52,8 @@ export type FromRuns = { type: "ran"; id: number; outcomes: Float64Array } | { t
 /** `map`: as `read_map` has read it, or `flat` made it. */
 export type FromReader = { type: "read"; id: number; map: Uint8Array } | { type: "failed"; id: number; message: string };
 
-/** Planning cells for a coverage. */
-export type FromFit = { type: "fitted"; id: number; metres: number } | { type: "failed"; id: number; message: string };
+/** Planning cells for a coverage, as `fit_cells` answers. */
+export type FromFit = { type: "fitted"; id: number; cells: Float64Array } | { type: "failed"; id: number; message: string };
 /** `point`: asked, coverage, seconds, metres. */
 export type FromTradeOff = { type: "point"; id: number; point: Float64Array } | { type: "traded"; id: number } | { type: "failed"; id: number; message: string };
 export type FromBag = { type: "bagged"; id: number; bytes: Uint8Array } | { type: "failed"; id: number; message: string };

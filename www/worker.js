@@ -53,7 +53,7 @@ self.addEventListener("message", async (/** @type {MessageEvent<import("./worker
       const map = message.type === "read" ? read_map(message.request.files) : flat(message.request.flat);
       answer({ type: "read", id, map }, [map.buffer]);
     } else if (message.type === "fit") {
-      answer({ type: "fitted", id, metres: fit_cells(message.request.snapshot, message.request.percent) });
+      answer({ type: "fitted", id, cells: fit_cells(message.request.snapshot, message.request.percent) });
     } else if (message.type === "trade-off") {
       const { snapshot, corners, shares } = message.request;
       trade_off(snapshot, corners, shares, (/** @type {Float64Array} */ point) => answer({ type: "point", id, point }));

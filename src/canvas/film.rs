@@ -9,10 +9,9 @@ use web_sys::OffscreenCanvasRenderingContext2d;
 pub fn draw(context: &OffscreenCanvasRenderingContext2d, film: &FilmScene<'_>, viewport: &Viewport, palette: &Palette) {
     // One path, so that neighbours have no seam between them.
     context.begin_path();
-    let side = film.cell_size * viewport.scale;
+    let side = film.cells.size * viewport.scale;
     for cell in &film.picture.tinted {
-        let low = Point::new(f64::from(cell.x) * film.cell_size, f64::from(cell.y) * film.cell_size);
-        let corner = viewport.to_screen(low);
+        let corner = viewport.to_screen(film.cells.corner(*cell));
         context.rect(corner.x, corner.y - side, side, side);
     }
     context.set_fill_style_str(palette.tint);

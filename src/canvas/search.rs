@@ -26,15 +26,16 @@ pub fn draw_sides(
     viewport: &Viewport,
 ) {
     let at = search.step.at;
-    let edge = |line: i32, most: f64| (f64::from(line) * search.cell_size).min(most);
     let (width, height) = (room.width_m(), room.height_m());
+    let corner = |x: i32, y: i32| search.cells.corner(Cell::new(x, y));
+    let (here, next) = (corner(at.x, at.y), corner(at.x + 1, at.y + 1));
     for (side, _) in search.step.sides.into_iter().flatten() {
         let (mut low, mut high) = (Point::new(0.0, 0.0), Point::new(width, height));
         match side {
-            Direction::Right => low.x = edge(at.x + 1, width),
-            Direction::Up => low.y = edge(at.y + 1, height),
-            Direction::Left => high.x = edge(at.x, width),
-            Direction::Down => high.y = edge(at.y, height),
+            Direction::Right => low.x = next.x.min(width),
+            Direction::Up => low.y = next.y.min(height),
+            Direction::Left => high.x = here.x.min(width),
+            Direction::Down => high.y = here.y.min(height),
         }
         let (left_bottom, right_top) = (viewport.to_screen(low), viewport.to_screen(high));
         context.set_fill_style_str(palette.sides[usize::from(side != search.step.towards)]);
@@ -52,12 +53,12 @@ pub fn draw_marks(
     viewport: &Viewport,
 ) -> Result<(), JsValue> {
     let step = search.step;
-    let cell = search.cell_size * viewport.scale;
+    let cell = search.cells.size * viewport.scale;
     let size = (0.6 * cell).clamp(FONT.0, FONT.1);
     context.set_font(&format!("600 {size}px -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif"));
     context.set_text_align("center");
     context.set_text_baseline("middle");
-    let centre = |cell: Cell| viewport.to_screen(cell.centre(search.cell_size));
+    let centre = |cell: Cell| viewport.to_screen(search.cells.centre(cell));
     let here = centre(step.at);
     // The robot hides its neighbours if it's larger than a cell: numbers keep clear of it.
     let least = robot_radius * viewport.scale + CLEAR;

@@ -209,7 +209,7 @@ fn emulated_roomba_follows_its_commands() {
         .map(|(x, y)| Point::new(x, y));
     let list = commands(&path, 0.0, roomba);
     let (robot, cell_size) = choose_robot("roomba600", &plan, None).unwrap();
-    let placement = Placement { plan, robot, cell_size, start: None, heading_deg: None };
+    let placement = Placement { plan, robot, cells: cell_size.into(), start: None, heading_deg: None };
     for quantised in [false, true] {
         let conditions = Conditions { quantised, ..Conditions::default() };
         let run = placement.prepare().unwrap().setup(conditions, 7);

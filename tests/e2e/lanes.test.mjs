@@ -30,5 +30,12 @@ test("planning cells are chosen for a coverage", async (t) => {
   await app.unfold();
   await app.choose("cell-size", "98");
   await app.poll(swept, (coverage) => coverage >= 98);
+  assert.match(await app.text("#cell-fit"), /^98\.\d % swept, in [\d:]+\./);
   assert.equal(await app.message(), "");
+  await app.choose("cell-size", "0.2");
+  assert.ok(await app.page.locator("#cell-fit").isHidden(), "other cells");
+  // A chair's legs keep the robot out of narrow places, which 99 % would need.
+  await app.choose("room", "room12ft");
+  await app.choose("cell-size", "99");
+  await app.poll(() => app.text("#cell-fit"), (text) => /^99 % can't be reached with cells: 96\.\d % is the most, in [\d:]+\./.test(text));
 });

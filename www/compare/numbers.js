@@ -144,7 +144,11 @@ function line(it, row, metrics, rows, rooms) {
   const cells = metrics.map((metric, column) => {
     const spread = row.values[column];
     if (!spread) return make("td", {}, "–");
-    const cell = make("td", { className: row.best[column] ? "best" : "", "data-tip": difference(row, column, metric, rows, it.view.entrants) });
+    const above = metric.id.startsWith("excess") ? bound(row) : "";
+    const tip = `${difference(row, column, metric, rows, it.view.entrants)}${above && ` ${above}`}`;
+    // What stands nowhere else is also there for those who have no pointer.
+    const reached = above ? { tabIndex: 0, "data-key": `${row.entrant} ${metric.id}`, "aria-description": above } : {};
+    const cell = make("td", { className: row.best[column] ? "best" : "", "data-tip": tip, ...reached });
     cell.append(shown(metric, spread.median));
     const [min, max] = [shown(metric, spread.min), shown(metric, spread.max)];
     if (min !== max) cell.append(make("small", {}, `${min}–${max}`));
@@ -153,6 +157,9 @@ function line(it, row, metrics, rows, rooms) {
   const result = make("tr", { onclick: (/** @type {Event} */ event) => event.target instanceof HTMLButtonElement || about(row.entrant) }, name, ...cells);
   return result;
 }
+
+/** What the excess of a row is above. @param {Row} row */
+const bound = ({ least }) => (least ? `Its paths sweep ${percent(least.coverage, 2)} %, measured exactly: any path that sweeps as much needs at least ${metres(least.length_m)} m and ${clock(least.duration_s)}.` : "");
 
 /** How a value differs from the best of its column. @param {Row} row @param {number} column @param {Metric} metric @param {Row[]} rows @param {import("../types").ComparisonView["entrants"]} entrants */
 function difference(row, column, metric, rows, entrants) {

@@ -80,15 +80,16 @@ function excess({ plan }) {
   return plan && least?.length_m ? { length: Math.max(0, plan.length_m / least.length_m - 1), time: Math.max(0, plan.duration_s / least.duration_s - 1) } : null;
 }
 
-/** How many times the least distance was driven, where nobody planned it. @param {View} view */
-const times = ({ distance_m, least_m }) => (least_m === null ? "" : (distance_m / least_m).toFixed(1));
+/** How many times the least distance a run drove that nobody planned, and how many times as long as that takes at top speed. @param {View} view */
+const times = ({ distance_m, least_m, time_s, least_s }) => (least_m === null || least_s === null ? null : { least_m, least_s, far: (distance_m / least_m).toFixed(1), long: (time_s / least_s).toFixed(1) });
 
 /** How far it is from the minimum, once that is known. @param {View} view */
 function bound(view) {
   const [above, beyond] = [aboveMinimum(view), excess(view)];
   if (above !== null) return above <= 0 ? " No plan can need fewer steps and turns: this one is proven optimal." : ` The plan is ${shareAbove(above)} above the minimum of steps and turns.`;
   if (beyond) return ` The plan is ${shareAbove(beyond.length)} above the least distance for this much floor, and ${shareAbove(beyond.time)} above the least time.`;
-  return view.least_m === null ? "" : ` This much floor needs ${metres(view.least_m)} m at least; it drove ${times(view)} times that.`;
+  const more = times(view);
+  return more ? ` This much floor needs ${metres(more.least_m)} m at least, which take ${clock(more.least_s)} at top speed; it drove ${more.far} times as far, and took ${more.long} times as long.` : "";
 }
 
 /** The same on small screens. @param {View} view */
@@ -96,7 +97,8 @@ function inShort(view) {
   const [above, beyond] = [aboveMinimum(view), excess(view)];
   if (above !== null) return above <= 0 ? " Proven optimal." : ` ${shareAbove(above)} above the minimum.`;
   if (beyond) return ` ${shareAbove(beyond.length)} above the least distance.`;
-  return view.least_m === null ? "" : ` ${times(view)} times the least distance.`;
+  const more = times(view);
+  return more ? ` ${more.far} times the least distance, ${more.long} times its time at top speed.` : "";
 }
 
 /** What to try next, the most useful first. @param {App} app @param {View} view @returns {HTMLElement[]} */

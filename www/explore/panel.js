@@ -19,6 +19,12 @@ const COVERAGES = [95, 98, 99];
 /** Menu entries that aren't in the catalogue: a twin, an own robot, a generated flat. */
 const [TWIN, OWN, FLAT] = ["twin", "own", "new-flat"];
 
+/** @param {number} metres */
+export const inCentimetres = (metres) => `${+(metres * 100).toFixed(2)} cm`;
+
+/** What a choice of cells depends on: the note beside them holds as long as this stays. @param {View} view */
+export const cellsOf = ({ room, algorithm, params, robot, own_robot, twin, cell_size_m, cell_offset_m, seed, smooth }) => JSON.stringify([room.id, room.reachable_m2, algorithm, params, robot, own_robot, twin, cell_size_m, cell_offset_m, seed, smooth]);
+
 /** @param {App} app @returns {(view: View) => void} */
 export function startPanel(app) {
   const { rooms, robots, cell_sizes_m } = app.catalogue;
@@ -29,7 +35,6 @@ export function startPanel(app) {
   byId("odometry-field").setAttribute("data-tip", ODOMETRY_TIP);
   fill(select("robot"), [...robots.map(({ id, title }) => /** @type {[string, string]} */ ([id, title])), [OWN, "Own robot"]]);
   const cells = select("cell-size");
-  const inCentimetres = (/** @type {number} */ size) => `${+(size * 100).toFixed(2)} cm`;
   fill(cells, [...cell_sizes_m, ...COVERAGES].map((size) => [String(size), size < 2 ? inCentimetres(size) : `for ${size} %`]));
   /** Own robots, links and choices for a coverage bring other sizes. @param {number} size */
   const showCells = (size) => {
@@ -90,6 +95,8 @@ export function startPanel(app) {
     setText(byId("now"), `${title}, ${select("robot").selectedOptions[0]?.textContent ?? ""}`);
     showCells(view.cell_size_m);
     warnOfCells(view, robots);
+    const fit = byId("cell-fit");
+    if (!fit.hidden) setHidden(fit, fit.dataset.of !== cellsOf(view));
     showRealism(view);
     show(select("odometry"), view.odometry);
     show(input("smooth"), String(view.smooth && view.can_smooth));

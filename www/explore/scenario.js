@@ -2,7 +2,7 @@
 // What a scenario says, as text: its room, its name and what was chosen in it.
 
 /** What a scenario says besides its room. */
-const CHOICES = ["name", "robot", "twin", "own_robot", "planner", "behaviour", "program", "params", "path", "cell_size", "seed", "slip", "noise", "quantised", "start_charge_percent", "odometry", "smooth"];
+const CHOICES = ["name", "robot", "twin", "own_robot", "planner", "behaviour", "program", "params", "path", "cell_size", "cell_offset", "seed", "slip", "noise", "quantised", "start_charge_percent", "odometry", "smooth"];
 
 /** What a scenario says of the room, without its name and what was chosen in it. @param {string | null} scenario */
 export function roomIn(scenario) {

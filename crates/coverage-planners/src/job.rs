@@ -57,7 +57,7 @@ impl CoverageJob {
             free: planning_grid.free.clone(),
             start: planning_grid.start,
             heading: Direction::nearest(floor.start.heading),
-            step_s: planning_grid.cell_size / robot.cruise_speed,
+            step_s: planning_grid.cells.size / robot.cruise_speed,
             turn_s: quarter + robot.cruise_speed / robot.acceleration,
             place: None,
         }

@@ -35,6 +35,8 @@ pub struct ScenarioChoices {
     pub own_robot: Option<String>,
     /// Side of the planning cells, m.
     pub cell_size: Option<f64>,
+    /// How far they begin to the left of the room's lower-left corner and below it, m.
+    pub cell_offset: Option<[f64; 2]>,
     /// Id of the planner.
     pub planner: Option<String>,
     /// Id of the behaviour.
@@ -130,7 +132,19 @@ impl ScenarioChoices {
     pub fn of(scenario: &Scenario) -> Self {
         let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
         let Scenario {
-            robot, twin, own_robot, path, cell_size, planner, behaviour, slip, noise, odometry, smooth, ..
+            robot,
+            twin,
+            own_robot,
+            path,
+            cell_size,
+            cell_offset,
+            planner,
+            behaviour,
+            slip,
+            noise,
+            odometry,
+            smooth,
+            ..
         } = scenario.clone();
         Self {
             robot,
@@ -138,6 +152,7 @@ impl ScenarioChoices {
             own_robot: own_robot.map(|own| own.to_string()),
             path: path.map(|path| path.to_string()),
             cell_size,
+            cell_offset,
             planner,
             behaviour,
             program: scenario.program.clone(),
@@ -166,6 +181,7 @@ impl ScenarioChoices {
             own_robot: custom.and_then(CustomRobot::own).map(ToString::to_string),
             path: settings.path.as_ref().map(ToString::to_string),
             cell_size: Some(settings.cell_size),
+            cell_offset: Some(settings.cells().offset).filter(|offset| *offset != [0.0, 0.0]),
             planner: algorithm.planner().map(|info| info.id.to_owned()),
             behaviour: algorithm.behaviour().map(|info| info.id.to_owned()),
             program: settings.chosen_program().map(|program| Program::clone(program)),
@@ -199,6 +215,9 @@ impl ScenarioChoices {
         }
         if let Some(metres) = self.cell_size {
             at("cell_size", settings.set_cell_size(metres))?;
+        }
+        if let Some(offset) = self.cell_offset {
+            at("cell_offset", settings.set_cell_offset(offset))?;
         }
         if let Some(program) = &self.program {
             at("program", settings.keep_program(program.clone()))?;

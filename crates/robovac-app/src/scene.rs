@@ -3,7 +3,7 @@
 use crate::explore::FilmPicture;
 use coverage_planners::TraceStep;
 use robovac_core::{
-    coverage::{CoverageTracker, ReachableFloor},
+    coverage::{CoverageTracker, PlanningCells, ReachableFloor},
     floor_plan::{FloorPlan, Object},
     geometry::{Point, Pose},
     grid::Cell,
@@ -84,8 +84,8 @@ pub struct SensedFloor<'a> {
 pub struct SearchScene<'a> {
     /// The decision.
     pub step: &'a TraceStep,
-    /// Side of a planning cell, m.
-    pub cell_size: f64,
+    /// The planning cells.
+    pub cells: PlanningCells,
 }
 
 /// A picture of a film on the planning grid.
@@ -93,8 +93,8 @@ pub struct SearchScene<'a> {
 pub struct FilmScene<'a> {
     /// The picture.
     pub picture: &'a FilmPicture,
-    /// Side of a planning cell, m.
-    pub cell_size: f64,
+    /// The planning cells.
+    pub cells: PlanningCells,
 }
 
 /// A robot seen from above.

@@ -89,7 +89,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let head = RunsHeader {
         room: &placement.plan.name,
         robot: placement.robot.id,
-        cell_size_m: placement.cell_size,
+        cell_size_m: placement.cells.size,
         conditions,
         odometry,
         smooth: arguments.smooth,

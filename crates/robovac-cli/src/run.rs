@@ -155,7 +155,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let plan = arguments.room.plan()?;
     let (robot, cell_size) = choose_robot(&arguments.robot, &plan, arguments.cell)
         .ok_or_else(|| Failure::unknown("robot", &arguments.robot, "robots"))?;
-    let placement = Placement { plan, robot, cell_size, start: arguments.start, heading_deg: arguments.heading };
+    let placement =
+        Placement { plan, robot, cells: cell_size.into(), start: arguments.start, heading_deg: arguments.heading };
     let terms = Terms {
         conditions: arguments.conditions.conditions(),
         odometry: arguments.conditions.odometry,
@@ -180,7 +181,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         program: program.display().to_string(),
         room: study.placement.plan.name.clone(),
         robot: study.placement.robot.id,
-        cell_size_m: study.placement.cell_size,
+        cell_size_m: study.placement.cells.size,
         minutes: arguments.minutes,
         slip: slip.id(),
         noise: noise.to_string(),
@@ -240,7 +241,7 @@ impl RunStudy {
 
     fn plan(&self, seed: u64, process: &mut ProgramProcess, mut prints: Prints) -> Result<ProgramOutcome, String> {
         let (prepared, terms) = (self.lab.prepared(), self.lab.terms());
-        let room = ProgramRoom::of(&prepared.job, self.placement.cell_size);
+        let room = ProgramRoom::of(&prepared.job, self.placement.cells.size);
         let cells = plan(process, &room, &mut prints)?;
         let missed = check_walk(&prepared.job, &cells).map_err(|fault| fault.to_string())?;
         let answer = PlanAnswer { path: CoveragePath::walk(cells), seconds: 0.0, proof: None, trace: Vec::new() };

@@ -182,8 +182,9 @@ impl Arguments {
             return Err(Failure::usage(format!("{what}: the scenario has these; leave them out, or give --planner")));
         }
         let (robot, conditions) = (settings.robot_model(), self.conditions.over(settings.conditions));
-        let Settings { cell_size, algorithm, params, seed, odometry, path, .. } = settings;
-        let placement = Placement { plan, robot, cell_size, start: None, heading_deg: None };
+        let cells = settings.cells();
+        let Settings { algorithm, params, seed, odometry, path, .. } = settings;
+        let placement = Placement { plan, robot, cells, start: None, heading_deg: None };
         let smooth = self.smooth || settings.smooth;
         Ok(SimulatedTask { placement, algorithm, params, seed, conditions, odometry, smooth, path })
     }
@@ -195,10 +196,10 @@ impl SimulatedTask {
         &mut self,
         coverage: &CoverageArguments,
     ) -> Result<(RoomSetup, Option<Planned>, Option<MissedCoverage>), Failure> {
-        let Placement { plan, robot, cell_size, .. } = &self.placement;
+        let Placement { plan, robot, cells, .. } = &self.placement;
         if let Some(path) = &self.path {
             let heading = plan.start.map_or(0.0, |start| start.heading);
-            let prepared = RoomSetup::along(plan, robot, *cell_size, path, heading).map_err(PlanningError::from)?;
+            let prepared = RoomSetup::along(plan, robot, *cells, path, heading).map_err(PlanningError::from)?;
             let planned = Planned::along(&prepared, path, 0.0);
             return Ok((prepared, Some(planned), None));
         }

@@ -68,7 +68,7 @@ impl PlacementArguments {
         let robot = self.robot.as_deref().unwrap_or(default_robot);
         let (robot, cell_size) =
             choose_robot(robot, &plan, self.cell).ok_or_else(|| Failure::unknown("robot", robot, "robots"))?;
-        Ok(Placement { plan, robot, cell_size, start: self.start, heading_deg: self.heading })
+        Ok(Placement { plan, robot, cells: cell_size.into(), start: self.start, heading_deg: self.heading })
     }
 }
 
@@ -110,7 +110,8 @@ impl CoverageArguments {
         let Some(percent) = self.coverage else { return Ok(None) };
         let room = task.placement.prepare()?;
         let share = percent / 100.0;
-        let fitted = room.fit_cells(task.planner, &task.params, task.seed, share, &mut |_| ControlFlow::Continue(()));
+        let go_on = &mut |_: f64| ControlFlow::Continue(());
+        let fitted = room.fit_cells(task.planner, &task.params, task.seed, share, task.is_rounded, go_on);
         let Some(fitted) = fitted else {
             let way = match () {
                 () if task.planner.is_in_metres() => "the planner needs no cells; use --param coverage=PERCENT",
@@ -118,10 +119,10 @@ impl CoverageArguments {
             };
             return Err(Failure::usage(format!("--coverage: {way}")));
         };
-        task.placement.cell_size = fitted.cell_size;
+        task.placement.cells = fitted.cells;
         // The same place in other cells.
-        task.placement.start = task.placement.start.map(|_| Cell::at(room.floor.start.position(), fitted.cell_size));
-        let missed = MissedCoverage { asked: share, most: fitted.coverage, cell_size_m: fitted.cell_size };
+        task.placement.start = task.placement.start.map(|_| fitted.cells.at(room.floor.start.position()));
+        let missed = MissedCoverage { asked: share, most: fitted.coverage, cell_size_m: fitted.cells.size };
         Ok((missed.most < missed.asked).then_some(missed))
     }
 }
@@ -155,9 +156,11 @@ impl ParamArguments {
 pub fn summary(algorithm: Algorithm, placement: &Placement, report: &TaskReport) -> String {
     let room = &report.room;
     let kind = if algorithm.planner().is_some() { "Planner" } else { "Behaviour" };
+    let begun =
+        room.offset_m.map_or_else(String::new, |[x, y]| format!(", begun {x} m left of the corner and {y} m below it"));
     format!(
         "{kind:10}{}, seed {}\n\
-         Room      {}: {} x {} cells of {} m\n\
+         Room      {}: {} x {} cells of {} m{begun}\n\
          Robot     {}, starts in cell {} with heading {:.0}°\n",
         algorithm.title(),
         report.seed,

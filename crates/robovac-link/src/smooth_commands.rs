@@ -309,7 +309,7 @@ mod tests {
         let (robot, cell_size) = choose_robot("roomba600", &plan, None).unwrap();
         let start = trajectory.knots()[0].pose;
         let heading_deg = Some(start.heading.to_degrees());
-        let placement = Placement { plan, robot, cell_size, start: None, heading_deg };
+        let placement = Placement { plan, robot, cells: cell_size.into(), start: None, heading_deg };
         for quantised in [false, true] {
             let conditions = Conditions { quantised, ..Conditions::default() };
             let run = placement.prepare().unwrap().setup(conditions, 7);

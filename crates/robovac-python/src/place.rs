@@ -26,7 +26,7 @@ impl PlaceArguments {
         let chosen = choose_robot(&self.robot, plan, self.cell_m);
         let (robot, cell_size) = chosen.ok_or_else(|| Failure::unknown("robot", &self.robot, "robots"))?;
         let start = self.start.map(|(x, y)| Cell::new(x, y));
-        Ok(Placement { plan: (**plan).clone(), robot, cell_size, start, heading_deg: self.heading_deg })
+        Ok(Placement { plan: (**plan).clone(), robot, cells: cell_size.into(), start, heading_deg: self.heading_deg })
     }
 }
 

@@ -74,7 +74,8 @@ fn fit_cells(task: &mut PlanningTask, percent: f64, watch: &mut SignalWatch) -> 
     }
     let room = task.placement.prepare()?;
     let look = &mut |_: f64| watch.look();
-    let Some(fitted) = room.fit_cells(task.planner, &task.params, task.seed, percent / 100.0, look) else {
+    let Some(fitted) = room.fit_cells(task.planner, &task.params, task.seed, percent / 100.0, task.is_rounded, look)
+    else {
         let way = if task.planner.is_in_metres() {
             "the planner needs no cells; use its parameter coverage"
         } else {
@@ -82,8 +83,8 @@ fn fit_cells(task: &mut PlanningTask, percent: f64, watch: &mut SignalWatch) -> 
         };
         return Err(Failure::usage(format!("coverage_percent: {way}")));
     };
-    task.placement.cell_size = fitted.cell_size;
-    task.placement.start = task.placement.start.map(|_| Cell::at(room.floor.start.position(), fitted.cell_size));
+    task.placement.cells = fitted.cells;
+    task.placement.start = task.placement.start.map(|_| fitted.cells.at(room.floor.start.position()));
     Ok(())
 }
 
@@ -126,7 +127,7 @@ pub fn planning_job(py: Python<'_>, place: PlaceArguments) -> PyResult<Bound<'_,
     result.set_item("free", flags(py, &job.free)?)?;
     result.set_item("start", (job.start.x, job.start.y))?;
     result.set_item("heading", heading)?;
-    result.set_item("cell_m", placement.cell_size)?;
+    result.set_item("cell_m", placement.cells.size)?;
     result.set_item("step_s", job.step_s)?;
     result.set_item("turn_s", job.turn_s)?;
     Ok(result)
@@ -165,7 +166,7 @@ fn to_python<'py>(
     let PlanSolution { prepared, path, planned, .. } = solution;
     let numbers = py.detach(|| planned.numbers(prepared, Bounds::of(&prepared.job)));
     report["robot"] = json!(placement.robot.id);
-    report["cell_m"] = json!(placement.cell_size);
+    report["cell_m"] = json!(placement.cells.size);
     report["start"] = json!([prepared.job.start.x, prepared.job.start.y]);
     report["heading_deg"] = json!(prepared.floor.start.heading.to_degrees());
     report["walk"] = json!(numbers.walk);

@@ -227,7 +227,7 @@ fn totals(run: &Run, placement: &Placement, conditions: Conditions) -> serde_jso
     let battery_empty = run.events().iter().any(|event| event.what == What::BatteryEmpty);
     json!({
         "robot": placement.robot.id,
-        "cell_m": placement.cell_size,
+        "cell_m": placement.cells.size,
         "time_s": run.time_s(),
         "coverage": run.coverage(),
         "distance_m": run.distance_m(),

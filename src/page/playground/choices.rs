@@ -27,6 +27,15 @@ impl Playground {
         self.session.configure(|s| s.set_cell_size(metres)).map_err(message)
     }
 
+    /// Chooses the side of the planning cells, m, and how far they begin to the left of the room's lower-left corner and below it.
+    pub fn set_cells(&mut self, metres: f64, left: f64, below: f64) -> Result<(), JsValue> {
+        let set = |s: &mut Settings| {
+            s.set_cell_size(metres)?;
+            s.set_cell_offset([left, below])
+        };
+        self.session.configure(set).map_err(message)
+    }
+
     /// Shows or hides the planner's decisions.
     pub fn show_search(&mut self, on: bool) {
         self.session.show_search(on);

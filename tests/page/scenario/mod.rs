@@ -186,7 +186,7 @@ const STRUCTURE: &[Case] = &[
     (
         "\"name\": \"Nook\"",
         "\"title\": \"Nook\"",
-        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `own_robot`, `planner`, `behaviour`, `program`, `params`, `path`, `cell_size`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`, `smooth`; fix that line or export the file again",
+        "\"a.json\", line 5, column 9, title: unknown field `title`, expected one of `$schema`, `format`, `version`, `name`, `note`, `resolution`, `width`, `height`, `rows`, `origin`, `objects`, `start`, `robot`, `twin`, `own_robot`, `planner`, `behaviour`, `program`, `params`, `path`, `cell_size`, `cell_offset`, `seed`, `slip`, `noise`, `quantised`, `start_charge_percent`, `odometry`, `smooth`; fix that line or export the file again",
     ),
     (
         "\"radius\": 0.02",

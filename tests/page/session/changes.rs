@@ -231,6 +231,8 @@ fn the_end_of_a_run_without_a_plan_knows_the_least_distance_for_as_much_floor() 
     // A disc as wide as the tool sweeps no more per metre, but for itself at the start.
     let strip = view.coverage * session.prepared().unwrap().floor.area() / width;
     assert!(strip - width < least && least < strip && least < view.distance_m, "{least} m, {strip} m");
+    let (least_s, top_speed) = (view.least_s.unwrap(), session.settings().robot_model().max_wheel_speed);
+    assert!((least_s - least / top_speed).abs() < 1e-9 && least_s < view.time_s, "{least_s} s of {} s", view.time_s);
     session.restore("room=thesis8&planner=snake&robot=cbot").unwrap();
     session.plan_now(|| 0.0);
     super::finish(&mut session);

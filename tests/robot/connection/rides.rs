@@ -37,7 +37,9 @@ fn a_line_is_driven_alike_by_the_simulator_and_over_the_line() {
     // An encoder count is 0.44 mm, a command a whole mm/s, and it comes two frames later: 9 mm at 0.3 m/s a corner.
     assert!((there.position() - here.position()).norm() < 0.03, "{there} {here}");
     assert!(difference(there.heading, here.heading).abs() < 0.06, "{there} {here}");
-    assert!((took - run.time_s()).abs() < 0.05 * run.time_s(), "{took} {}", run.time_s());
+    // At most 3 % more. It is 3.5 % less: over so short a line, one second less at its ends.
+    let ratio = took / run.time_s();
+    assert!((0.95..1.03).contains(&ratio), "{took} s instead of {} s", run.time_s());
     let [x, y, _] = wire.view().pose;
     assert!((Point::new(x, y) - here.position()).norm() < 0.01, "odometry {x} {y}, truth {here}");
 }
@@ -166,10 +168,16 @@ fn a_planned_path_cleans_the_flat_over_the_line() {
     wire.link.ride(wire.now, "Boustrophedon", Box::new(follower), prepared.floor.start, true).unwrap();
     let mut tracker = robovac_core::coverage::CoverageTracker::new(&prepared.floor);
     tracker.sweep_to(&prepared.floor, wire.pose());
-    wire.pass_until(7200.0, |wire| {
+    let took = wire.pass_until(7200.0, |wire| {
         tracker.sweep_to(&prepared.floor, wire.robot.pose());
         wire.view().ride.unwrap().done
     });
+    let mut run = planned.run(&prepared, Conditions::default(), OdometryModel::Arc, 1);
+    while !run.is_finished() {
+        run.step();
+        assert!(run.time_s() < 7200.0);
+    }
+    assert!((0.97..1.03).contains(&(took / run.time_s())), "{took} s instead of {} s", run.time_s());
     let coverage = tracker.coverage(&prepared.floor);
     assert!(coverage > planned.drive.coverage - 0.03, "{coverage} instead of {}", planned.drive.coverage);
 }

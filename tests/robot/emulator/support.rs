@@ -30,7 +30,7 @@ pub fn plan_with_drop_off(ahead: f64) -> FloorPlan {
 pub fn setup(plan: FloorPlan, conditions: Conditions, seed: u64) -> RunSetup {
     let (robot, cell_size) = choose_robot("roomba600", &plan, None).unwrap();
     assert_eq!(robot.id, model("roomba600").unwrap().id);
-    let placement = Placement { plan, robot, cell_size, start: None, heading_deg: None };
+    let placement = Placement { plan, robot, cells: cell_size.into(), start: None, heading_deg: None };
     placement.prepare().unwrap().setup(conditions, seed)
 }
 

@@ -6,6 +6,7 @@ use crate::{
     explore::{ProgramJob, Session, SessionSnapshot},
 };
 use robovac_core::{
+    coverage::PlanningCells,
     floor_plan::{FloorPlan, Scenario},
     geometry::Pose,
     program::Program,
@@ -26,7 +27,7 @@ pub(super) struct ComparisonBase {
     /// Name of the robot in exports.
     pub robot_name: String,
     pub custom: Option<CustomRobot>,
-    pub cell_size: f64,
+    pub cells: PlanningCells,
     pub seed: u64,
     pub setup: RaceSetup,
     /// The user's program.
@@ -54,7 +55,7 @@ impl ComparisonBase {
             robot: settings.robot,
             robot_name: settings.robot_name(),
             custom: settings.custom.clone(),
-            cell_size: settings.cell_size,
+            cells: settings.cells(),
             seed: settings.seed,
             setup: RaceSetup {
                 conditions: settings.conditions,
@@ -95,7 +96,7 @@ impl ComparisonBase {
         self.start.filter(|_| room == self.here()).map(|s| [s.x, s.y, s.heading])
     }
 
-    /// Key of room, start, robot and cell size.
+    /// Key of room, start, robot and cells.
     pub fn place(&self, room: RoomChoice) -> String {
         let start = self.start_in(room);
         let room = match room {
@@ -104,6 +105,7 @@ impl ComparisonBase {
         };
         let custom = self.custom.as_ref().map(|custom| format!(" {}:{custom}", custom.key())).unwrap_or_default();
         let smooth = if self.setup.smooth { " smooth" } else { "" };
-        format!("{room} {start:?} {} {}{custom}{smooth}", self.robot, self.cell_size)
+        let PlanningCells { size, offset } = self.cells;
+        format!("{room} {start:?} {} {size} {offset:?}{custom}{smooth}", self.robot)
     }
 }

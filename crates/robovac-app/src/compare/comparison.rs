@@ -254,7 +254,8 @@ impl Comparison {
             start: base.start_in(trial.room),
             robot: base.robot.to_owned(),
             custom: base.custom.clone(),
-            cell_size: base.cell_size,
+            cell_size: base.cells.size,
+            cell_offset: base.cells.offset,
             entrant: entrant.to_string(),
             seed: trial.seed,
             smooth: base.setup.smooth,
@@ -369,7 +370,7 @@ impl Comparison {
     /// What a paper prints for a planner, if these rooms are its only one.
     fn printed(&self, entrant: usize, rooms: &[RoomChoice]) -> Option<&'static PrintedRow> {
         let (base, &[room]) = (self.base.as_ref()?, rooms) else { return None };
-        PrintedRow::find(self.entrants.get(entrant).id(), room, base.cell_size)
+        PrintedRow::find(self.entrants.get(entrant).id(), room, base.cells.size)
     }
 
     /// The numbers of any plan for a room, once there is one; its bounds are those of all others.
@@ -384,7 +385,7 @@ impl Comparison {
         let record = |(t, result): (&Trial, _)| Record {
             room: self.room_name(t.room),
             robot: &base.robot_name,
-            cell_size: base.cell_size,
+            cell_size: base.cells.size,
             entrant: self.entrants.get(t.entrant),
             seed: t.seed,
             result,

@@ -1,7 +1,7 @@
 //! Summary of a comparison: a table of planners by metrics.
 
 use super::PrintedRow;
-use coverage_planners::metrics::{Better, METRICS, MetricInfo, PlanNumbers};
+use coverage_planners::metrics::{Better, METRICS, MetricInfo, PlanNumbers, SweepBound};
 use robovac_sim::experiment::{Entrant, planning::WHOLE};
 use serde::Serialize;
 
@@ -27,6 +27,9 @@ pub struct Row {
     /// One for each of [`METRICS`]: summed over the rooms for every seed (for shares, averaged); then over the seeds.
     /// `None` while a room has no result.
     pub values: Vec<Option<MedianAndRange>>,
+    /// The exact coverage of its paths and the bounds for it, above which the excess is: combined as the values are, the medians.
+    /// `None` for a robot that fills a cell, and while a room has no result.
+    pub least: Option<SweepBound>,
     /// Trials included in the values.
     pub trials: usize,
     /// Rooms in which all trials failed or are missing.
@@ -70,11 +73,14 @@ impl Row {
         let failure = rooms.iter().flatten().find_map(|result| result.as_ref().err().cloned());
         let rooms: Vec<Vec<PlanNumbers>> =
             rooms.iter().map(|trials| trials.iter().filter_map(|t| t.as_ref().ok()).copied().collect()).collect();
-        let values = METRICS.iter().map(|metric| over_rooms(metric, &rooms)).collect();
+        // Shares of different rooms don't add up.
+        let values =
+            METRICS.iter().map(|metric| over_rooms(&|n| metric.value(n), metric.unit == "%", &rooms)).collect();
         Self {
             entrant,
             index,
             values,
+            least: least(&rooms),
             trials: rooms.iter().map(Vec::len).sum(),
             missing: rooms.iter().filter(|trials| trials.is_empty()).count(),
             failure,
@@ -91,15 +97,29 @@ impl Row {
     }
 }
 
-/// A number for each seed, combined over the rooms.
-fn over_rooms(metric: &MetricInfo, rooms: &[Vec<PlanNumbers>]) -> Option<MedianAndRange> {
+/// The exact coverage, and the bounds for it.
+fn least(rooms: &[Vec<PlanNumbers>]) -> Option<SweepBound> {
+    let median =
+        |value: &dyn Fn(&PlanNumbers) -> Option<f64>, is_share| Some(over_rooms(value, is_share, rooms)?.median);
+    Some(SweepBound {
+        coverage: median(&|numbers| Some(numbers.excess?.swept), true)?,
+        length_m: median(&|numbers| Some(numbers.excess?.bound.length_m), false)?,
+        duration_s: median(&|numbers| Some(numbers.excess?.bound.duration_s), false)?,
+    })
+}
+
+/// A number for each seed, combined over the rooms: the sum, or of shares the mean.
+fn over_rooms(
+    value: &dyn Fn(&PlanNumbers) -> Option<f64>,
+    is_share: bool,
+    rooms: &[Vec<PlanNumbers>],
+) -> Option<MedianAndRange> {
     let seeds = rooms.first()?.len();
     let count = rooms.len() as f64;
     let of_seed = |seed: usize| -> Option<f64> {
-        let values = rooms.iter().map(|trials| metric.value(trials.get(seed)?));
+        let values = rooms.iter().map(|trials| value(trials.get(seed)?));
         let sum = values.sum::<Option<f64>>()?;
-        // Shares of different rooms don't add up.
-        Some(if metric.unit == "%" { sum / count } else { sum })
+        Some(if is_share { sum / count } else { sum })
     };
     MedianAndRange::of((0..seeds).map(of_seed).collect::<Option<Vec<f64>>>()?)
         .filter(|_| rooms.iter().all(|r| r.len() == seeds))

@@ -189,6 +189,8 @@ struct RowView {
     missing: usize,
     failure: String,
     values: Vec<Option<MedianAndRange>>,
+    /// The exact coverage of its paths and the bounds for it, above which the excess is: medians of seeds, sums over rooms.
+    least: Option<SweepBound>,
     /// Which values are the best of their columns.
     best: Vec<bool>,
     /// Whether it leaves floor out that others clean: it then has the best of nothing that costs.
@@ -206,6 +208,7 @@ impl TableView {
             missing: row.missing,
             failure: row.failure.clone().unwrap_or_default(),
             values: row.values.clone(),
+            least: row.least,
             best: (0..METRICS.len()).map(|column| table.is_best(row, column)).collect(),
             leaves_floor: !row.is_complete,
             printed: METRICS.iter().map(|metric| row.printed?.value(metric.id)).collect(),

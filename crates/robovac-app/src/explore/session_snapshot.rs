@@ -64,7 +64,7 @@ impl SessionSnapshot {
     pub fn lay_out(&self) -> Result<(RoomSetup, Settings), FollowError> {
         let settings = self.choices.settings(&Settings::default())?;
         let (plan, _) = self.room()?.ok_or(FollowError::NoRoom)?;
-        Ok((RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, self.start())?, settings))
+        Ok((RoomSetup::new(&plan, &settings.robot_model(), settings.cells(), self.start())?, settings))
     }
 
     /// The same for a program's own simulation, whatever algorithm the session has; needs the code of none.
@@ -79,7 +79,7 @@ impl SessionSnapshot {
         };
         let settings = choices.settings(&Settings::with(Behaviours::NONE))?;
         let (plan, _) = self.room()?.ok_or(FollowError::NoRoom)?;
-        Ok((RoomSetup::new(&plan, &settings.robot_model(), settings.cell_size, self.start())?, settings))
+        Ok((RoomSetup::new(&plan, &settings.robot_model(), settings.cells(), self.start())?, settings))
     }
 
     /// The room, with its id if it is built in; `None` if the snapshot leaves it out.
@@ -107,7 +107,7 @@ impl SessionSnapshot {
         (choices.twin, choices.own_robot) = (None, None);
         if choices.robot.as_deref() != Some(CONNECTED) {
             // Cell sizes of another robot don't fit this one.
-            (choices.robot, choices.cell_size) = (Some(CONNECTED.to_owned()), None);
+            (choices.robot, choices.cell_size, choices.cell_offset) = (Some(CONNECTED.to_owned()), None, None);
         }
         if choices.algorithm() != Some(algorithm) && !rides_path {
             choices.params.clear();

@@ -55,6 +55,8 @@ pub struct SessionView {
     pub params: Params,
     /// Side of the planning cells, m.
     pub cell_size_m: f64,
+    /// How far the planning cells begin to the left of the room's lower-left corner and below it, m.
+    pub cell_offset_m: [f64; 2],
     /// Seed of everything random.
     pub seed: u64,
     /// Level of wheel slip.
@@ -93,6 +95,8 @@ pub struct SessionView {
     /// The least distance in which any robot with this tool sweeps as much floor, m; `None` until the run is over, of those that plan
     /// it, and where it isn't known.
     pub least_m: Option<f64>,
+    /// Time for that distance at the robot's top speed, s: no run that sweeps as much takes less.
+    pub least_s: Option<f64>,
     /// Sum of all turning, degrees.
     pub turning_deg: f64,
     /// Number of bumps.

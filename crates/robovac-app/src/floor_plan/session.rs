@@ -442,6 +442,7 @@ impl DrawingSession {
             own_robot: own.map(|own| own.to_string()),
             twin: None,
             cell_size: None,
+            cell_offset: None,
             ..choices.unwrap_or_default()
         };
         Ok(Import { plan: room.plan.clone(), choices: Some(choices) })

@@ -43,7 +43,7 @@ impl FloorArguments {
         let plan = self.plan()?;
         let (robot, cell_size) =
             choose_robot(ROOMBA, &plan, None).ok_or_else(|| Failure::unknown("robot", ROOMBA, "robots"))?;
-        let prepared = Placement { plan, robot, cell_size, start: None, heading_deg: None }.prepare()?;
+        let prepared = Placement { plan, robot, cells: cell_size.into(), start: None, heading_deg: None }.prepare()?;
         Ok(prepared.setup(conditions, seed))
     }
 

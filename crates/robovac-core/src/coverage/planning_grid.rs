@@ -1,6 +1,6 @@
 //! The planning grid: square cells of any size laid over the floor that a robot can reach.
 
-use super::ReachableFloor;
+use super::{PlanningCells, ReachableFloor};
 use crate::{
     geometry::{Point, Vector},
     grid::{Cell, Direction, Grid, reachable},
@@ -15,8 +15,8 @@ use std::collections::VecDeque;
 /// wall between two anchors) the cell whose anchor lies farther from its centre is dropped.
 #[derive(Debug, Clone)]
 pub struct PlanningGrid {
-    /// Side of a planning cell, m.
-    pub cell_size: f64,
+    /// Where the cells lie.
+    pub cells: PlanningCells,
     /// Free planning cells, all connected with `start`.
     pub free: Grid<bool>,
     /// The cell of the robot's start.
@@ -25,24 +25,25 @@ pub struct PlanningGrid {
 }
 
 impl PlanningGrid {
-    /// Lays cells of `cell_size` metres over `floor`, from the map's lower-left corner.
-    pub fn new(floor: &ReachableFloor, cell_size: f64) -> Self {
-        let standing = &floor.standing;
-        let cells = |n: usize| ((n as f64 * floor.resolution / cell_size - 1e-6).ceil() as usize).max(1);
-        let (width, height) = (cells(standing.width()), cells(standing.height()));
+    /// Lays cells over `floor`; a number is their side in metres, from the map's lower-left corner.
+    pub fn new(floor: &ReachableFloor, cells: impl Into<PlanningCells>) -> Self {
+        Self::lay(floor, cells.into())
+    }
+
+    fn lay(floor: &ReachableFloor, cells: PlanningCells) -> Self {
+        let (standing, cell_size) = (&floor.standing, cells.size);
+        let count = |axis: usize, n: usize| cells.along(axis, n as f64 * floor.resolution);
+        let (width, height) = (count(0, standing.width()), count(1, standing.height()));
         let planning_cell = |p: Point| {
-            let index = |v: f64, n: usize| ((v / cell_size) as i32).min(n as i32 - 1);
-            Cell::new(index(p.x, width), index(p.y, height))
+            let cell = cells.at(p);
+            Cell::new(cell.x.clamp(0, width as i32 - 1), cell.y.clamp(0, height as i32 - 1))
         };
         let mut free = Grid::filled(width, height, false);
         for (fine, _) in standing.iter().filter(|&(_, &stands)| stands) {
             free[planning_cell(floor.centre(fine))] = true;
         }
-        let targets = Targets {
-            free: &free,
-            cell_size,
-            shift: (2.0 * floor.tool_radius - cell_size).clamp(0.0, 0.5 * cell_size),
-        };
+        let targets =
+            Targets { free: &free, cells, shift: (2.0 * floor.tool_radius - cell_size).clamp(0.0, 0.5 * cell_size) };
         let mut anchors = Grid::filled(width, height, Point::origin());
         let mut offsets = Grid::filled(width, height, f64::MAX);
         for (fine, _) in standing.iter().filter(|&(_, &stands)| stands) {
@@ -58,7 +59,7 @@ impl PlanningGrid {
             anchors[cell] = settle(floor, anchors[cell], targets.of(cell));
         }
         let start = planning_cell(floor.start.position());
-        let mut planning_grid = Self { cell_size, free, start, anchors };
+        let mut planning_grid = Self { cells, free, start, anchors };
         for index in 0..planning_grid.free.len() {
             let cell = planning_grid.free.cell(index);
             for next in [cell.step(Direction::Right), cell.step(Direction::Up)] {
@@ -125,7 +126,7 @@ impl PlanningGrid {
 
     /// Points to drive through from the anchor of `from` to that of its neighbour `to`, the last one included.
     fn link(&self, floor: &ReachableFloor, from: Cell, to: Cell) -> Option<Vec<Point>> {
-        way(floor, self.anchor(from), self.anchor(to), self.cell_size)
+        way(floor, self.anchor(from), self.anchor(to), self.cells.size)
     }
 }
 
@@ -188,7 +189,7 @@ fn way(floor: &ReachableFloor, from: Point, to: Point, margin: f64) -> Option<Ve
 /// Target positions of the anchors: the centre of each cell, or towards the wall where there is no neighbouring cell.
 struct Targets<'a> {
     free: &'a Grid<bool>,
-    cell_size: f64,
+    cells: PlanningCells,
     /// Largest shift of a lane beside a wall that leaves no gap to the next lane, m.
     shift: f64,
 }
@@ -201,10 +202,8 @@ impl Targets<'_> {
             (true, false) => -self.shift,
             _ => 0.0,
         };
-        Point::new(
-            (f64::from(cell.x) + 0.5) * self.cell_size + towards_wall(Direction::Right, Direction::Left),
-            (f64::from(cell.y) + 0.5) * self.cell_size + towards_wall(Direction::Up, Direction::Down),
-        )
+        self.cells.centre(cell)
+            + Vector::new(towards_wall(Direction::Right, Direction::Left), towards_wall(Direction::Up, Direction::Down))
     }
 }
 
@@ -260,13 +259,15 @@ mod tests {
             "..............\n..............\n......##......\n......##......\n..............\n....##....##..\n..............\n..............",
             0.25,
         );
-        for size in [0.1, 0.15, 0.22, 0.35] {
-            let planning_grid = PlanningGrid::new(&floor, size);
+        for (size, offset) in
+            [(0.1, [0.0, 0.0]), (0.15, [0.1, 0.0]), (0.15, [0.0, 0.0]), (0.22, [0.05, 0.2]), (0.35, [0.0, 0.3])]
+        {
+            let planning_grid = PlanningGrid::new(&floor, PlanningCells { size, offset });
             for (cell, _) in planning_grid.free.iter().filter(|&(_, &f)| f) {
                 for next in cell.neighbours().into_iter().filter(|&n| planning_grid.free.is_set(n)) {
                     let mut at = planning_grid.anchor(cell);
                     for point in planning_grid.link(&floor, cell, next).unwrap() {
-                        assert!(floor.is_straight_free(at, point), "{cell} to {next} at {size} m");
+                        assert!(floor.is_straight_free(at, point), "{cell} to {next} at {size} m, {offset:?}");
                         at = point;
                     }
                 }
@@ -293,6 +294,17 @@ mod tests {
             let anchor = planning_grid.anchor(Cell::new(x, 10));
             assert!((anchor - Point::new((f64::from(x) + 0.5) * 0.12, 10.5 * 0.12)).norm() < 1e-9, "{x}: {anchor}");
         }
+    }
+
+    #[test]
+    fn cells_begin_where_they_are_told_to() {
+        let floor = floor(&"..........\n".repeat(10), 0.25);
+        let planning_grid = PlanningGrid::new(&floor, PlanningCells { size: 0.12, offset: [0.04, 0.08] });
+        // 2.5 m and what lies outside.
+        assert_eq!((planning_grid.free.width(), planning_grid.free.height()), (22, 22));
+        let anchor = planning_grid.anchor(Cell::new(8, 10));
+        assert!((anchor - Point::new(8.5 * 0.12 - 0.04, 10.5 * 0.12 - 0.08)).norm() < 1e-9, "{anchor}");
+        assert_eq!(planning_grid.start, planning_grid.cells.at(floor.start.position()));
     }
 
     #[test]

@@ -16,7 +16,7 @@
 //! use robovac_link::emulator::{Emulator, personality};
 //! let plan = (room("empty").unwrap().build)();
 //! let (robot, cell_size) = choose_robot("roomba600", &plan, None).unwrap();
-//! let prepared = Placement { plan, robot, cell_size, start: None, heading_deg: None }.prepare().unwrap();
+//! let prepared = Placement { plan, robot, cells: cell_size.into(), start: None, heading_deg: None }.prepare().unwrap();
 //! let mut roomba = Emulator::new(&prepared.setup(Conditions::default(), 1), personality("model").unwrap());
 //! // Start, Safe, then: which mode?
 //! roomba.receive(&[128, 131, 142, 35], 115_200);

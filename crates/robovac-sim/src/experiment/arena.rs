@@ -10,7 +10,12 @@ use coverage_planners::{
     smooth::{SmoothError, SmoothSetup},
 };
 use robovac_core::{
-    coverage::FloorError, floor_plan::FloorPlan, geometry::Pose, grid::Cell, registry::Params, robot::RobotModel,
+    coverage::{FloorError, PlanningCells},
+    floor_plan::FloorPlan,
+    geometry::Pose,
+    grid::Cell,
+    registry::Params,
+    robot::RobotModel,
     trajectory::Trajectory,
 };
 use std::sync::Arc;
@@ -55,9 +60,14 @@ pub enum TrialError {
 }
 
 impl Arena {
-    /// Lays `plan` out for `robot` with planning cells of `cell_size` metres.
-    pub fn new(plan: &FloorPlan, robot: &RobotModel, cell_size: f64, start: Option<Pose>) -> Result<Self, FloorError> {
-        let prepared = RoomSetup::new(plan, robot, cell_size, start)?;
+    /// Lays `plan` out for `robot` with those planning cells; a number is their side, m.
+    pub fn new(
+        plan: &FloorPlan,
+        robot: &RobotModel,
+        cells: impl Into<PlanningCells>,
+        start: Option<Pose>,
+    ) -> Result<Self, FloorError> {
+        let prepared = RoomSetup::new(plan, robot, cells, start)?;
         let bounds = Bounds::of(&prepared.job);
         Ok(Self { prepared, bounds, is_smooth: false })
     }

@@ -4,6 +4,7 @@ use super::{Arena, Entrant, PlanOutcome};
 use crate::experiment::planning::{CELL_ROBOT, choose_robot};
 use coverage_planners::Observer;
 use robovac_core::{
+    coverage::PlanningCells,
     floor_plan::{
         self, FloorPlan, SourceFile,
         generate::{FlatId, FlatIdError},
@@ -34,6 +35,9 @@ pub struct TrialRequest {
     pub custom: Option<CustomRobot>,
     /// Side of the planning cells, m.
     pub cell_size: f64,
+    /// How far they begin to the left of the room's lower-left corner and below it, m.
+    #[serde(default)]
+    pub cell_offset: [f64; 2],
     /// The planner with its parameters, as [`Entrant::parse`] reads it.
     pub entrant: String,
     /// Seed of its random numbers.
@@ -44,7 +48,7 @@ pub struct TrialRequest {
     /// Whether corners are rounded.
     #[serde(default)]
     pub smooth: bool,
-    /// Key of room, start, robot and cell size: equal places have the same [`Arena`].
+    /// Key of room, start, robot and cells: equal places have the same [`Arena`].
     pub place: String,
 }
 
@@ -58,7 +62,8 @@ impl TrialRequest {
         };
         let robot = self.custom.as_ref().map_or_else(|| robot.clone(), |custom| custom.of(&robot));
         let start = self.start.map(|[x, y, heading]| Pose::new(x, y, heading));
-        let arena = Arena::new(&plan, &robot, self.cell_size, start).map_err(|e| e.to_string())?;
+        let cells = PlanningCells { size: self.cell_size, offset: self.cell_offset };
+        let arena = Arena::new(&plan, &robot, cells, start).map_err(|e| e.to_string())?;
         Ok(arena.smooth(self.smooth))
     }
 

@@ -10,7 +10,7 @@ use crate::{
 };
 use coverage_planners::{CoveragePath, Observer, smooth::SmoothSetup};
 use robovac_core::{
-    coverage::{Boundary, BoundaryTracker, FloorError},
+    coverage::{Boundary, BoundaryTracker, FloorError, PlanningCells},
     floor_plan::FloorPlan,
     geometry::Pose,
     grid::Cell,
@@ -55,15 +55,15 @@ pub struct Lab {
 }
 
 impl Lab {
-    /// Lays `plan` out for `robot`, with planning cells of `cell_size` metres.
+    /// Lays `plan` out for `robot`, with those planning cells; a number is their side, m.
     pub fn new(
         plan: &FloorPlan,
         robot: &RobotModel,
-        cell_size: f64,
+        cells: impl Into<PlanningCells>,
         start: Option<Pose>,
         terms: Terms,
     ) -> Result<Self, FloorError> {
-        Ok(Self::on(RoomSetup::new(plan, robot, cell_size, start)?, terms))
+        Ok(Self::on(RoomSetup::new(plan, robot, cells, start)?, terms))
     }
 
     /// A lab in a room that is laid out already.

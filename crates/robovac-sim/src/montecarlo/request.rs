@@ -38,9 +38,9 @@ impl RunsRequest {
     pub fn lab(&self) -> Result<Lab, String> {
         let plan = plan_of(self.room.as_deref(), self.scenario.as_deref())?;
         let settings = self.settings()?;
-        let Settings { conditions, odometry, smooth, cell_size, start, .. } = settings;
+        let Settings { conditions, odometry, smooth, start, .. } = settings;
         let terms = Terms { conditions, odometry, smooth, duration_s: self.duration_s, plan_seed: self.plan_seed };
-        Lab::new(&plan, &settings.robot_model(), cell_size, start, terms).map_err(|e| e.to_string())
+        Lab::new(&plan, &settings.robot_model(), settings.cells(), start, terms).map_err(|e| e.to_string())
     }
 
     /// Side of the planning cells, m. Errors are for users.

@@ -54,7 +54,7 @@ impl StudyOutcome {
         let step = SAMPLES.checked_div(intervals);
         Self {
             floor_m2: prepared.floor.area(),
-            cell_size_m: prepared.planning_grid.cell_size,
+            cell_size_m: prepared.planning_grid.cells.size,
             coverage: outcome.coverage(),
             reached_s: outcome.reached_s.map(|time| Some(time).filter(|time| time.is_finite())),
             time_s: outcome.time_s,

@@ -59,7 +59,7 @@ impl Session {
             return;
         }
         let robot = self.settings.robot_model();
-        match RoomSetup::new(self.editor.plan(), &robot, self.settings.cell_size, Some(to)) {
+        match RoomSetup::new(self.editor.plan(), &robot, self.settings.cells(), Some(to)) {
             Ok(prepared) => {
                 self.message = None;
                 self.editor.set_start(Some(rounded(prepared.floor.start)));

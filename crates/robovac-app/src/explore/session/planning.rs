@@ -241,23 +241,22 @@ impl Session {
     /// The room laid out for the robot: along its path, if that was planned elsewhere.
     fn room_setup(&self) -> Result<RoomSetup, FloorError> {
         let (plan, robot, start) = (self.plan(), self.settings.robot_model(), self.editor.start());
-        let Settings { cell_size, ref path, .. } = self.settings;
-        match path {
+        let cells = self.settings.cells();
+        match &self.settings.path {
             Some(path) => {
                 let heading = start.or(plan.start).map_or(0.0, |start| start.heading);
-                RoomSetup::along(plan, &robot, cell_size, path, heading)
+                RoomSetup::along(plan, &robot, cells, path, heading)
             }
-            None => RoomSetup::new(plan, &robot, cell_size, start),
+            None => RoomSetup::new(plan, &robot, cells, start),
         }
     }
 
     /// The room laid out for planners and behaviours, whatever path is driven in it.
     pub fn planning_room(&self) -> Option<RoomSetup> {
-        let Settings { cell_size, ref path, .. } = self.settings;
-        if path.is_none() {
+        if self.settings.path.is_none() {
             return self.prepared.clone();
         }
-        RoomSetup::new(self.plan(), &self.settings.robot_model(), cell_size, self.editor.start()).ok()
+        RoomSetup::new(self.plan(), &self.settings.robot_model(), self.settings.cells(), self.editor.start()).ok()
     }
 
     /// A run from the start, once there is a path for those that need one.

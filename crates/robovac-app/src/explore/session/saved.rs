@@ -199,6 +199,7 @@ impl Session {
         scenario.program = choices.program;
         scenario.params.extend(params);
         scenario.cell_size = choices.cell_size;
+        scenario.cell_offset = choices.cell_offset;
         scenario.seed = Some(settings.seed);
         scenario.slip = choices.slip;
         scenario.noise = choices.noise.map(|levels| {

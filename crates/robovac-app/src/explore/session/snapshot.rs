@@ -29,7 +29,7 @@ impl Session {
         let Shows { sensors, estimate, .. } = self.settings.shows;
         let is_lost = self.settings.conditions.slip != SlipLevel::None;
         let robot = run.map(|run| RobotView::of(run, &model, estimate || is_lost));
-        let film = self.picture().map(|picture| FilmScene { picture, cell_size: self.settings.cell_size });
+        let film = self.picture().map(|picture| FilmScene { picture, cells: self.settings.cells() });
         // A picture of the film shows the plan alone, without the robot.
         let robot = robot.filter(|_| film.is_none());
         let coverage = self.settings.shows.coverage && film.is_none();
@@ -51,7 +51,7 @@ impl Session {
             steps: run.map_or(0, Run::steps),
             estimated_trail: run.filter(|_| estimate).map_or(&[], Run::estimated_trail),
             robot,
-            search: self.decision().map(|step| SearchScene { step, cell_size: self.settings.cell_size }),
+            search: self.decision().map(|step| SearchScene { step, cells: self.settings.cells() }),
             start: self.prepared.as_ref().map(|p| p.floor.start),
             start_radius: model.radius,
             start_body: model.body,
@@ -73,6 +73,7 @@ impl Session {
             _ if self.is_changed_room() => (None, ""),
             _ => (None, plan.note.as_str()),
         };
+        let least = run.filter(|_| state == SessionState::Finished).and_then(|run| self.least(run));
         let [width_m, height_m] = self.prepared.as_ref().map_or([plan.width_m(), plan.height_m()], |room| room.size);
         SessionView {
             state,
@@ -105,6 +106,7 @@ impl Session {
             dirt_left: life.filter(|life| !life.spots().is_empty()).map(Life::dirt_left),
             params: self.settings.params.clone(),
             cell_size_m: self.settings.cell_size,
+            cell_offset_m: self.settings.cells().offset,
             seed: self.settings.seed,
             slip: conditions.slip.id(),
             noise: SensorKind::ALL.map(|(kind, _)| conditions.noise.of(kind).id()),
@@ -123,7 +125,8 @@ impl Session {
             coverage: run.map_or(self.swept_before, Run::coverage),
             overlap: run.map_or(0.0, |r| r.tracker().overlap()),
             distance_m: run.map_or(0.0, Run::distance_m),
-            least_m: run.filter(|_| state == SessionState::Finished).and_then(|run| self.least_m(run)),
+            least_m: least.map(|[length_m, _]| length_m),
+            least_s: least.map(|[_, top_speed_s]| top_speed_s),
             turning_deg: run.map_or(0.0, |r| r.turning_rad().to_degrees()),
             bumps: run.map_or(0, Run::bumps),
             pose_error_m: run.and_then(Run::pose_error_m).unwrap_or(0.0),
@@ -132,13 +135,13 @@ impl Session {
         }
     }
 
-    /// The least distance for as much floor as a run has swept that nobody planned; `None` if some of it was swept before, or if
-    /// it is hardly any.
-    fn least_m(&self, run: &Run) -> Option<f64> {
+    /// The least distance, m, for as much floor as a run has swept that nobody planned, and the time for it at top speed, s: such a
+    /// run may sweep in curves, without stops. `None` if some of it was swept before, or if it is hardly any.
+    fn least(&self, run: &Run) -> Option<[f64; 2]> {
         let robot = &self.prepared.as_ref()?.robot;
         let is_known = self.planned.is_none() && self.before.is_none() && sweeps_as_disc(robot);
         let length = MetricBound::of_area(run.coverage() * run.floor().area(), 0.0, robot).length_m;
-        (is_known && length > 1.0).then_some(length)
+        (is_known && length > 1.0).then(|| [length, length / robot.max_wheel_speed])
     }
 
     fn can(&self, state: SessionState) -> SessionActions {

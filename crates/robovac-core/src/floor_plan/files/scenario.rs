@@ -86,6 +86,9 @@ pub struct Scenario {
     /// Side of the planning cells, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cell_size: Option<f64>,
+    /// How far the planning cells begin to the left of the room's lower-left corner and below it, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cell_offset: Option<[f64; 2]>,
     /// Seed of all random numbers.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
@@ -125,6 +128,7 @@ struct ScenarioHeader {
     twin: Option<IgnoredAny>,
     own_robot: Option<IgnoredAny>,
     path: Option<IgnoredAny>,
+    cell_offset: Option<IgnoredAny>,
     program: Option<IgnoredAny>,
 }
 
@@ -163,7 +167,7 @@ impl ScenarioHeader {
     fn flaw(&self) -> Option<(&'static str, Flaw)> {
         let version = self.version.as_ref()?;
         let Self { objects, behaviour, slip, noise, quantised, start_charge_percent, .. } = self;
-        let Self { odometry, smooth, twin, own_robot, path, program, .. } = self;
+        let Self { odometry, smooth, twin, own_robot, path, cell_offset, program, .. } = self;
         match version.as_u64() {
             Some(1) => [
                 ("objects", objects),
@@ -177,6 +181,7 @@ impl ScenarioHeader {
                 ("twin", twin),
                 ("own_robot", own_robot),
                 ("path", path),
+                ("cell_offset", cell_offset),
                 ("program", program),
             ]
             .into_iter()
@@ -214,6 +219,7 @@ impl Scenario {
             params: BTreeMap::new(),
             path: None,
             cell_size: None,
+            cell_offset: None,
             seed: None,
             slip: None,
             noise: None,

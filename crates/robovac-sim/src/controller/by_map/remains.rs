@@ -127,7 +127,7 @@ impl Remains {
 
     /// The line to near a place, in the frame of the map, if it is reachable.
     pub fn way(&self, to: Point) -> Option<Vec<Point>> {
-        let near = self.planning_grid.cell_size;
+        let near = self.planning_grid.cells.size;
         let (cell, before) = self.search(|cell| (self.planning_grid.anchor(cell) + self.corner - to).norm() < near)?;
         let mut walk = vec![cell];
         while let Some(next) = walk.last().and_then(|&last| before[last]) {
@@ -161,7 +161,7 @@ impl Remains {
     /// The job of covering a part from `start` on.
     pub fn job(&self, part: Grid<bool>, start: Cell, robot: &RobotModel) -> CoverageJob {
         let toward = self.planning_grid.anchor(start) - self.floor.start.position();
-        let heading = if toward.norm() > self.planning_grid.cell_size {
+        let heading = if toward.norm() > self.planning_grid.cells.size {
             math::atan2(toward.y, toward.x)
         } else {
             self.floor.start.heading
@@ -170,7 +170,7 @@ impl Remains {
             free: part,
             start,
             heading: Direction::nearest(heading),
-            step_s: self.planning_grid.cell_size / robot.cruise_speed,
+            step_s: self.planning_grid.cells.size / robot.cruise_speed,
             turn_s: robot.turn_time(math::FRAC_PI_2) + robot.cruise_speed / robot.acceleration,
             place: None,
         }

@@ -3,7 +3,7 @@
 use super::{PlanRequest, Planned, RoomSetup};
 use coverage_planners::{CoverageJob, PlanError, PlannerInfo, lanes::swept_share};
 use robovac_core::{
-    coverage::PlanningGrid,
+    coverage::{PlanningCells, PlanningGrid},
     registry::{ParamKind, ParamSpec, ParamValue, Params},
 };
 use std::{cmp::Ordering, ops::ControlFlow, sync::Arc};
@@ -13,34 +13,43 @@ const SIDES: (f64, f64) = (0.45, 1.05);
 /// Step from one side to the next, m: lanes move along the walls by far more than that, so that every side also has other
 /// distances from them.
 const STEP: f64 = 0.0025;
-/// How many of the best are planned with the planner's own effort.
+/// Sides for which other offsets are tried, and these, as shares of a side in each direction.
+const PROMISING: usize = 6;
+const OFFSETS: [f64; 3] = [0.0, 1.0 / 3.0, 2.0 / 3.0];
+/// An offset can add that share of the floor: sides that fall short by less are promising, too.
+const NEAR: f64 = 0.01;
+/// How many of the best are planned with the planner's own effort, and with rounded corners.
 const FINALS: usize = 4;
-/// Free cells beyond which fewer sides are tried, so that the choice doesn't take minutes.
+/// What rounded corners may leave out, as a share of the floor.
+const ROUNDED: f64 = 0.001;
+/// Free cells beyond which fewer are tried, so that the choice doesn't take minutes.
 const MANY: usize = 60_000;
 
 /// Planning cells that suit a coverage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedCells {
-    /// Their side, m.
-    pub cell_size: f64,
+    /// Their side and where they begin.
+    pub cells: PlanningCells,
     /// The share of the floor that the plan sweeps, 0 to 1, by [`swept_share`].
     pub coverage: f64,
-    /// The plan's time, s.
+    /// The plan's time, s: with rounded corners if these were asked for.
     pub duration_s: f64,
 }
 
 impl RoomSetup {
-    /// The same room with planning cells of `cell_size` metres.
-    pub fn with_cells(&self, cell_size: f64) -> Self {
-        let planning_grid = PlanningGrid::new(&self.floor, cell_size);
+    /// The same room with those planning cells; a number is their side, m.
+    pub fn with_cells(&self, cells: impl Into<PlanningCells>) -> Self {
+        let planning_grid = PlanningGrid::new(&self.floor, cells);
         let job =
             CoverageJob::on_planning_grid(&planning_grid, &self.floor, &self.robot).in_place(&self.floor, &self.robot);
         Self { planning_grid: Arc::new(planning_grid), job, ..self.clone() }
     }
 
     /// The planning cells with which `planner` sweeps the share `coverage`, 0 to 1, in the least time; if none reach it, those
-    /// with which it sweeps most. Planners that search do so with the least effort, fast ones in the end with their own. `None` for planners in metres, which need
-    /// no cells, and for a robot that fills a cell, which has no choice.
+    /// with which it sweeps most. First sides are tried, from the room's corner, then other offsets for the promising ones.
+    /// Planners that search do so with the least effort, fast ones in the end with their own. Where `is_rounded`, the time of
+    /// the best few with rounded corners decides. `None` for planners in metres, which need no cells, and for a robot that fills
+    /// a cell, which has no choice.
     ///
     /// `observe` gets the share that is done and returns whether to continue; `None` if it doesn't.
     pub fn fit_cells(
@@ -49,6 +58,7 @@ impl RoomSetup {
         params: &Params,
         seed: u64,
         coverage: f64,
+        is_rounded: bool,
         observe: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Option<FittedCells> {
         if planner.is_in_metres() || self.robot.fills_cell {
@@ -60,26 +70,46 @@ impl RoomSetup {
         let least = least.max(self.floor.resolution);
         let most = (SIDES.1 * self.robot.tool_width).max(least);
         let cells = self.floor.area() / (least * most);
-        let step = STEP * (cells / MANY as f64).max(1.0);
+        let many = (cells / MANY as f64).max(1.0);
+        let step = STEP * many;
         let count = ((most - least) / step) as u32;
-        let mut tried = Vec::new();
-        for i in 0..=count {
-            if observe(f64::from(i) / f64::from(count + 1)).is_break() {
-                return None;
+        let promising = (PROMISING as f64 / many).ceil() as usize;
+        let (mut done, all) = (0, count as usize + 1 + promising * (OFFSETS.len().pow(2) - 1));
+        let mut try_all = |lattices: &[PlanningCells], tried: &mut Vec<FittedCells>| {
+            for &cells in lattices {
+                observe(f64::from(done) / all as f64)?;
+                done += 1;
+                tried.extend(self.with_cells(cells).try_cells(planner, &quick, seed, false));
             }
-            // In whole tenths of a millimetre, as it stands in links.
-            let cell_size = ((most - f64::from(i) * step) * 1e4).round() / 1e4;
-            tried.extend(self.with_cells(cell_size).try_cells(planner, &quick, seed, cell_size));
+            ControlFlow::Continue(())
+        };
+        let mut tried = Vec::new();
+        let sides: Vec<PlanningCells> = (0..=count).map(|i| short(most - f64::from(i) * step).into()).collect();
+        if try_all(&sides, &mut tried).is_break() {
+            return None;
+        }
+        let reached = tried.iter().map(|found| found.coverage).fold(0.0, f64::max);
+        tried.sort_by(|a, b| a.compare(b, coverage.min(reached) - NEAR));
+        let moved: Vec<PlanningCells> = tried.iter().take(promising).flat_map(|found| moved(found.cells)).collect();
+        if try_all(&moved, &mut tried).is_break() {
+            return None;
         }
         tried.sort_by(|a, b| a.compare(b, coverage));
-        if planner.claims.fast && quick != *params {
-            // With its effort, a plan can sweep a little less.
-            let finals = tried.iter().take(FINALS).filter_map(|found| {
-                self.with_cells(found.cell_size).try_cells(planner, params, seed, found.cell_size).ok()
-            });
-            return finals.min_by(|a, b| a.compare(b, coverage));
+        // With its effort, a plan can sweep a little less.
+        let effort = if planner.claims.fast { params } else { &quick };
+        if *effort == quick && !is_rounded {
+            return tried.first().copied();
         }
-        tried.first().copied()
+        let mut finals: Vec<PlanningCells> = tried.iter().take(FINALS).map(|found| found.cells).collect();
+        if is_rounded {
+            tried.sort_by(|a, b| a.compare(b, coverage + ROUNDED));
+            let spare = tried.iter().take(FINALS).map(|found| found.cells).filter(|cells| !finals.contains(cells));
+            finals.extend(spare.collect::<Vec<_>>());
+        }
+        let finals = finals
+            .into_iter()
+            .filter_map(|cells| self.with_cells(cells).try_cells(planner, effort, seed, is_rounded).ok());
+        finals.min_by(|a, b| a.compare(b, coverage))
     }
 
     fn try_cells(
@@ -87,14 +117,19 @@ impl RoomSetup {
         planner: &'static PlannerInfo,
         params: &Params,
         seed: u64,
-        cell_size: f64,
+        is_rounded: bool,
     ) -> Result<FittedCells, PlanError> {
         let request = PlanRequest { id: 0, planner, params: params.clone(), seed, job: self.job.clone() };
         let answer = request.serve(|| 0.0, None)?;
         // A planner that returns no walk finds none with other cells either.
         let planned = Planned::new(self, &answer).map_err(|_| PlanError::Unlisted)?;
+        let cells = self.planning_grid.cells;
+        // A robot that can't round corners stops at them.
+        if is_rounded && let Ok(smooth) = self.smooth(&planned.line, &request.smooth_setup(), false) {
+            return Ok(FittedCells { cells, coverage: smooth.coverage, duration_s: smooth.trajectory.duration_s() });
+        }
         let coverage = swept_share(&self.floor, &planned.line);
-        Ok(FittedCells { cell_size, coverage, duration_s: planned.drive.duration_s })
+        Ok(FittedCells { cells, coverage, duration_s: planned.drive.duration_s })
     }
 }
 
@@ -108,6 +143,17 @@ impl FittedCells {
             (false, true) => Ordering::Greater,
         }
     }
+}
+
+/// In whole tenths of a millimetre, as it stands in links.
+fn short(metres: f64) -> f64 {
+    (metres * 1e4).round() / 1e4
+}
+
+/// The same cells with the other offsets.
+fn moved(cells: PlanningCells) -> impl Iterator<Item = PlanningCells> {
+    let places = OFFSETS.into_iter().flat_map(|y| OFFSETS.map(|x| [x, y]));
+    places.skip(1).map(move |shares| PlanningCells { offset: shares.map(|share| short(share * cells.size)), ..cells })
 }
 
 fn with_least_effort(planner: &PlannerInfo, params: &Params) -> Params {
@@ -136,14 +182,37 @@ mod tests {
         let room = room("roomba600");
         let planner = find("boustrophedon").unwrap();
         let params = Params::defaults(planner.params);
-        let fit = |coverage| room.fit_cells(planner, &params, 1, coverage, &mut |_| ControlFlow::Continue(())).unwrap();
+        let fit = |coverage| {
+            room.fit_cells(planner, &params, 1, coverage, false, &mut |_| ControlFlow::Continue(())).unwrap()
+        };
         let [some, much, all] = [0.9, 0.97, 1.0].map(fit);
         assert!(some.coverage >= 0.9 && much.coverage >= 0.97, "{some:?} {much:?}");
-        assert!(some.duration_s < much.duration_s && some.cell_size > much.cell_size, "{some:?} {much:?}");
+        assert!(some.duration_s < much.duration_s && some.cells.size > much.cells.size, "{some:?} {much:?}");
         assert!(all.coverage < 1.0 && all.coverage >= much.coverage, "as much as can be: {all:?}");
         // It is the plan that these cells give.
-        let again = room.with_cells(much.cell_size).try_cells(planner, &params, 1, 0.0);
+        let again = room.with_cells(much.cells).try_cells(planner, &params, 1, false);
         assert_eq!(again.unwrap().duration_s, much.duration_s);
+    }
+
+    // slow: some dozen plans
+    #[test]
+    fn other_offsets_and_rounded_corners_take_less_time() {
+        let room = room("roomba600");
+        let planner = find("boustrophedon").unwrap();
+        let params = Params::defaults(planner.params);
+        let fit =
+            |rounds| room.fit_cells(planner, &params, 1, 0.97, rounds, &mut |_| ControlFlow::Continue(())).unwrap();
+        let (stops, rounded) = (fit(false), fit(true));
+        let at_corner: Vec<FittedCells> = (0..=40)
+            .map(|i| short(SIDES.1 * room.robot.tool_width - f64::from(i) * STEP))
+            .filter_map(|side| room.with_cells(side).try_cells(planner, &params, 1, false).ok())
+            .collect();
+        let best = at_corner.into_iter().min_by(|a, b| a.compare(b, 0.97)).unwrap();
+        assert!(stops.coverage >= 0.97 && rounded.coverage >= 0.97, "{stops:?} {rounded:?}");
+        assert!(stops.duration_s <= best.duration_s, "{stops:?} {best:?}");
+        assert!(rounded.duration_s < 0.95 * stops.duration_s, "{rounded:?} {stops:?}");
+        let with_curves = room.with_cells(rounded.cells).try_cells(planner, &params, 1, true).unwrap();
+        assert_eq!(with_curves, rounded);
     }
 
     #[test]
@@ -151,7 +220,7 @@ mod tests {
         let go_on = &mut |_: f64| ControlFlow::Continue(());
         for (robot, planner) in [("roomba600", "lanes"), ("cell", "snake")] {
             let planner = find(planner).unwrap();
-            assert_eq!(room(robot).fit_cells(planner, &Params::defaults(planner.params), 1, 0.9, go_on), None);
+            assert_eq!(room(robot).fit_cells(planner, &Params::defaults(planner.params), 1, 0.9, false, go_on), None);
         }
         let planner = find("snake").unwrap();
         let mut asked = 0;
@@ -160,7 +229,7 @@ mod tests {
             if asked == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let params = Params::defaults(planner.params);
-        assert_eq!(room("roomba600").fit_cells(planner, &params, 1, 0.9, &mut cancel), None);
+        assert_eq!(room("roomba600").fit_cells(planner, &params, 1, 0.9, false, &mut cancel), None);
         assert_eq!(asked, 3);
     }
 }

@@ -11,7 +11,7 @@ use coverage_planners::{
     smooth::{SmoothError, SmoothPath, SmoothSetup, limits_of, smooth},
 };
 use robovac_core::{
-    coverage::{FloorError, PlanningGrid, ReachableFloor, fine_resolution},
+    coverage::{FloorError, PlanningCells, PlanningGrid, ReachableFloor, fine_resolution},
     floor_plan::FloorPlan,
     geometry::{MetricPath, Point, Pose},
     registry::Params,
@@ -95,19 +95,25 @@ pub struct Planned {
 }
 
 impl RoomSetup {
-    /// Lays out `plan` for `robot` with planning cells of `cell_size` metres.
-    pub fn new(plan: &FloorPlan, robot: &RobotModel, cell_size: f64, start: Option<Pose>) -> Result<Self, FloorError> {
+    /// Lays out `plan` for `robot` with those planning cells; a number is their side, m.
+    pub fn new(
+        plan: &FloorPlan,
+        robot: &RobotModel,
+        cells: impl Into<PlanningCells>,
+        start: Option<Pose>,
+    ) -> Result<Self, FloorError> {
+        let cells = cells.into();
         // Finer cells would contain no fine cell's centre, and for a robot that fills a cell there could be billions.
         let least = fine_resolution(plan);
-        if cell_size < least * (1.0 - 1e-9) {
-            return Err(FloorError::CellTooSmall { cell_size, least });
+        if cells.size < least * (1.0 - 1e-9) {
+            return Err(FloorError::CellTooSmall { cell_size: cells.size, least });
         }
-        Ok(Self::on(plan, ReachableFloor::new(plan, robot, start)?, robot, cell_size))
+        Ok(Self::on(plan, ReachableFloor::new(plan, robot, start)?, robot, cells))
     }
 
-    /// Lays planning cells of `cell_size` metres over the floor that `robot` can reach in `plan`.
-    pub fn on(plan: &FloorPlan, floor: ReachableFloor, robot: &RobotModel, cell_size: f64) -> Self {
-        let planning_grid = PlanningGrid::new(&floor, cell_size);
+    /// Lays those planning cells over the floor that `robot` can reach in `plan`.
+    pub fn on(plan: &FloorPlan, floor: ReachableFloor, robot: &RobotModel, cells: impl Into<PlanningCells>) -> Self {
+        let planning_grid = PlanningGrid::new(&floor, cells);
         let floor = Arc::new(floor);
         let job = CoverageJob::on_planning_grid(&planning_grid, &floor, robot).in_place(&floor, robot);
         let world = Arc::new(World::new(plan));
@@ -126,15 +132,16 @@ impl RoomSetup {
     pub fn along(
         plan: &FloorPlan,
         robot: &RobotModel,
-        cell_size: f64,
+        cells: impl Into<PlanningCells>,
         path: &MetricPath,
         heading: f64,
     ) -> Result<Self, FloorError> {
         let turns = robot.wheels == WheelLayout::Differential;
         let (start, heading) = (path.start(), if turns { heading } else { 0.0 });
         let floor = ReachableFloor::of_path(plan, robot, Pose::new(start.x, start.y, heading))?;
-        let cell_size = cell_size.max(fine_resolution(plan));
-        Ok(Self::on(plan, floor, robot, cell_size))
+        let cells = cells.into();
+        let cells = PlanningCells { size: cells.size.max(fine_resolution(plan)), ..cells };
+        Ok(Self::on(plan, floor, robot, cells))
     }
 }
 

@@ -43,6 +43,9 @@ pub struct RoomReport {
     pub height: usize,
     /// Side of a planning cell, m.
     pub resolution_m: f64,
+    /// How far the cells begin to the left of the room's lower-left corner and below it, m; left out at the corner.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub offset_m: Option<[f64; 2]>,
 }
 
 /// A walk with its numbers.
@@ -85,7 +88,8 @@ impl TaskReport {
                 name: placement.plan.name.clone(),
                 width: prepared.planning_grid.free.width(),
                 height: prepared.planning_grid.free.height(),
-                resolution_m: placement.cell_size,
+                resolution_m: placement.cells.size,
+                offset_m: Some(placement.cells.offset).filter(|offset| *offset != [0.0, 0.0]),
             },
             robot: placement.robot.id,
             start: prepared.job.start,

@@ -3,7 +3,7 @@
 use super::{PlanRequest, Planned, PlanningError, RoomSetup};
 use coverage_planners::{CoveragePath, Observer, PlannerInfo, smooth::SmoothSetup};
 use robovac_core::{
-    coverage::{FloorError, ReachableFloor, fine_resolution},
+    coverage::{FloorError, PlanningCells, ReachableFloor, fine_resolution},
     floor_plan::{FloorPlan, MAX_RESOLUTION},
     geometry::{Point, Pose, normalize},
     grid::Cell,
@@ -21,8 +21,8 @@ pub struct Placement {
     pub plan: FloorPlan,
     /// The robot.
     pub robot: RobotModel,
-    /// Side of the planning cells, m.
-    pub cell_size: f64,
+    /// The planning cells.
+    pub cells: PlanningCells,
     /// Planning cell of the start; `None` for the plan's own start, or else a corner.
     pub start: Option<Cell>,
     /// Degrees counter-clockwise from the right; `None` for 0 in a given start cell and the plan's own heading
@@ -98,15 +98,15 @@ impl Placement {
     ///
     /// A given start cell is used exactly or refused.
     pub fn prepare(&self) -> Result<RoomSetup, PlanningError> {
-        Ok(RoomSetup::on(&self.plan, self.floor()?, &self.robot, self.cell_size))
+        Ok(RoomSetup::on(&self.plan, self.floor()?, &self.robot, self.cells))
     }
 
     /// The floor as reached from the start, after checking all inputs.
     fn floor(&self) -> Result<ReachableFloor, PlanningError> {
         // Cells without a fine cell's centre would disconnect the planning grid.
         let least = fine_resolution(&self.plan);
-        if !(least * (1.0 - 1e-9)..=MAX_RESOLUTION).contains(&self.cell_size) {
-            return Err(PlanningError::CellSize { cell_size: self.cell_size, least });
+        if !(least * (1.0 - 1e-9)..=MAX_RESOLUTION).contains(&self.cells.size) {
+            return Err(PlanningError::CellSize { cell_size: self.cells.size, least });
         }
         if let Some(heading) = self.heading_deg.filter(|deg| !deg.is_finite()) {
             return Err(PlanningError::Heading(heading));
@@ -122,7 +122,7 @@ impl Placement {
     }
 
     fn floor_from(&self, start: Cell) -> Result<ReachableFloor, PlanningError> {
-        let (width, height) = (self.cells_along(self.plan.width_m()), self.cells_along(self.plan.height_m()));
+        let (width, height) = (self.cells_along(0), self.cells_along(1));
         if !(0..width as i32).contains(&start.x) || !(0..height as i32).contains(&start.y) {
             return Err(PlanningError::StartOutside { start, width, height });
         }
@@ -147,24 +147,22 @@ impl Placement {
         Ok(floor)
     }
 
-    /// Planning cells along `length` metres; the last one can extend beyond.
-    fn cells_along(&self, length: f64) -> usize {
-        ((length / self.cell_size - 1e-6).ceil() as usize).max(1)
+    /// Columns or rows (`axis` 0 or 1) of planning cells; the last one can extend beyond the map.
+    fn cells_along(&self, axis: usize) -> usize {
+        self.cells.along(axis, [self.plan.width_m(), self.plan.height_m()][axis])
     }
 
     fn cell_of(&self, point: Point) -> Cell {
-        let index =
-            |metres: f64, length: f64| ((metres / self.cell_size) as i32).min(self.cells_along(length) as i32 - 1);
-        Cell::new(index(point.x, self.plan.width_m()), index(point.y, self.plan.height_m()))
+        let cell = self.cells.at(point);
+        let within = |index: i32, axis: usize| index.min(self.cells_along(axis) as i32 - 1);
+        Cell::new(within(cell.x, 0), within(cell.y, 1))
     }
 
     /// Centre of a planning cell; for one that extends beyond the map, of its part inside.
     fn centre_of(&self, cell: Cell) -> Point {
-        let centre = |index: i32, length: f64| {
-            let low = f64::from(index) * self.cell_size;
-            f64::midpoint(low, (low + self.cell_size).min(length))
-        };
-        Point::new(centre(cell.x, self.plan.width_m()), centre(cell.y, self.plan.height_m()))
+        let low = self.cells.corner(cell);
+        let centre = |low: f64, length: f64| f64::midpoint(low.max(0.0), (low + self.cells.size).min(length));
+        Point::new(centre(low.x, self.plan.width_m()), centre(low.y, self.plan.height_m()))
     }
 }
 
@@ -193,7 +191,7 @@ mod tests {
         let (robot, cell_size) = choose_robot(robot, plan, cell).unwrap();
         let start = start.map(|(x, y)| Cell::new(x, y));
         let task = PlanningTask {
-            placement: Placement { plan: plan.clone(), robot, cell_size, start, heading_deg: None },
+            placement: Placement { plan: plan.clone(), robot, cells: cell_size.into(), start, heading_deg: None },
             planner: snake(),
             params: Params::default(),
             seed: 0,
@@ -265,7 +263,7 @@ mod tests {
             placement: Placement {
                 plan: plan.clone(),
                 robot,
-                cell_size: 0.3,
+                cells: 0.3.into(),
                 start: Some(Cell::new(0, 0)),
                 heading_deg: Some(-450.0),
             },
@@ -294,7 +292,7 @@ mod tests {
         let plan = text_map("....\n....\n");
         let (robot, cell_size) = choose_robot(CELL_ROBOT, &plan, None).unwrap();
         let task = PlanningTask {
-            placement: Placement { plan: plan.clone(), robot, cell_size, start: None, heading_deg: None },
+            placement: Placement { plan: plan.clone(), robot, cells: cell_size.into(), start: None, heading_deg: None },
             planner: snake(),
             params: Params::default(),
             seed: 0,

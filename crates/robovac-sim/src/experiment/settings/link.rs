@@ -38,6 +38,10 @@ impl Settings {
             push("path", path);
         }
         push("cell", self.cell_size.to_string());
+        if self.cell_offset != default.cell_offset {
+            let [x, y] = self.cell_offset;
+            push("offset", format!("{x},{y}"));
+        }
         if self.seed != default.seed {
             push("seed", self.seed.to_string());
         }
@@ -114,6 +118,14 @@ impl Settings {
                 })?);
             }
             "cell" => self.set_cell_size(number("the cell size", "a length from 0.02 to 2 (metres)")?)?,
+            "offset" => {
+                let numbers: Vec<f64> = value.split(',').filter_map(|n| n.trim().parse().ok()).collect();
+                self.set_cell_offset(numbers.try_into().map_err(|_| SettingsError::Invalid {
+                    kind: "the cells' offset",
+                    value: value.to_owned(),
+                    expected: "two lengths in metres, e.g. 0.04,0.08",
+                })?)?;
+            }
             "seed" => self.set_seed(value.parse().ok(), value)?,
             "slip" => self.set_slip(value)?,
             "noise" => self.set_noise(None, value)?,
@@ -142,5 +154,31 @@ impl Settings {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn offsets_of_cells_are_in_links_and_go_with_another_size() {
+        let mut settings = Settings::new();
+        assert!(settings.to_link().iter().all(|(key, _)| key != "offset"), "links stay as they were");
+        settings.set_cell_size(0.15).unwrap();
+        settings.set_cell_offset([0.05, 0.1]).unwrap();
+        let mut other = Settings::new();
+        for (key, value) in settings.to_link() {
+            other.take_link(&key, &value).unwrap();
+        }
+        assert_eq!(other.cells(), settings.cells());
+        assert!(settings.plans_like(&other) && !settings.plans_like(&Settings::new()));
+        for wrong in ["0.1", "0.15,0", "-0.01,0", "0,nan", "a,b", "0,0,0"] {
+            assert!(other.take_link("offset", wrong).is_err(), "{wrong}");
+        }
+        other.set_cell_size(0.15).unwrap();
+        assert_eq!(other.cells(), 0.15.into());
+        settings.select_robot("cell").unwrap();
+        assert_eq!(settings.cells().offset, [0.0, 0.0]);
     }
 }

@@ -11,6 +11,7 @@ use crate::{
     controller::{self, Behaviours},
 };
 use robovac_core::{
+    coverage::PlanningCells,
     geometry::{MetricPath, Pose},
     program::Program,
     registry::Params,
@@ -51,6 +52,8 @@ pub struct Settings {
     pub path: Option<MetricPath>,
     /// Side of the planning cells, m.
     pub cell_size: f64,
+    /// How far they begin to the left of the room's lower-left corner and below it, m; see [`Settings::cells`].
+    cell_offset: [f64; 2],
     /// Seed of everything random.
     pub seed: u64,
     /// Slip, noise and battery.
@@ -88,6 +91,7 @@ impl Settings {
             custom: None,
             path: None,
             cell_size: 0.12,
+            cell_offset: [0.0, 0.0],
             seed: 1,
             conditions: Conditions::default(),
             odometry: OdometryModel::Arc,
@@ -190,7 +194,7 @@ impl Settings {
         let before = self.shape();
         self.robot = chosen.id;
         self.custom = None;
-        self.cell_size = chosen.default_cell;
+        (self.cell_size, self.cell_offset) = (chosen.default_cell, [0.0, 0.0]);
         self.keep_path(&before);
         Ok(())
     }
@@ -232,20 +236,40 @@ impl Settings {
         let custom = CustomRobot::Own(own);
         custom.check(model)?;
         let before = self.shape();
-        self.cell_size = custom.of(model).default_cell;
+        (self.cell_size, self.cell_offset) = (custom.of(model).default_cell, [0.0, 0.0]);
         self.custom = Some(custom);
         self.keep_path(&before);
         Ok(())
     }
 
-    /// Chooses the side of the planning cells, m.
+    /// Chooses the side of the planning cells, m, which begin at the room's corner.
     pub fn set_cell_size(&mut self, metres: f64) -> Result<(), SettingsError> {
         if !(0.02..=2.0).contains(&metres) {
             let expected = "a length from 0.02 to 2 (metres)";
             return Err(SettingsError::Invalid { kind: "the cell size", value: metres.to_string(), expected });
         }
-        self.cell_size = metres;
+        (self.cell_size, self.cell_offset) = (metres, [0.0, 0.0]);
         Ok(())
+    }
+
+    /// Chooses how far the planning cells begin to the left of the room's lower-left corner and below it, m.
+    pub fn set_cell_offset(&mut self, offset: [f64; 2]) -> Result<(), SettingsError> {
+        if !offset.iter().all(|metres| (0.0..self.cell_size).contains(metres)) {
+            let [x, y] = offset;
+            return Err(SettingsError::Invalid {
+                kind: "the cells' offset",
+                value: format!("{x},{y}"),
+                expected: "two lengths from 0 to less than a cell (metres)",
+            });
+        }
+        self.cell_offset = offset;
+        Ok(())
+    }
+
+    /// The planning cells. A robot that fills a cell has them from the room's corner.
+    pub fn cells(&self) -> PlanningCells {
+        let offset = if self.robot == "cell" { [0.0, 0.0] } else { self.cell_offset };
+        PlanningCells { size: self.cell_size, offset }
     }
 
     /// Sets the seed of a link or a scenario, whose text is `text`.
@@ -320,7 +344,7 @@ impl Settings {
 
     /// Whether `other` gives the same plan in the same room.
     pub fn plans_like(&self, other: &Self) -> bool {
-        let plan = |it: &Self| (it.algorithm.id(), it.robot, it.cell_size, it.seed, it.smooth);
+        let plan = |it: &Self| (it.algorithm.id(), it.robot, it.cell_size, it.cell_offset, it.seed, it.smooth);
         plan(self) == plan(other)
             && self.params == other.params
             && self.custom == other.custom
