@@ -40,7 +40,7 @@ test("opening needs no planner and none of the other tabs", async (t) => {
     "www/compare/pool.js", "floor_plan_bg.wasm", "www/floor-plan/tab.js", "www/map/tab.js", "www/dashboard.js", "www/joystick.js",
     "www/explore/placing.html", "www/explore/film.js", "www/explore/own-robot.js", "www/help.html", "www/planning.js",
     "www/tips.js", "www/swipe.js", "www/explore/layers.js", "www/explore/ending.js", "www/explore/clear.js",
-    "www/explore/own-rooms.js", "www/explore/rooms.js", "www/explore/rooms.css", "www/explore/share.js", "learn_bg.wasm",
+    "www/explore/trade-off.js", "www/explore/trade-off.css", "www/explore/own-rooms.js", "www/explore/rooms.js", "www/explore/rooms.css", "www/explore/share.js", "learn_bg.wasm",
     "www/learn/enter.js", "www/learn/offer.js",
     "lessons/index.json",
   ];

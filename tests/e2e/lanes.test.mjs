@@ -23,6 +23,32 @@ test("lanes in metres are kept early, told above the least, and driven", async (
   await app.poll(() => app.numbers(), ({ distance }) => distance > 0);
 });
 
+test("a curve tells the time for other coverages, and the page what can't be swept", async (t) => {
+  const { page, app } = await openApp(t, { address: "#room=room12ft&planner=lanes&p.effort=0.1&p.coverage=99.5" });
+  await app.poll(() => page.locator("#coverage-missed").textContent(), (text) => /^No path was found that sweeps 99\.5 %: this one sweeps 9\d\.\d %\.$/.test(text ?? ""));
+  await app.pause();
+  const fold = page.locator("#trade-off");
+  await fold.getByText("Time for other coverages").click();
+  const minutes = async () => [...((await fold.getByRole("img").getAttribute("aria-label")) ?? "").matchAll(/([\d.]+) %: (\d+):(\d\d)/g)].map(([, share, m, s]) => ({ share: Number(share), seconds: 60 * Number(m) + Number(s) }));
+  // The last shares take longest to find, and can't be.
+  const points = await app.poll(minutes, (all) => all.length > 10, "the whole curve");
+  const [least, most] = [points[0], points.at(-1)];
+  assert.ok(least.share < 82 && most.share > 97 && most.share < 99.5, JSON.stringify(points));
+  assert.ok(least.seconds < 0.8 * most.seconds, "less floor takes less time");
+  await fold.getByText("No path was found that sweeps more than").waitFor();
+  const box = page.getByRole("spinbutton", { name: "Coverage" });
+  await box.evaluate((input) => {
+    input.value = "90";
+    input.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  await fold.getByText(/^90\.0 % of the floor: about \d:\d\d, [\d.]+ m, \d:\d\d less than for 99\.5 %|^90\.0 % of the floor: about \d:\d\d/).waitFor();
+  // Another coverage is another plan, with a curve of its own and nothing missing.
+  await box.evaluate((input) => input.dispatchEvent(new Event("change", { bubbles: true })));
+  await app.poll(() => page.locator("#coverage-missed").isHidden(), Boolean, "what was missing to be gone");
+  await app.poll(minutes, (all) => all.length > 10, "another curve");
+  assert.equal((await app.link())["p.coverage"], "90");
+});
+
 test("planning cells are chosen for a coverage", async (t) => {
   const { app } = await openApp(t, { address: "#room=bedroom&planner=boustrophedon&cell=0.2" });
   const swept = async () => Number(/[\d.]+/.exec((await app.metric("Coverage")).plan)?.[0]);
