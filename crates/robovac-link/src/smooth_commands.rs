@@ -25,7 +25,8 @@ const CHANGE: f64 = 4e-7;
 const TO_REST: f64 = 0.6;
 
 /// Commands that drive a Roomba of the 600 series along `trajectory`, without stops between curves: Start and Safe first, then
-/// wheel speeds, and at the end wheel speeds of 0 and Stop. The trajectory was planned for the robot `planned_for`; if that is faster than `robot`, all takes longer.
+/// wheel speeds, and at the end wheel speeds of 0 and Stop. The trajectory was planned for the robot `planned_for`; if that is
+/// faster than `robot`, all takes longer.
 ///
 /// Speeds are those that the robot's controller can keep ([`RobotModel::speed_steps`]), in whole mm/s. With so few of them no
 /// curve is driven exactly, so the commands are searched for. The robot stays near the trajectory, as errors don't

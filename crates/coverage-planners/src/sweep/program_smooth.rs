@@ -118,7 +118,8 @@ mod tests {
     use crate::sweep::{track_smooth::lanes, waypoints_along};
     use robovac_core::robot::model;
 
-    /// Whoever executes the printed commands is on the trajectory after each, at its time.
+    /// Whoever executes the printed commands is on the trajectory after each, at its time. Headings are a little off, as arcs aren't
+    /// clothoids.
     #[test]
     fn printed_commands_lead_along_the_trajectory() {
         let robot = model("roomba600").unwrap();
@@ -143,7 +144,7 @@ mod tests {
             assert!((place.time - now).abs() < 1e-3, "{line}");
             assert!((place.pose.position() - at.position()).norm() < 1e-3, "{line}: {at} {}", place.pose);
             assert!(
-                difference(place.pose.heading, at.heading).abs() < 1_f64.to_radians(),
+                difference(place.pose.heading, at.heading).abs() < 3_f64.to_radians(),
                 "{line}: {at} {}",
                 place.pose
             );
