@@ -50,18 +50,18 @@ test("a curve tells the time for other coverages, and the page what can't be swe
 });
 
 test("planning cells are chosen for a coverage", async (t) => {
-  const { app } = await openApp(t, { address: "#room=bedroom&planner=boustrophedon&cell=0.2" });
+  const { app, page } = await openApp(t, { address: "#room=bedroom&planner=boustrophedon&cell=0.2" });
   const swept = async () => Number(/[\d.]+/.exec((await app.metric("Coverage")).plan)?.[0]);
   await app.poll(swept, (coverage) => coverage < 97);
   await app.unfold();
   await app.choose("cell-size", "98");
   await app.poll(swept, (coverage) => coverage >= 98);
-  assert.match(await app.text("#cell-fit"), /^98\.\d % swept, in [\d:]+\./);
+  assert.match(await app.text("#cell-fit"), /^9[89]\.\d % swept, in [\d:]+\./);
   assert.equal(await app.message(), "");
   await app.choose("cell-size", "0.2");
-  assert.ok(await app.page.locator("#cell-fit").isHidden(), "other cells");
-  // A chair's legs keep the robot out of narrow places, which 99 % would need.
+  await page.locator("#cell-fit").waitFor({ state: "hidden" });
+  // A centimetre off walls and furniture, 99 % can't be swept there.
   await app.choose("room", "room12ft");
   await app.choose("cell-size", "99");
-  await app.poll(() => app.text("#cell-fit"), (text) => /^99 % can't be reached with cells: 96\.\d % is the most, in [\d:]+\./.test(text));
+  await app.poll(() => app.text("#cell-fit"), (text) => /^99 % can't be reached with cells: 9[67]\.\d % is the most, in [\d:]+\./.test(text));
 });
