@@ -270,7 +270,7 @@ mod tests {
     #[test]
     fn every_reading_is_written_where_its_name_says() {
         assert_eq!((SLOTS[22].name, SLOTS[22].index, SLOTS[23].index), ("light_bumper", 22, 28));
-        assert_eq!(LASER, SLOTS.iter().map(|slot| slot.count).sum());
+        assert_eq!(LASER, SLOTS.iter().map(|slot| slot.count).sum::<usize>());
         assert!((1..SLOTS.len()).all(|i| SLOTS[..i].iter().all(|slot| slot.name != SLOTS[i].name)));
         let mut numbers = vec![f64::NAN; LASER];
         let sensed = SensorReadings {
