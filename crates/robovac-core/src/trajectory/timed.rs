@@ -292,7 +292,7 @@ mod tests {
                     let turned = 0.5 * way * (pair[0].curvature + pair[1].curvature);
                     let real = difference(pair[0].pose.heading, pair[1].pose.heading);
                     assert!((turned - real).abs() < 1e-6, "{turned} {real}");
-                    curves += usize::from(real.abs() > 0.01);
+                    curves += usize::from(turned.abs() > 1e-6);
                 }
             }
             assert!(curves > 0, "seed {seed}: it never turns on its way");
