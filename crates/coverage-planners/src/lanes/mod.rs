@@ -4,8 +4,9 @@
 //! straight piece from walls and furniture, lays lanes as far apart as the tool allows, and lets a search shift, drop and
 //! reconnect them until the robot needs as little time, or distance, as it can find for the required share of the floor.
 //!
-//! 1. *Layout*: samples of the free space are divided into parts, each with the direction of its longer chords. From one side
-//!    of a part to the other, a lane is laid where it's the last that can sweep some floor below it.
+//! 1. *Layout*: rooms that stand askew to the others are parts with a direction of their own. Samples of the free space of each are
+//!    divided further, into parts with the direction of their longer chords. From one side of a part to the other, a lane is laid
+//!    where it's the last that can sweep some floor below it.
 //! 2. *Order*: from each lane to the nearest end of one that is left, by shortest ways on a lattice, pulled tight.
 //! 3. *Search*: simulated annealing (Kirkpatrick et al. 1983) of the finished line. Moves shift, delete and insert corners, shift
 //!    lanes, reach for floor that isn't swept, reverse parts of the path (2-opt, Croes 1958) and carry parts elsewhere (Or-opt,
@@ -19,6 +20,7 @@ mod anneal;
 mod bound;
 mod cost;
 mod curves;
+mod directions;
 mod error;
 mod free_space;
 mod lattice;
@@ -47,7 +49,7 @@ use anneal::anneal;
 use cost::MotionTimes;
 use curves::CurveTimes;
 use lattice::Lattice;
-use layout::{Directions, LaneLayout};
+use layout::{Directions, RoomLayout};
 use raster::SweptRaster;
 use robovac_core::{coverage::ReachableFloor, geometry::Point, robot::RobotModel};
 use std::ops::ControlFlow;
@@ -170,9 +172,9 @@ pub fn plan_lanes(
     if report(&first).is_break() {
         return Err(LanesError::Cancelled);
     }
-    let layout = LaneLayout::new(floor, &space);
+    let layout = RoomLayout::new(floor, &space);
     let mut lattice = Lattice::new(floor, &space);
-    let mut raster = SweptRaster::new(floor, layout.along());
+    let mut raster = SweptRaster::new(floor, &layout.along());
     let mut starts: Vec<(f64, Vec<Point>)> = Vec::new();
     let mut is_stopped = false;
     for directions in [Directions::Both, Directions::First, Directions::Second, Directions::Fewest] {
@@ -423,6 +425,27 @@ mod tests {
         let found = plan(&floor, &LanesSetup { clearance: 0.02, effort: 0.0, ..LanesSetup::default() });
         assert!((found.clearance - has).abs() < 1e-9 && has < 0.02, "{} {has}", found.clearance);
         assert!(found.path.len() > 10);
+    }
+
+    #[test]
+    fn a_room_askew_is_swept_along_its_walls() {
+        for degrees in [10.0, 35.0, 60.0_f64] {
+            let (floor, middle) = directions::tests::rooms_askew(degrees);
+            let first = plan(&floor, &LanesSetup { effort: 0.0, ..LanesSetup::default() });
+            for (at, degrees) in [(middle, degrees), (Point::new(3.2, 3.5), 0.0)] {
+                let (mut all, mut along) = (0.0, 0.0);
+                for pair in first.path.windows(2) {
+                    let way = pair[1] - pair[0];
+                    // Links are shorter.
+                    if way.norm() > 0.5 && (pair[0] + way * 0.5 - at).norm() < 2.2 {
+                        let off = directions::apart(robovac_core::math::atan2(way.y, way.x), degrees.to_radians());
+                        all += way.norm();
+                        along += if off.to_degrees() < 3.0 { way.norm() } else { 0.0 };
+                    }
+                }
+                assert!(all > 60.0 && along > 0.9 * all, "{degrees} degrees: {along} of {all} m");
+            }
+        }
     }
 
     #[test]
