@@ -234,7 +234,9 @@ impl DirectedTiles {
         // What is too small goes with what is around it.
         let mut large = own.map(|_| None);
         for part in connected(&own).into_iter().filter(|part| part.len() >= least) {
-            part.into_iter().for_each(|tile| large[tile] = own[tile]);
+            for tile in part {
+                large[tile] = own[tile];
+            }
         }
         spread(&mut large, &all);
         let mut parts = Vec::new();
@@ -243,7 +245,9 @@ impl DirectedTiles {
                 continue;
             };
             let mut tiles = large.map(|_| false);
-            part.into_iter().for_each(|tile| tiles[tile] = true);
+            for tile in part {
+                tiles[tile] = true;
+            }
             parts.push((self.directions[usize::from(direction)], tiles));
         }
         parts

@@ -112,7 +112,9 @@ impl LaneLayout {
     /// Lanes that sweep nearly all floor of the part that `others` leave.
     fn laid(&self, directions: Directions, others: &[Lane]) -> Vec<Lane> {
         let mut left: Vec<bool> = self.is_floor.clone();
-        others.iter().for_each(|&lane| self.take(&mut left, lane));
+        for &lane in others {
+            self.take(&mut left, lane);
+        }
         let mut lanes = Vec::new();
         match directions {
             Directions::First => self.view(false).lay(&mut left, |_| true, &mut lanes),
