@@ -28,6 +28,8 @@ const SAME: f64 = 0.12;
 /// Least length of walls with another direction, m, less for those that are a little off it, and least area of a part, m².
 const LEAST_WALLS: f64 = 3.0;
 const LEAST_AREA: f64 = 2.0;
+/// So many more ends, as a share, are worth it that lanes along walls leave no wedges beside them.
+const ALONG_WALLS: f64 = 0.1;
 /// Most directions.
 const MOST_DIRECTIONS: usize = 4;
 
@@ -75,14 +77,14 @@ fn best_direction(floor: &ReachableFloor) -> f64 {
     finer(best, step, rated).1
 }
 
-/// The direction near `angle` that fits a part best, if it fits better than that of the room.
+/// The direction near `angle` that fits a part best, if it fits about as well as that of the room, or better.
 fn own_direction(floor: &ReachableFloor, part: &Grid<bool>, angle: f64, of_room: f64) -> Option<f64> {
     let extent = Extent::of_part(floor, part)?;
     let rated = |angle: f64| (chords(floor, part, extent, angle, 1.0), angle);
     let best = near_best(rated(angle), rated);
     // Lanes in the room's direction go on beyond the part.
     let with_room = chords(floor, part, extent, of_room, 0.0);
-    (best.0 < with_room && apart(best.1, of_room) > SAME).then_some(best.1)
+    (best.0 < (1.0 + ALONG_WALLS) * with_room && apart(best.1, of_room) > SAME).then_some(best.1)
 }
 
 /// The best direction up to [`SAME`] from one that is rated.
@@ -360,17 +362,24 @@ pub(super) mod tests {
         robot::model,
     };
 
-    /// Two rooms of 5 x 4 m with a passage between, of which the right one stands askew, and its middle.
+    /// Two furnished rooms of 5 x 4 m with a passage between, of which the right one stands askew, and its middle.
     pub fn rooms_askew(degrees: f64) -> (ReachableFloor, Point) {
         let (middle, turn) = (Point::new(9.2, 3.5), rotation(degrees.to_radians()));
-        let corners = [[2.5, 2.0], [-2.5, 2.0], [-2.5, -2.0], [2.5, -2.0], [2.5, 2.0]]
-            .map(|[x, y]| middle + Vector::new(turn.x * x - turn.y * y, turn.y * x + turn.x * y));
+        let corner = |[x, y]: [f64; 2]| {
+            let at = middle + Vector::new(turn.x * x - turn.y * y, turn.y * x + turn.x * y);
+            (at.x, at.y)
+        };
+        let askew = |corners: [[f64; 2]; 4]| corners.map(corner);
+        let room = [[2.5, 2.0], [-2.5, 2.0], [-2.5, -2.0], [2.5, -2.0], [2.5, 2.0]].map(corner);
         let mut outline = vec![(5.7, 0.0), (13.0, 0.0), (13.0, 7.0), (5.7, 7.0), (5.7, 0.0)];
-        outline.extend(corners.map(|corner| (corner.x, corner.y)));
+        outline.extend(room);
         let plan = Sketch::open(13.0, 7.0, 0.05)
             .fill(&[[0.0, 0.0, 5.7, 1.5], [0.0, 5.5, 5.7, 7.0], [0.0, 0.0, 0.7, 7.0]])
             .polygon(&outline)
             .carve(&[[5.5, 3.0, 7.4, 4.0]])
+            .fill(&[[2.0, 4.4, 3.1, 4.9]])
+            .polygon(&askew([[-1.6, 0.7], [-0.6, 0.7], [-0.6, 1.4], [-1.6, 1.4]]))
+            .polygon(&askew([[0.5, -1.2], [1.7, -1.2], [1.7, -0.6], [0.5, -0.6]]))
             .start(3.0, 3.5, 0.0)
             .finish("", "");
         (ReachableFloor::new(&plan, model("roomba600").unwrap(), None).unwrap(), middle)
@@ -378,7 +387,7 @@ pub(super) mod tests {
 
     #[test]
     fn rooms_with_parallel_walls_are_one_part() {
-        for id in ["flat", "hotel", "hall20", "lshape"] {
+        for id in ["flat", "hotel", "office", "hall20", "living", "bedroom", "warehouse", "lshape"] {
             let plan = (room(id).unwrap().build)();
             let floor = ReachableFloor::new(&plan, model("roomba600").unwrap(), None).unwrap();
             let parts = directed_parts(&floor);
