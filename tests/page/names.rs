@@ -105,7 +105,7 @@ fn in_sentence<'a>(line: &'a str, types: &BTreeMap<&str, Vec<&str>>) -> Vec<&'a 
     names.filter(|name| is_compound(name) && types.contains_key(name)).collect()
 }
 
-/// Renaming the type `Drive` once made "ComparedDrive it by hand" of a sentence on the page.
+/// Renaming the type `Drive` once put `ComparedDrive` into a sentence on the page.
 #[test]
 fn no_type_was_renamed_in_a_sentence() {
     let damaged = "    let why = \"No wall was met. ComparedDrive straight at one.\";";

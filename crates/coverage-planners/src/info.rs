@@ -19,7 +19,6 @@ pub struct PlannerInfo {
 
 /// Properties that a planner promises and the contract test checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[expect(clippy::struct_excessive_bools)]
 pub struct PlannerClaims {
     /// Visits every free cell of every job.
     pub complete: bool,

@@ -33,6 +33,9 @@ pub struct Arguments {
     /// Least room between body and obstacles, m
     #[arg(long, value_name = "M", default_value_t = LanesSetup::default().clearance)]
     clearance: f64,
+    /// How far neighbouring lanes overlap, m
+    #[arg(long, value_name = "M", default_value_t = LanesSetup::default().overlap)]
+    overlap: f64,
     /// What the search minimises
     #[arg(long, value_name = "time|distance", default_value = "time", value_parser = ["time", "distance"])]
     minimise: String,
@@ -119,6 +122,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let setup = LanesSetup {
         coverage: arguments.coverage / 100.0,
         clearance: arguments.clearance,
+        overlap: arguments.overlap,
         effort: if arguments.seconds.is_some() { LanesSetup::MOST_EFFORT } else { arguments.effort },
         seed: arguments.seed,
         objective: if arguments.minimise == "distance" { LanesObjective::Distance } else { LanesObjective::Time },

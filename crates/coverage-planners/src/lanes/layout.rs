@@ -1,10 +1,13 @@
 //! The first lanes: parts of the room get a direction each, and lanes are laid as far apart as the tool allows.
 
-use super::{free_space::FreeSpace, scan::rotation};
+use super::{
+    directions::{DirectedPart, directed_parts},
+    free_space::FreeSpace,
+    scan::{across, rotation},
+};
 use robovac_core::{
     coverage::ReachableFloor,
     geometry::{Point, Vector},
-    math,
 };
 
 /// Spacing of samples in small rooms, m, and most samples.
@@ -22,15 +25,6 @@ const BLUR: f64 = 0.6;
 const CLEARLY: f64 = 2.0;
 /// Chords shorter than this count as so long, m: they are lost either way.
 const LEAST_CHORD: f64 = 0.4;
-/// Directions tried, between 0 and a right angle.
-const DIRECTIONS: u32 = 18;
-/// How often the step between directions is halved around the best.
-const FINER: u32 = 3;
-/// Most lines across the room by which directions are compared.
-const MOST_ACROSS: f64 = 400.0;
-/// Length of what may be an edge's raggedness on the grid, m.
-const RAGGED: f64 = 0.15;
-
 /// Which lanes cover which part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Directions {
@@ -47,8 +41,13 @@ pub(super) enum Directions {
 /// A straight pass, m.
 pub(super) type Lane = (Point, Point);
 
-/// Samples of floor and free space in a frame turned by the first direction.
-pub(super) struct LaneLayout {
+/// The parts of a room, each with a direction of its own.
+pub(super) struct RoomLayout {
+    parts: Vec<LaneLayout>,
+}
+
+/// Samples of a part's floor and of free space in a frame turned by the first direction.
+struct LaneLayout {
     spacing: f64,
     turn: Vector,
     origin: Vector,
@@ -68,24 +67,9 @@ struct SampleView<'a> {
 }
 
 impl LaneLayout {
-    /// Samples in the direction, among some, in which the free space has the fewest chords.
-    pub fn new(floor: &ReachableFloor, space: &FreeSpace) -> Self {
-        let step = math::FRAC_PI_2 / f64::from(DIRECTIONS);
-        let rated = |angle: f64| (chords(floor, angle), angle);
-        let better = |a: (f64, f64), b: (f64, f64)| if b.0 < a.0 { b } else { a };
-        let mut best = (0..DIRECTIONS).map(|i| rated(f64::from(i) * step)).fold((f64::MAX, 0.0), better);
-        for halving in 1..=FINER {
-            let finer = step / f64::from(1_u32 << halving);
-            best = [best.1 - finer, best.1 + finer].map(rated).into_iter().fold(best, better);
-        }
-        Self::turned(floor, space, best.1)
-    }
-
-    fn turned(floor: &ReachableFloor, space: &FreeSpace, angle: f64) -> Self {
-        let turn = rotation(angle);
-        let size = space.size();
-        let corners =
-            [[0.0, 0.0], [size.x, 0.0], [0.0, size.y], [size.x, size.y]].map(|[x, y]| into(turn, Point::new(x, y)));
+    /// Samples in the direction of a part's walls, over `corners` in that frame.
+    fn new(floor: &ReachableFloor, space: &FreeSpace, part: &DirectedPart, corners: &[Vector]) -> Self {
+        let turn = rotation(part.angle);
         let low = corners.iter().fold(corners[0], |low, c| low.inf(c));
         let high = corners.iter().fold(corners[0], |high, c| high.sup(c));
         let extent = high - low;
@@ -106,17 +90,12 @@ impl LaneLayout {
             for x in 0..width {
                 let at = layout.point(x as f64, y as f64);
                 let cell = floor.cell_at(at);
-                layout.is_floor.push(floor.floor.is_set(cell));
+                layout.is_floor.push(part.floor.is_set(cell));
                 // The body's centre is on floor that its tool sweeps.
                 layout.is_free.push(floor.floor.is_set(cell) && space.has_room(at));
             }
         }
         layout
-    }
-
-    /// The first direction, of length 1.
-    pub fn along(&self) -> Vector {
-        self.turn
     }
 
     /// A point of the frame, in samples.
@@ -130,15 +109,12 @@ impl LaneLayout {
         SampleView { layout: self, is_turned, width, height }
     }
 
-    /// Lanes in `space` that sweep nearly all floor, in the order in which they were laid.
-    pub fn lanes(&self, space: &FreeSpace, directions: Directions) -> Vec<Lane> {
-        let mut free = Vec::new();
-        self.laid(directions).into_iter().for_each(|lane| keep_free(space, lane, &mut free));
-        free
-    }
-
-    fn laid(&self, directions: Directions) -> Vec<Lane> {
+    /// Lanes that sweep nearly all floor of the part that `others` leave.
+    fn laid(&self, directions: Directions, others: &[Lane]) -> Vec<Lane> {
         let mut left: Vec<bool> = self.is_floor.clone();
+        for &lane in others {
+            self.take(&mut left, lane);
+        }
         let mut lanes = Vec::new();
         match directions {
             Directions::First => self.view(false).lay(&mut left, |_| true, &mut lanes),
@@ -151,6 +127,22 @@ impl LaneLayout {
             }
         }
         lanes
+    }
+
+    /// Takes what a lane in any direction sweeps off what is left.
+    fn take(&self, left: &mut [bool], (a, b): Lane) {
+        let into = |p: Point| (into(self.turn, p) - self.origin) / self.spacing;
+        let (a, b) = (into(a), into(b));
+        let radius = self.radius / self.spacing;
+        let first = (a.y.min(b.y) - radius).max(0.0).ceil() as usize;
+        let last = (a.y.max(b.y) + radius).min(self.height as f64 - 1.0);
+        for y in (first..).take_while(|&y| y as f64 <= last) {
+            let Some((from, to)) = across(a, b, radius, y as f64) else { continue };
+            let (from, to) = (from.max(0.0).ceil() as usize, (to + 1.0).clamp(0.0, self.width as f64) as usize);
+            if from < to {
+                left[y * self.width..][from..to].fill(false);
+            }
+        }
     }
 
     /// Where chords in the second direction are longer, averaged over about a metre.
@@ -171,6 +163,41 @@ impl LaneLayout {
             blur(&mut scores, self.width, half);
         }
         scores.iter().map(|&score| score > 0.0).collect()
+    }
+}
+
+impl RoomLayout {
+    /// Samples of all parts of a floor, each in the direction of its walls.
+    pub fn new(floor: &ReachableFloor, space: &FreeSpace) -> Self {
+        let size = space.size();
+        let corners = [[0.0, 0.0], [size.x, 0.0], [0.0, size.y], [size.x, size.y]].map(|[x, y]| Point::new(x, y));
+        let mut parts = Vec::new();
+        for (number, part) in directed_parts(floor).iter().enumerate() {
+            let turn = rotation(part.angle);
+            let cells = || part.floor.iter().filter(|&(_, &is_own)| is_own).map(|(cell, _)| floor.centre(cell));
+            // The first part is nearly everywhere.
+            let corners: Vec<Vector> = if number == 0 {
+                corners.iter().map(|&corner| into(turn, corner)).collect()
+            } else {
+                cells().map(|at| into(turn, at)).collect()
+            };
+            parts.push(LaneLayout::new(floor, space, part, &corners));
+        }
+        Self { parts }
+    }
+
+    /// The first direction of each part, of length 1.
+    pub fn along(&self) -> Vec<Vector> {
+        self.parts.iter().map(|part| part.turn).collect()
+    }
+
+    /// Lanes in `space` that sweep nearly all floor, in the order in which they were laid.
+    pub fn lanes(&self, space: &FreeSpace, directions: Directions) -> Vec<Lane> {
+        let mut free = Vec::new();
+        for part in &self.parts {
+            part.laid(directions, &free).into_iter().for_each(|lane| keep_free(space, lane, &mut free));
+        }
+        free
     }
 }
 
@@ -303,38 +330,6 @@ fn into(turn: Vector, p: Point) -> Vector {
     Vector::new(turn.x * p.x + turn.y * p.y, turn.x * p.y - turn.y * p.x)
 }
 
-/// How ill a direction fits the room: the number of ends of chords along it, or across it if these are fewer.
-fn chords(floor: &ReachableFloor, angle: f64) -> f64 {
-    let turn = rotation(angle);
-    let size = Vector::new(floor.floor.width() as f64, floor.floor.height() as f64) * floor.resolution;
-    let reach = size.norm();
-    let pitch = (2.0 * floor.resolution).max(reach / MOST_ACROSS);
-    // Less than a cell: the steps of a wall askew, about a cell long, mustn't beat with the samples.
-    let step = 0.3 * pitch;
-    let middle = Point::from(size * 0.5);
-    let lines = (reach / pitch) as i32 / 2;
-    let samples = (reach / step) as i32 / 2;
-    // Walls askew are ragged on the grid: what is shorter than this is no end.
-    let ragged = (RAGGED / step).ceil() as u32;
-    let mut ends = [0_u32; 2];
-    for (way, ends) in [turn, Vector::new(-turn.y, turn.x)].into_iter().zip(&mut ends) {
-        let aside = Vector::new(-way.y, way.x);
-        for line in -lines..=lines {
-            let (mut is_in, mut other) = (false, 0);
-            for sample in -samples..=samples {
-                let at = middle + aside * (f64::from(line) * pitch) + way * (f64::from(sample) * step);
-                let is_floor = floor.standing.is_set(floor.cell_at(at));
-                other = if is_floor == is_in { 0 } else { other + 1 };
-                if other > ragged {
-                    (is_in, other) = (is_floor, 0);
-                    *ends += 1;
-                }
-            }
-        }
-    }
-    f64::from(ends[0].min(ends[1])) + 0.25 * f64::from(ends[0].max(ends[1]))
-}
-
 /// The mean over squares, rows then columns.
 fn blur(values: &mut [f32], width: usize, half: usize) {
     let height = values.len() / width;
@@ -364,6 +359,7 @@ mod tests {
     use robovac_core::{
         floor_plan::{Object, Sketch},
         geometry::Pose,
+        math,
         robot::model,
     };
 
@@ -382,7 +378,7 @@ mod tests {
             }
             let floor = ReachableFloor::new(&plan, model("roomba600").unwrap(), None).unwrap();
             let space = FreeSpace::new(floor.limits(), floor.limits().body_radius + 0.003);
-            let layout = LaneLayout::new(&floor, &space);
+            let layout = RoomLayout::new(&floor, &space);
             let lanes = layout.lanes(&space, Directions::Both);
             let (mut all, mut along) = (0.0, 0.0);
             for (a, b) in lanes {
@@ -402,7 +398,7 @@ mod tests {
         let plan = Sketch::open(4.0, 2.0, 0.05).start(1.0, 1.0, 0.0).finish("", "");
         let floor = ReachableFloor::new(&plan, model("roomba600").unwrap(), None).unwrap();
         let space = FreeSpace::new(floor.limits(), floor.limits().body_radius + 0.003);
-        let lanes = LaneLayout::new(&floor, &space).lanes(&space, Directions::Both);
+        let lanes = RoomLayout::new(&floor, &space).lanes(&space, Directions::Both);
         // 2 m less what the body keeps from the tool on both sides, in lanes of 17 cm, rounded down to samples.
         assert!((11..=13).contains(&lanes.len()), "{} lanes", lanes.len());
         assert!(lanes.iter().all(|(a, b)| (b - a).norm() > 3.5 && (b - a).y.abs() < 1e-9), "{lanes:?}");

@@ -4,8 +4,9 @@
 //! straight piece from walls and furniture, lays lanes as far apart as the tool allows, and lets a search shift, drop and
 //! reconnect them until the robot needs as little time, or distance, as it can find for the required share of the floor.
 //!
-//! 1. *Layout*: samples of the free space are divided into parts, each with the direction of its longer chords. From one side
-//!    of a part to the other, a lane is laid where it's the last that can sweep some floor below it.
+//! 1. *Layout*: rooms that stand askew to the others are parts with a direction of their own. Samples of the free space of each are
+//!    divided further, into parts with the direction of their longer chords. From one side of a part to the other, a lane is laid
+//!    where it's the last that can sweep some floor below it.
 //! 2. *Order*: from each lane to the nearest end of one that is left, by shortest ways on a lattice, pulled tight.
 //! 3. *Search*: simulated annealing (Kirkpatrick et al. 1983) of the finished line. Moves shift, delete and insert corners, shift
 //!    lanes, reach for floor that isn't swept, reverse parts of the path (2-opt, Croes 1958) and carry parts elsewhere (Or-opt,
@@ -19,6 +20,7 @@ mod anneal;
 mod bound;
 mod cost;
 mod curves;
+mod directions;
 mod error;
 mod free_space;
 mod lattice;
@@ -48,9 +50,14 @@ use anneal::{SearchStage, anneal};
 use cost::MotionTimes;
 use curves::CurveTimes;
 use lattice::Lattice;
-use layout::{Directions, LaneLayout};
+use layout::{Directions, RoomLayout};
 use raster::SweptRaster;
-use robovac_core::{coverage::ReachableFloor, geometry::Point, robot::RobotModel};
+use robovac_core::{
+    coverage::ReachableFloor,
+    geometry::Point,
+    grid::Cell,
+    robot::{RobotModel, Tool},
+};
 use std::ops::ControlFlow;
 
 /// Share of the floor swept in addition where corners will be rounded: so much, or half of what may be missed, can curves leave out.
@@ -82,6 +89,9 @@ pub struct LanesSetup {
     pub coverage: f64,
     /// Room between body and obstacles, m, at least; less only if the robot starts nearer to one.
     pub clearance: f64,
+    /// By how much neighbouring lanes overlap, m: a robot that is off its path by up to half of it still sweeps the share. Of
+    /// floor at walls that only the whole tool reaches, as much may be left as before.
+    pub overlap: f64,
     /// Moves tried by the search for every metre of the bound on the length; 0 keeps the first path.
     pub effort: f64,
     /// Seed of the search.
@@ -98,6 +108,7 @@ impl Default for LanesSetup {
         Self {
             coverage: 0.99,
             clearance: 0.003,
+            overlap: 0.0,
             effort: 10_000.0,
             seed: 0,
             objective: LanesObjective::Time,
@@ -153,9 +164,26 @@ pub fn plan_lanes(
     setup: &LanesSetup,
     observer: LanesObserver<'_>,
 ) -> Result<LanesPlan, LanesError> {
-    setup.check()?;
+    setup.check(robot)?;
     let asked = setup.coverage;
-    let setup = &LanesSetup { coverage: setup.with_spare(), ..*setup };
+    let mut setup = LanesSetup { coverage: setup.with_spare(), ..*setup };
+    let whole = floor;
+    let narrower = (setup.overlap > 0.0).then(|| narrowed(floor, setup.overlap));
+    let floor = narrower.as_ref().map_or(floor, |(floor, _)| floor);
+    setup.coverage *= narrower.as_ref().map_or(1.0, |&(_, share)| share);
+    let setup = &setup;
+    // What the whole tool sweeps is told, measured again for every other path.
+    let mut told = ShownPath::default();
+    let observer: LanesObserver<'_> = &mut |mut progress| {
+        if narrower.is_some() {
+            if told.path != progress.path {
+                told.path = progress.path.to_vec();
+                told.coverage = swept_share(whole, progress.path);
+            }
+            progress.coverage = told.coverage;
+        }
+        observer(progress)
+    };
     let start = floor.start.position();
     let (space, clearance) = free_space(floor, setup.clearance);
     let heading = floor.start.direction();
@@ -171,9 +199,9 @@ pub fn plan_lanes(
     if report(&first).is_break() {
         return Err(LanesError::Cancelled);
     }
-    let layout = LaneLayout::new(floor, &space);
+    let layout = RoomLayout::new(floor, &space);
     let mut lattice = Lattice::new(floor, &space);
-    let mut raster = SweptRaster::new(floor, layout.along());
+    let mut raster = SweptRaster::new(floor, &layout.along());
     let mut starts: Vec<(f64, Vec<Point>)> = Vec::new();
     let mut is_stopped = false;
     for directions in [Directions::Both, Directions::First, Directions::Second, Directions::Fewest] {
@@ -187,7 +215,7 @@ pub fn plan_lanes(
         let cost = times.path(&path, heading, Some(&space)) + price * raster.left_by(&path);
         if starts.is_empty() {
             let duration_s = clock.path(&path, heading, Some(&space));
-            first = ShownPath { path: path.clone(), duration_s, coverage: swept_share(floor, &path) };
+            first = ShownPath { path: path.clone(), duration_s, coverage: swept_share(whole, &path) };
         }
         starts.push((cost, path));
     }
@@ -202,15 +230,15 @@ pub fn plan_lanes(
         let search = anneal::LaneSearch { floor, space: &space, times: &times, clock: &clock, heading, setup };
         anneal(&search, &raster, &starts, SearchStage::Trial(0), observer)
     };
-    let coverage = swept_share(floor, &path);
+    let coverage = swept_share(whole, &path);
     let (length_m, duration_s) = (cost::length(&path), MotionTimes::of(robot, None).path(&path, heading, None));
     Ok(LanesPlan {
         length_m,
         duration_s,
         coverage,
         clearance,
-        bound: MetricBound::new(floor, robot, asked),
-        excess: MetricBound::new(floor, robot, coverage).excess(length_m, duration_s),
+        bound: MetricBound::new(whole, robot, asked),
+        excess: MetricBound::new(whole, robot, coverage).excess(length_m, duration_s),
         path,
     })
 }
@@ -221,6 +249,30 @@ struct ShownPath {
     path: Vec<Point>,
     duration_s: f64,
     coverage: f64,
+}
+
+/// The floor for a tool whose disc is narrower by `overlap`, m, and how much of the floor that can reach, as a share of what the
+/// whole disc can.
+fn narrowed(floor: &ReachableFloor, overlap: f64) -> (ReachableFloor, f64) {
+    let mut narrow = floor.clone();
+    narrow.tool_radius -= 0.5 * overlap;
+    // Discs around all places where the robot can stand, a stroke for each run of a row.
+    let mut strokes: Vec<(Point, Point)> = Vec::new();
+    let mut last = None;
+    for (cell, _) in floor.standing.iter().filter(|&(_, &is_standing)| is_standing) {
+        match strokes.last_mut() {
+            Some(stroke) if last == Some(Cell::new(cell.x - 1, cell.y)) => stroke.1 = floor.centre(cell),
+            _ => strokes.push((floor.centre(cell), floor.centre(cell))),
+        }
+        last = Some(cell);
+    }
+    let aside = if let Tool::Disc([x, y]) = floor.tool { x.hypot(y) } else { 0.0 };
+    let reach = |floor: &ReachableFloor| {
+        let mut lines = scan::FloorLines::new(floor).with_radius(floor.tool_radius + aside);
+        lines.share_of(&strokes)
+    };
+    let share = reach(&narrow) / reach(floor).max(f64::MIN_POSITIVE);
+    (narrow, share)
 }
 
 /// The free space at a clearance, or at the most that the start has.
@@ -241,12 +293,14 @@ impl LanesSetup {
         if self.is_rounded { self.coverage + SPARE.min(0.5 * (1.0 - self.coverage)) } else { self.coverage }
     }
 
-    fn check(&self) -> Result<(), LanesError> {
+    fn check(&self, robot: &RobotModel) -> Result<(), LanesError> {
         let value = |what, value: f64, is_good: bool, expected| {
             if is_good { Ok(()) } else { Err(LanesError::Value { what, value, expected }) }
         };
         value("coverage", self.coverage, (0.0..=1.0).contains(&self.coverage), "0 to 1")?;
         value("clearance", self.clearance, (0.0..=1.0).contains(&self.clearance), "0 to 1 m")?;
+        let is_narrower = (0.0..0.5 * robot.tool_width).contains(&self.overlap);
+        value("overlap", self.overlap, is_narrower, "0 m to less than half the tool's width")?;
         value("effort", self.effort, (0.0..=Self::MOST_EFFORT).contains(&self.effort), "0 to 1,000,000,000")
     }
 }
@@ -257,8 +311,8 @@ mod tests {
     use crate::metrics::DriveMetrics;
     use robovac_core::{
         floor_plan::{FloorPlan, Object, generate::random_flat},
-        geometry::{Pose, nearest_on_segment},
-        robot::{Tool, model},
+        geometry::{Pose, Vector, nearest_on_segment},
+        robot::model,
     };
 
     const EFFORT: f64 = 60.0;
@@ -427,14 +481,73 @@ mod tests {
     }
 
     #[test]
+    fn a_room_askew_is_swept_along_its_walls() {
+        for degrees in [10.0, 35.0, 60.0_f64] {
+            let (floor, middle) = directions::tests::rooms_askew(degrees);
+            let first = plan(&floor, &LanesSetup { effort: 0.0, ..LanesSetup::default() });
+            for (at, degrees) in [(middle, degrees), (Point::new(3.2, 3.5), 0.0)] {
+                let (mut all, mut along) = (0.0, 0.0);
+                for pair in first.path.windows(2) {
+                    let way = pair[1] - pair[0];
+                    // Links are shorter.
+                    if way.norm() > 0.5 && (pair[0] + way * 0.5 - at).norm() < 2.2 {
+                        let off = directions::apart(robovac_core::math::atan2(way.y, way.x), degrees.to_radians());
+                        all += way.norm();
+                        along += if off.to_degrees() < 3.0 { way.norm() } else { 0.0 };
+                    }
+                }
+                assert!(all > 60.0 && along > 0.9 * all, "{degrees} degrees: {along} of {all} m");
+            }
+        }
+    }
+
+    #[test]
+    fn lanes_that_overlap_sweep_the_share_when_the_robot_drifts() {
+        let floor = floor(&random_flat(1, 1, 6));
+        let (_, reached) = narrowed(&floor, 0.02);
+        assert!(reached < 0.999 && reached > 0.95, "only floor along walls isn't reached: {reached}");
+        let found = [0.0, 0.02].map(|overlap| {
+            let mut told = 0.0;
+            let setup = LanesSetup { coverage: 0.98, overlap, effort: 20.0 * EFFORT, ..LanesSetup::default() };
+            let observer: LanesObserver<'_> = &mut |progress| {
+                told = progress.coverage;
+                ControlFlow::Continue(0.0)
+            };
+            let found = plan_lanes(&floor, model("roomba600").unwrap(), &setup, observer).unwrap();
+            assert!((told - found.coverage).abs() < 1e-12 && found.coverage >= 0.98, "{told} {}", found.coverage);
+            found
+        });
+        // Always to the left of its way, or to the right: neighbouring lanes come nearer to or farther from each other.
+        let drifted = |path: &[Point], aside: f64| {
+            let strokes: Vec<(Point, Point)> = path
+                .windows(2)
+                .map(|pair| {
+                    let along = (pair[1] - pair[0]).try_normalize(1e-9).unwrap_or_default();
+                    let by = Vector::new(-along.y, along.x) * aside;
+                    (pair[0] + by, pair[1] + by)
+                })
+                .collect();
+            scan::FloorLines::new(&floor).share_of(&strokes)
+        };
+        for aside in [-0.0095, -0.005, 0.005, 0.0095] {
+            let [without, with] = [0, 1].map(|i| drifted(&found[i].path, aside));
+            assert!(with >= 0.98, "{aside} m aside: {with}");
+            assert!(aside.abs() < 0.009 || without < 0.97, "{aside} m aside: {without}");
+        }
+        assert!(found[1].length_m > found[0].length_m);
+    }
+
+    #[test]
     fn values_out_of_range_are_named() {
         let floor = floor(&random_flat(1, 1, 1));
         let bad = [
             LanesSetup { coverage: 99.0, ..LanesSetup::default() },
             LanesSetup { clearance: -0.1, ..LanesSetup::default() },
             LanesSetup { effort: f64::NAN, ..LanesSetup::default() },
+            LanesSetup { overlap: -0.01, ..LanesSetup::default() },
+            LanesSetup { overlap: 0.085, ..LanesSetup::default() },
         ];
-        for (setup, name) in bad.iter().zip(["coverage", "clearance", "effort"]) {
+        for (setup, name) in bad.iter().zip(["coverage", "clearance", "effort", "overlap", "overlap"]) {
             let result = plan_lanes(&floor, model("roomba600").unwrap(), setup, &mut |_| ControlFlow::Continue(0.0));
             assert!(result.unwrap_err().to_string().contains(name));
         }

@@ -313,7 +313,7 @@ mod tests {
         let mut at = |_| Point::new(rng.random_range(0.2..2.8), rng.random_range(0.2..1.8));
         let points: Vec<Point> = (0..14).map(&mut at).collect();
         let more: Vec<Point> = (0..3).map(&mut at).collect();
-        let raster = SweptRaster::new(&floor, Vector::new(1.0, 0.0));
+        let raster = SweptRaster::new(&floor, &[Vector::new(1.0, 0.0)]);
         let heading = Vector::new(0.6, 0.8);
         let mut edits = Vec::new();
         for a in 0..14 {

@@ -57,6 +57,12 @@ pub const INFO: PlannerInfo = PlannerInfo {
             help: "Least distance between the robot's body and obstacles.",
             kind: ParamKind::Number { min: 0.0, max: 50.0, step: 1.0, default: 3.0, unit: "mm" },
         },
+        ParamSpec {
+            id: "overlap",
+            label: "Overlap",
+            help: "Overlap of neighbouring lanes, for a robot that drifts by half as much.",
+            kind: ParamKind::Number { min: 0.0, max: 50.0, step: 1.0, default: 0.0, unit: "mm" },
+        },
     ],
 };
 
@@ -78,6 +84,7 @@ pub(crate) const BUILD: BuildPlanner = |params| {
     Box::new(Lanes(LanesSetup {
         coverage: params.number("coverage") / 100.0,
         clearance: params.number("clearance") / 1000.0,
+        overlap: params.number("overlap") / 1000.0,
         effort: MOVES * params.number("effort"),
         objective: if params.choice("minimise") == DISTANCE { LanesObjective::Distance } else { LanesObjective::Time },
         ..LanesSetup::default()

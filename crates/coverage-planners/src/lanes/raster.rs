@@ -15,6 +15,8 @@ use robovac_core::{
 /// Angle of the raster to the lanes, rad: neither walls nor lanes are parallel to it, so that what is missed between two lanes
 /// can't hide between two rows of samples. A small one: lanes in one of two directions meet few rows.
 const ANGLE: f64 = 0.19;
+/// As far from lanes in other directions is far enough, rad.
+const LEAST_ANGLE: f64 = 0.1;
 /// Samples across the tool: in rooms below so many m², where each counts for more, and in larger ones.
 const ACROSS: (f64, f64, f64) = (30.0, 10.0, 7.0);
 /// Samples along a side of a block, as a power of two.
@@ -118,12 +120,11 @@ fn mask(word: i32, (from, to): SampleRun) -> u64 {
 }
 
 impl SweptRaster {
-    /// Samples of a floor for lanes along the direction `along`, of length 1, or across it.
-    pub fn new(floor: &ReachableFloor, along: Vector) -> Self {
+    /// Samples of a floor for lanes along the directions `along`, of length 1, or across them.
+    pub fn new(floor: &ReachableFloor, along: &[Vector]) -> Self {
         let (width, height) = (floor.floor.width() as f64, floor.floor.height() as f64);
         let size = Vector::new(width, height) * floor.resolution;
-        let by = rotation(ANGLE);
-        let turn = Vector::new(along.x * by.x - along.y * by.y, along.x * by.y + along.y * by.x);
+        let turn = askew_to(along);
         let corners = [[0.0, 0.0], [size.x, 0.0], [0.0, size.y], [size.x, size.y]];
         let corners = corners.map(|[x, y]| into_frame(turn, Point::new(x, y)));
         let low = corners.iter().fold(corners[0], |low, c| low.inf(c));
@@ -363,6 +364,22 @@ impl SweptRaster {
     }
 }
 
+/// A direction at the angle of the raster to the first of `along`, or if that is too near another one, to one that leaves more room.
+fn askew_to(along: &[Vector]) -> Vector {
+    let candidates = along.iter().flat_map(|along| {
+        [ANGLE, -ANGLE].map(|angle| {
+            let by = rotation(angle);
+            Vector::new(along.x * by.x - along.y * by.y, along.x * by.y + along.y * by.x)
+        })
+    });
+    // The sine of the angle to the nearest lane.
+    let room = |turn: Vector| {
+        along.iter().map(|way| way.dot(&turn).abs().min(way.perp(&turn).abs())).fold(LEAST_ANGLE, f64::min)
+    };
+    let better = |best: (f64, Vector), turn: Vector| if room(turn) > best.0 { (room(turn), turn) } else { best };
+    candidates.fold((f64::MIN, Vector::new(1.0, 0.0)), better).1
+}
+
 fn into_frame(turn: Vector, p: Point) -> Vector {
     Vector::new(turn.x * p.x + turn.y * p.y, turn.x * p.y - turn.y * p.x)
 }
@@ -382,10 +399,22 @@ mod tests {
     use robovac_core::{floor_plan::Sketch, geometry::nearest_on_segment, rng::seeded, robot::model};
 
     #[test]
+    fn rows_are_askew_to_all_lanes() {
+        let by = |degrees: f64| rotation(degrees.to_radians());
+        assert_eq!(askew_to(&[by(0.0)]), rotation(ANGLE));
+        for degrees in 0..90 {
+            let along = [by(0.0), by(f64::from(degrees)), by(33.0)];
+            let turn = askew_to(&along);
+            let room = along.map(|way| way.dot(&turn).abs().min(way.perp(&turn).abs()));
+            assert!(room.into_iter().all(|room| room > 0.09), "{degrees} degrees: {room:?}");
+        }
+    }
+
+    #[test]
     fn counts_are_those_of_every_sample_and_return_to_what_they_were() {
         let plan = Sketch::open(2.0, 1.5, 0.05).fill(&[[0.9, 0.6, 1.1, 0.8]]).finish("", "");
         let floor = ReachableFloor::new(&plan, model("roomba600").unwrap(), None).unwrap();
-        let mut raster = SweptRaster::new(&floor, Vector::new(1.0, 0.0));
+        let mut raster = SweptRaster::new(&floor, &[Vector::new(1.0, 0.0)]);
         let mut rng = seeded(5, 0);
         let mut at = || Point::new(rng.random_range(0.1..1.9), rng.random_range(0.1..1.4));
         let all = raster.unswept;

@@ -73,10 +73,21 @@ impl FloorLines {
         }
     }
 
+    /// The same for a tool of another radius, m.
+    pub fn with_radius(self, tool_radius: f64) -> Self {
+        Self { tool_radius, ..self }
+    }
+
     /// The share of the floor that a path sweeps, 0 to 1.
     pub fn swept_share(&mut self, path: &[Point]) -> f64 {
+        let strokes = self.tool.strokes(path, self.heading);
+        self.share_of(&strokes)
+    }
+
+    /// The share of the floor that the tool sweeps on straight ways of its own, 0 to 1.
+    pub fn share_of(&mut self, strokes: &[(Point, Point)]) -> f64 {
         self.runs.iter_mut().for_each(Vec::clear);
-        for (a, b) in self.tool.strokes(path, self.heading) {
+        for &(a, b) in strokes {
             let (a, b) = (into(self.turn, a), into(self.turn, b));
             let (bottom, top) = (a.y.min(b.y) - self.tool_radius, a.y.max(b.y) + self.tool_radius);
             let first = math::ceil((bottom - self.low) / self.spacing - 0.5).max(0) as usize;

@@ -5,7 +5,7 @@ use super::{
     anneal::{LaneSearch, SearchStage, anneal},
     cost::{self, MotionTimes},
     curves::CurveTimes,
-    layout::LaneLayout,
+    layout::RoomLayout,
     raster::SweptRaster,
     scan::swept_share,
 };
@@ -32,7 +32,9 @@ pub(super) fn trade_off(
     let clock = MotionTimes::of(robot, curves);
     let times = clock.clone().with_stops(setup.objective.stops());
     let heading = floor.start.direction();
-    let raster = SweptRaster::new(floor, LaneLayout::new(floor, &space).along());
+    let narrower = (setup.overlap > 0.0).then(|| super::narrowed(floor, setup.overlap));
+    let (counted, part) = narrower.as_ref().map_or((floor, 1.0), |(narrow, part)| (narrow, *part));
+    let raster = SweptRaster::new(counted, &RoomLayout::new(counted, &space).along());
     let metres = floor.area() / (2.0 * floor.tool_radius);
     let effort = EFFORT.min(MOST_MOVES / metres);
     let point_of = |asked: Option<f64>, path: &[Point]| {
@@ -52,8 +54,8 @@ pub(super) fn trade_off(
         let mut path = path.to_vec();
         for coverage in side {
             let asked = LanesSetup { coverage, effort, ..*setup };
-            let setup = &LanesSetup { coverage: asked.with_spare(), ..asked };
-            let search = LaneSearch { floor, space: &space, times: &times, clock: &clock, heading, setup };
+            let setup = &LanesSetup { coverage: part * asked.with_spare(), ..asked };
+            let search = LaneSearch { floor: counted, space: &space, times: &times, clock: &clock, heading, setup };
             path = anneal(&search, &raster, &[path], SearchStage::Change, &mut |_| ControlFlow::Continue(0.0));
             if observe(point_of(Some(coverage), &path)).is_break() {
                 return;
