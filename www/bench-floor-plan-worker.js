@@ -17,7 +17,7 @@ function draw(entities) {
   const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
   const began = performance.now();
   const session = new FloorPlanSession(canvas);
-  session.open(files);
+  session.open(files, true);
   session.resize(WIDTH, HEIGHT, 1);
   session.draw(false);
   // Cached drawing commands have been executed by now.

@@ -46,7 +46,7 @@ test("a curve tells the time for other coverages, and the page what can't be swe
   await box.evaluate((input) => input.dispatchEvent(new Event("change", { bubbles: true })));
   await app.poll(() => page.locator("#coverage-missed").isHidden(), Boolean, "what was missing to be gone");
   await app.poll(minutes, (all) => all.length > 10, "another curve");
-  assert.equal((await app.link())["p.coverage"], "90");
+  await app.linked("p.coverage", (value) => value === "90");
 });
 
 test("planning cells are chosen for a coverage", async (t) => {

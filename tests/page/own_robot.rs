@@ -168,7 +168,7 @@ fn a_path_too_long_for_a_link_stays_with_the_room() {
         assert_eq!(other.settings().path.as_ref(), Some(&path));
     }
     let error = Session::new().restore(&link).unwrap_err().to_string();
-    assert!(error.contains("ask its author for the scenario file"), "{error}");
+    assert!(error.contains("ask the link's author for the scenario file"), "{error}");
 }
 
 #[test]
