@@ -6,7 +6,7 @@ import { hire } from "../workers.js";
 import { cellsOf, inCentimetres } from "./panel.js";
 
 /** Chooses the cells with which the algorithm sweeps so many percent in the least time, and says what they reach. @param {import("../main.js").App} app @param {number} percent */
-export async function fitCells({ playground, act }, percent) {
+export async function fitCells({ playground, act, catalogue }, percent) {
   const menu = select("cell-size");
   const asked = playground.link();
   menu.disabled = true;
@@ -27,10 +27,12 @@ export async function fitCells({ playground, act }, percent) {
     const [note, view] = [byId("cell-fit"), playground.view()];
     const rounded = view.smooth && view.can_smooth ? ", corners rounded" : "";
     const reached = `${asPercent(coverage)} %`;
-    const told = coverage < percent / 100 ? `${percent} % can't be reached with cells: ${reached} is the most` : `${reached} swept`;
+    const told = coverage < percent / 100 ? `None of the cells tried reaches ${percent} %: ${reached} is the most` : `${reached} swept`;
     setHidden(note, false);
-    setText(note, `${told}, in ${clock(seconds)}${rounded}.${begin(left, below)}`);
-    note.dataset.of = cellsOf(view);
+    // A planner that searches longer may find another walk in them.
+    const tried = catalogue.planners.some(({ id, fast }) => id === view.algorithm && !fast) ? " by a short search" : "";
+    setText(note, `${told}, in ${clock(seconds)}${rounded}${tried}.${begin(left, below)}`);
+    note.dataset.of = cellsOf(playground, view);
   } catch (error) {
     act(() => {
       throw error;

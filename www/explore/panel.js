@@ -22,8 +22,8 @@ const [TWIN, OWN, FLAT] = ["twin", "own", "new-flat"];
 /** @param {number} metres */
 export const inCentimetres = (metres) => `${+(metres * 100).toFixed(2)} cm`;
 
-/** What a choice of cells depends on: the note beside them holds as long as this stays. @param {View} view */
-export const cellsOf = ({ room, algorithm, params, robot, own_robot, twin, cell_size_m, cell_offset_m, seed, smooth }) => JSON.stringify([room.id, room.reachable_m2, algorithm, params, robot, own_robot, twin, cell_size_m, cell_offset_m, seed, smooth]);
+/** What a choice of cells depends on: the note beside them holds as long as this stays. @param {import("../main.js").App["playground"]} p @param {View} view */
+export const cellsOf = (p, { algorithm, params, robot, own_robot, twin, cell_size_m, cell_offset_m, seed, smooth }) => JSON.stringify([p.room_version(), algorithm, params, robot, own_robot, twin, cell_size_m, cell_offset_m, seed, smooth]);
 
 /** @param {App} app @returns {(view: View) => void} */
 export function startPanel(app) {
@@ -36,10 +36,15 @@ export function startPanel(app) {
   fill(select("robot"), [...robots.map(({ id, title }) => /** @type {[string, string]} */ ([id, title])), [OWN, "Own robot"]]);
   const cells = select("cell-size");
   fill(cells, [...cell_sizes_m, ...COVERAGES].map((size) => [String(size), size < 2 ? inCentimetres(size) : `for ${size} %`]));
-  /** Own robots, links and choices for a coverage bring other sizes. @param {number} size */
-  const showCells = (size) => {
-    const value = String(size);
-    if (![...cells.options].some((option) => option.value === value)) cells.append(new Option(inCentimetres(size), value));
+  /** Own robots, links and choices for a coverage bring other sizes. @param {number} size @param {boolean} isMoved */
+  const showCells = (size, isMoved) => {
+    const plain = String(size);
+    // Cells that don't begin in the corner have an entry beside the one that puts them back.
+    const value = isMoved ? `${plain} moved` : plain;
+    for (const option of cells.querySelectorAll("option")) if (option.value.endsWith(" moved") && option.value !== value) option.remove();
+    const has = (/** @type {string} */ wanted) => [...cells.options].some((option) => option.value === wanted);
+    if (!has(plain)) cells.append(new Option(inCentimetres(size), plain));
+    if (!has(value)) cells.append(new Option(`${inCentimetres(size)}, moved`, value));
     show(cells, value);
   };
 
@@ -93,10 +98,10 @@ export function startPanel(app) {
     showRobot(view);
     const title = showAlgorithm(view);
     setText(byId("now"), `${title}, ${select("robot").selectedOptions[0]?.textContent ?? ""}`);
-    showCells(view.cell_size_m);
+    showCells(view.cell_size_m, view.cell_offset_m.some((metres) => metres !== 0));
     warnOfCells(view, robots);
     const fit = byId("cell-fit");
-    if (!fit.hidden) setHidden(fit, fit.dataset.of !== cellsOf(view));
+    if (!fit.hidden) setHidden(fit, fit.dataset.of !== cellsOf(app.playground, view));
     showRealism(view);
     show(select("odometry"), view.odometry);
     show(input("smooth"), String(view.smooth && view.can_smooth));

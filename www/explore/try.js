@@ -18,7 +18,7 @@ const follow = (link) => void (location.hash = link);
 /** @type {[title: string, what: string, how: (app: App) => unknown][]} */
 const IDEAS = [
   ["Random walk against lanes", "Which one cleans the living room first?", () => follow("room=living&tab=compare&vs=boustrophedon&behaviours=random_walk&go=1")],
-  ["Cells against metres", "Two plans for the flat: one takes a quarter of an hour less.", () => follow("room=flat&tab=compare&vs=boustrophedon,lanes&go=1")],
+  ["Cells against metres", "Lanes in cells and lanes in metres: which plan cleans the flat a quarter of an hour faster?", () => follow("room=flat&tab=compare&vs=boustrophedon,lanes&go=1")],
   ["You against the algorithm", "Drive by hand: can you sweep more in the same time?", (app) => import("./games.js").then(({ offerVersus }) => offerVersus(app))],
   ["Break it", "Draw the room that this planner does worst in.", (app) => import("./games.js").then(({ offerWorst }) => offerWorst(app))],
   ["A cat in the way", "A robot that only has its bumper meets the cat.", (app) => meetCat(app)],

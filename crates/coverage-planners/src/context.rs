@@ -23,6 +23,14 @@ pub enum PlanError {
     /// The planner plans for a disc and the robot's tool isn't one.
     #[error("the planner plans in metres for a round tool, and this robot cleans with its whole body; give it a tool")]
     OtherTool,
+    /// A parameter doesn't suit the robot.
+    #[error("the {what} doesn't suit this robot; use {expected}")]
+    Unsuited {
+        /// Name of the parameter.
+        what: &'static str,
+        /// Accepted values.
+        expected: &'static str,
+    },
 }
 
 /// Handed to a planner for one run.

@@ -88,7 +88,7 @@ pub trait Planner {
     }
 
     /// Calls `observe` with what `path`, planned for that job, takes, and then paths for each of the `shares` of the floor, 0 to 1,
-    /// until it breaks off: first those for less than `path` sweeps, from the nearest on. Only planners in metres have such paths.
+    /// until it breaks off: first those for less than was asked of `path`, from the nearest on. Only planners in metres have such paths.
     fn trade_off(
         &self,
         _job: &CoverageJob,

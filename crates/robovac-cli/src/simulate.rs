@@ -191,17 +191,17 @@ impl Arguments {
 }
 
 impl SimulatedTask {
-    /// The room laid out, the plan if it is one, and the coverage that it misses.
+    /// The room laid out; the plan, if it is one, with what rounding its corners may do; and the coverage that it misses.
     fn prepare(
         &mut self,
         coverage: &CoverageArguments,
-    ) -> Result<(RoomSetup, Option<Planned>, Option<MissedCoverage>), Failure> {
+    ) -> Result<(RoomSetup, Option<(Planned, SmoothSetup)>, Option<MissedCoverage>), Failure> {
         let Placement { plan, robot, cells, .. } = &self.placement;
         if let Some(path) = &self.path {
             let heading = plan.start.map_or(0.0, |start| start.heading);
             let prepared = RoomSetup::along(plan, robot, *cells, path, heading).map_err(PlanningError::from)?;
             let planned = Planned::along(&prepared, path, 0.0);
-            return Ok((prepared, Some(planned), None));
+            return Ok((prepared, Some((planned, SmoothSetup::default())), None));
         }
         let Some(planner) = self.algorithm.planner() else { return Ok((self.placement.prepare()?, None, None)) };
         let (placement, params) = (self.placement.clone(), self.params.clone());
@@ -209,8 +209,8 @@ impl SimulatedTask {
         let missed = coverage.fit_cells(&mut task)?;
         self.placement.clone_from(&task.placement);
         let begin = Instant::now();
-        let PlanSolution { prepared, planned, .. } = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
-        Ok((prepared, Some(planned), missed))
+        let PlanSolution { prepared, planned, smooth, .. } = task.solve(|| begin.elapsed().as_secs_f64(), None)?;
+        Ok((prepared, Some((planned, smooth)), missed))
     }
 }
 
@@ -222,9 +222,9 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let (prepared, planned, missed) = task.prepare(&arguments.coverage)?;
     let SimulatedTask { placement, algorithm, params, seed, conditions, odometry, path: own_path, .. } = task;
     let mut smooth = None;
-    let (mut run, driven) = if let Some(mut planned) = planned {
+    let (mut run, driven) = if let Some((mut planned, setup)) = planned {
         if task.smooth {
-            let (rounded, plan) = round(planned, &prepared)?;
+            let (rounded, plan) = round(planned, &prepared, &setup)?;
             (planned, smooth) = (rounded, Some(plan));
         }
         (planned.run(&prepared, conditions, odometry, seed), planned.driven())
@@ -272,10 +272,10 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
 }
 
 /// The plan with its corners rounded.
-fn round(planned: Planned, prepared: &RoomSetup) -> Result<(Planned, RoundedPlan), Failure> {
+fn round(planned: Planned, prepared: &RoomSetup, setup: &SmoothSetup) -> Result<(Planned, RoundedPlan), Failure> {
     let stopped_s = planned.drive.duration_s;
     let path = prepared
-        .smooth(&planned.line, &SmoothSetup::default(), false)
+        .smooth(&planned.line, setup, false)
         .map_err(|error| Failure::usage(format!("--smooth: {error}")))?;
     let SmoothPath { trajectory, coverage, stopped_coverage, corners, rounded } = path;
     let planned_s = trajectory.duration_s();

@@ -60,7 +60,7 @@ pub const INFO: PlannerInfo = PlannerInfo {
         ParamSpec {
             id: "overlap",
             label: "Overlap",
-            help: "Overlap of neighbouring lanes, for a robot that drifts by half as much.",
+            help: "Overlap of neighbouring lanes, for a robot that drifts by up to half of it.",
             kind: ParamKind::Number { min: 0.0, max: 50.0, step: 1.0, default: 0.0, unit: "mm" },
         },
     ],
@@ -108,7 +108,8 @@ impl Planner for Lanes {
         });
         match found {
             Ok(plan) if !is_cancelled => Ok(CoveragePath::in_metres(plan.path)),
-            Ok(_) | Err(LanesError::Cancelled | LanesError::Value { .. }) => Err(PlanError::Cancelled),
+            Err(LanesError::Value { what, expected, .. }) => Err(PlanError::Unsuited { what, expected }),
+            Ok(_) | Err(LanesError::Cancelled) => Err(PlanError::Cancelled),
         }
     }
 

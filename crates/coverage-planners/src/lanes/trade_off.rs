@@ -16,9 +16,11 @@ use std::ops::ControlFlow;
 /// Moves for every metre of the bound between one point of the curve and the next, and most moves.
 const EFFORT: f64 = 2000.0;
 const MOST_MOVES: f64 = 1.5e6;
+/// Shares that differ by less are the same.
+const SAME: f64 = 1e-6;
 
-/// Calls `observe` with what `path` takes, and then a path for each of the shares: first those below the share that `path` sweeps, from
-/// the nearest on, then those above. A short search changes `path` for one share, and what came of it for the next. Deterministic for a seed.
+/// Calls `observe` with what `path` takes, and then a path for each of the shares: first those below the share that `path` was planned
+/// for and sweeps, from the nearest on, then those above. A short search changes `path` for one share, and what came of it for the next. Deterministic for a seed.
 pub(super) fn trade_off(
     floor: &ReachableFloor,
     robot: &RobotModel,
@@ -37,17 +39,18 @@ pub(super) fn trade_off(
     let raster = SweptRaster::new(counted, &RoomLayout::new(counted, &space).along());
     let metres = floor.area() / (2.0 * floor.tool_radius);
     let effort = EFFORT.min(MOST_MOVES / metres);
-    let point_of = |asked: Option<f64>, path: &[Point]| {
+    let point_of = |asked: f64, path: &[Point]| {
         let coverage = swept_share(floor, path);
         let duration_s = clock.path(path, heading, Some(&space));
-        TradeOffPoint { asked: asked.unwrap_or(coverage), coverage, duration_s, length_m: cost::length(path) }
+        TradeOffPoint { asked, coverage, duration_s, length_m: cost::length(path) }
     };
-    let begin = point_of(None, path);
+    let begin = point_of(setup.coverage, path);
     if observe(begin).is_break() {
         return;
     }
-    let has = begin.coverage;
-    let (mut below, mut above): (Vec<f64>, Vec<f64>) = shares.iter().partition(|&&share| share < has);
+    let others = shares.iter().filter(|&&share| (share - setup.coverage).abs() > SAME);
+    let (mut below, mut above): (Vec<f64>, Vec<f64>) =
+        others.partition(|&&share| share < setup.coverage.min(begin.coverage));
     below.sort_by(|a, b| b.total_cmp(a));
     above.sort_by(f64::total_cmp);
     for side in [below, above] {
@@ -57,7 +60,7 @@ pub(super) fn trade_off(
             let setup = &LanesSetup { coverage: part * asked.with_spare(), ..asked };
             let search = LaneSearch { floor: counted, space: &space, times: &times, clock: &clock, heading, setup };
             path = anneal(&search, &raster, &[path], SearchStage::Change, &mut |_| ControlFlow::Continue(0.0));
-            if observe(point_of(Some(coverage), &path)).is_break() {
+            if observe(point_of(coverage, &path)).is_break() {
                 return;
             }
         }
@@ -88,12 +91,18 @@ mod tests {
     #[test]
     fn more_coverage_takes_more_time_and_distance() {
         let shares = [0.8, 0.9, 0.95, 0.98];
-        for (seed, objective) in [(0, LanesObjective::Time), (1, LanesObjective::Distance)] {
-            let setup = LanesSetup { coverage: 0.95, effort: 600.0, seed, objective, ..LanesSetup::default() };
-            let mut points = curve(&setup, &shares, 9);
+        let usual = LanesSetup { coverage: 0.95, effort: 600.0, ..LanesSetup::default() };
+        for setup in [
+            usual,
+            LanesSetup { seed: 1, objective: LanesObjective::Distance, ..usual },
+            LanesSetup { is_rounded: true, ..usual },
+            LanesSetup { overlap: 0.02, ..usual },
+        ] {
+            let setup = &setup;
+            let mut points = curve(setup, &shares, 9);
             let asked: Vec<f64> = points[1..].iter().map(|point| point.asked).collect();
-            assert_eq!(asked, [0.95, 0.9, 0.8, 0.98], "the nearest first");
-            assert_eq!(points, curve(&setup, &shares, 9), "same seed, same curve");
+            assert_eq!(asked, [0.9, 0.8, 0.98], "the nearest first, and none for what is planned");
+            assert_eq!(points, curve(setup, &shares, 9), "same seed, same curve");
             points.sort_by(|a, b| a.coverage.total_cmp(&b.coverage));
             for pair in points.windows(2) {
                 let by = pair[1].coverage - pair[0].coverage;
@@ -101,8 +110,11 @@ mod tests {
                 assert!(by < 0.01 || pair[1].length_m > pair[0].length_m, "{pair:?}");
             }
             for point in &points {
-                assert!(point.coverage >= point.asked && point.coverage < point.asked + 0.02, "{point:?}");
+                // Curves leave some out, and the whole tool sweeps more than one that is narrower by the overlap.
+                let more = if setup.is_rounded || setup.overlap > 0.0 { 0.05 } else { 0.02 };
+                assert!(point.coverage >= point.asked && point.coverage < point.asked + more, "{point:?}");
             }
+            assert_eq!(points.iter().filter(|point| point.asked == setup.coverage).count(), 1, "the plan's own");
         }
     }
 
