@@ -274,9 +274,8 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
 /// The plan with its corners rounded.
 fn round(planned: Planned, prepared: &RoomSetup, setup: &SmoothSetup) -> Result<(Planned, RoundedPlan), Failure> {
     let stopped_s = planned.drive.duration_s;
-    let path = prepared
-        .smooth(&planned.line, setup, false)
-        .map_err(|error| Failure::usage(format!("--smooth: {error}")))?;
+    let path =
+        prepared.smooth(&planned.line, setup, false).map_err(|error| Failure::usage(format!("--smooth: {error}")))?;
     let SmoothPath { trajectory, coverage, stopped_coverage, corners, rounded } = path;
     let planned_s = trajectory.duration_s();
     let plan = RoundedPlan { corners, rounded, planned_s, planned_coverage: coverage, stopped_s, stopped_coverage };

@@ -25,7 +25,7 @@ impl<'a> SavedPath<'a> {
         Self { corners, heading, smooth: None }
     }
 
-    /// The line that is driven, m: the corners, or points on the curves that are nearer to each other than 5 mm.
+    /// The line that is driven, m: the corners, or points on the curves that are nearer to each other than 4 mm.
     pub fn line(&self) -> Cow<'a, [Point]> {
         self.smooth.map_or(Cow::Borrowed(self.corners), |trajectory| trajectory.points().into())
     }

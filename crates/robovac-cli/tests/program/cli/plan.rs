@@ -243,14 +243,15 @@ fn a_coverage_out_of_reach_is_told_with_the_most_that_can_be() {
     let base = ["plan", "--room", "bedroom", "--robot", "roomba600", "--planner", "boustrophedon", "--coverage"];
     let (missed, reached) = (text(&[&base[..], &["100"]].concat()), text(&[&base[..], &["90"]].concat()));
     assert!(
-        missed.contains("\nMissed    no planning cells reach 100.00 %: those of 0.") && !reached.contains("Missed")
+        missed.contains("\nMissed    none of the planning cells tried reach 100.00 %: those of 0.")
+            && !reached.contains("Missed")
     );
     let json: Value = serde_json::from_str(&text(&[&base[..], &["100", "--json"]].concat())).unwrap();
     let most = json["missed"]["most"].as_f64().unwrap();
     assert!(missed.contains(&format!("sweep most, {:.2} %\n", 100.0 * most)), "{missed}");
     assert!((json["excess"]["swept"].as_f64().unwrap() - most).abs() < 1e-3, "it is the plan that was made: {json}");
     let simulated = text(&["simulate", "--room", "bedroom", "--planner", "boustrophedon", "--coverage", "100"]);
-    assert!(simulated.contains("\nMissed    no planning cells reach 100.00 %"), "{simulated}");
+    assert!(simulated.contains("\nMissed    none of the planning cells tried reach 100.00 %"), "{simulated}");
 }
 
 #[test]
