@@ -97,7 +97,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
         Record {
             room: &place.name,
             robot: place.robot.id,
-            cell_size: place.cell_size,
+            cells: place.cell_size.into(),
             entrant: &entrants[trial.entrant],
             seed: trial.seed,
             result,

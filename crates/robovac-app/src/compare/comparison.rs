@@ -370,7 +370,9 @@ impl Comparison {
     /// What a paper prints for a planner, if these rooms are its only one.
     fn printed(&self, entrant: usize, rooms: &[RoomChoice]) -> Option<&'static PrintedRow> {
         let (base, &[room]) = (self.base.as_ref()?, rooms) else { return None };
-        PrintedRow::find(self.entrants.get(entrant).id(), room, base.cells.size)
+        // Papers' cells begin in the corner.
+        let is_theirs = base.cells.offset == [0.0; 2];
+        PrintedRow::find(self.entrants.get(entrant).id(), room, base.cells.size).filter(|_| is_theirs)
     }
 
     /// The numbers of any plan for a room, once there is one; its bounds are those of all others.
@@ -385,7 +387,7 @@ impl Comparison {
         let record = |(t, result): (&Trial, _)| Record {
             room: self.room_name(t.room),
             robot: &base.robot_name,
-            cell_size: base.cells.size,
+            cells: base.cells,
             entrant: self.entrants.get(t.entrant),
             seed: t.seed,
             result,

@@ -4,7 +4,7 @@ use coverage_planners::{
     Bounds,
     metrics::{METRICS, PlanNumbers},
 };
-use robovac_core::registry::Params;
+use robovac_core::{coverage::PlanningCells, registry::Params};
 use robovac_sim::experiment::Entrant;
 use robovac_sim::experiment::quoted;
 use serde::Serialize;
@@ -17,8 +17,8 @@ pub struct Record<'a> {
     pub room: &'a str,
     /// Name of the robot: its id, with what makes it an own one or a twin.
     pub robot: &'a str,
-    /// Side of the planning cells, m.
-    pub cell_size: f64,
+    /// Side of the planning cells, m, and where they begin.
+    pub cells: PlanningCells,
     /// The planner with its parameters.
     pub entrant: &'a Entrant,
     /// Seed of its random numbers.
@@ -32,6 +32,9 @@ struct JsonRecord<'a> {
     room: &'a str,
     robot: &'a str,
     cell_size_m: f64,
+    /// Left out for cells that begin in the corner.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cell_offset_m: Option<[f64; 2]>,
     planner: &'static str,
     params: &'a Params,
     seed: u64,
@@ -54,7 +57,8 @@ pub fn to_json(records: &[Record<'_>]) -> String {
         .map(|r| JsonRecord {
             room: r.room,
             robot: r.robot,
-            cell_size_m: r.cell_size,
+            cell_size_m: r.cells.size,
+            cell_offset_m: (r.cells.offset != [0.0; 2]).then_some(r.cells.offset),
             planner: r.entrant.id(),
             params: &r.entrant.params,
             seed: r.seed,
@@ -84,7 +88,7 @@ pub fn to_csv(records: &[Record<'_>]) -> String {
     for r in records {
         let error = r.result.as_ref().err().map_or("", String::as_str);
         let (room, robot, error) = (quoted(r.room), quoted(r.robot), quoted(error));
-        let _ = write!(csv, "{room},{robot},{},{},{},{error},", r.cell_size, r.entrant, r.seed);
+        let _ = write!(csv, "{room},{robot},{},{},{},{error},", r.cells.size, r.entrant, r.seed);
         let numbers = r.result.as_ref().ok();
         csv += &numbers.and_then(|n| Some(n.walk?.reachable_cells.to_string())).unwrap_or_default();
         match numbers.and_then(|n| n.bounds) {
