@@ -132,7 +132,9 @@ impl MissedCoverage {
     pub fn to_text(&self) -> String {
         let Self { asked, most, cell_size_m } = self;
         let (asked, most) = (100.0 * asked, 100.0 * most);
-        format!("Missed    none of the planning cells tried reach {asked:.2} %: those of {cell_size_m} m sweep most, {most:.2} %\n")
+        format!(
+            "Missed    none of the planning cells tried reach {asked:.2} %: those of {cell_size_m} m sweep most, {most:.2} %\n"
+        )
     }
 }
 

@@ -53,7 +53,9 @@ impl Session {
                 self.smooth_now(request.id, &request.smooth_setup());
             }
             Err(PlanError::Cancelled) => self.cancel_plan(),
-            Err(error @ (PlanError::Unlisted | PlanError::NoFloor | PlanError::OtherTool | PlanError::Unsuited { .. })) => {
+            Err(
+                error @ (PlanError::Unlisted | PlanError::NoFloor | PlanError::OtherTool | PlanError::Unsuited { .. }),
+            ) => {
                 self.plan_failed(request.id, &error.to_string());
             }
         }
