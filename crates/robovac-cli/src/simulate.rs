@@ -190,12 +190,15 @@ impl Arguments {
     }
 }
 
+/// A plan, and what rounding its corners may do.
+type RoundablePlan = (Planned, SmoothSetup);
+
 impl SimulatedTask {
-    /// The room laid out; the plan, if it is one, with what rounding its corners may do; and the coverage that it misses.
+    /// The room laid out, the plan if it is one, and the coverage that it misses.
     fn prepare(
         &mut self,
         coverage: &CoverageArguments,
-    ) -> Result<(RoomSetup, Option<(Planned, SmoothSetup)>, Option<MissedCoverage>), Failure> {
+    ) -> Result<(RoomSetup, Option<RoundablePlan>, Option<MissedCoverage>), Failure> {
         let Placement { plan, robot, cells, .. } = &self.placement;
         if let Some(path) = &self.path {
             let heading = plan.start.map_or(0.0, |start| start.heading);
