@@ -17,7 +17,7 @@ const SHARES = [0.8, 0.85, 0.9, 0.93, 0.95, 0.97, 0.98, 0.985, 0.99, 0.993, 0.99
 const SHORT = 0.0005;
 /** Of the picture, px: its size and the room for the words at its sides. */
 const [WIDTH, HEIGHT] = [300, 132];
-const [LEFT, RIGHT, TOP, BOTTOM] = [34, 10, 8, 20];
+const [LEFT, RIGHT, TOP, BOTTOM] = [34, 18, 8, 20];
 
 /** @param {App} app @returns {Promise<(view: View) => void>} */
 export async function startTradeOff(app) {
