@@ -107,7 +107,7 @@ export async function startTradeOff(app) {
     const swept = view.plan?.least?.coverage;
     setHidden(missing, asked === null || swept === undefined || swept > asked - SHORT);
     if (asked === null) return leave();
-    if (swept !== undefined) setText(missing, `No path was found that sweeps ${percent(asked)} %: this one sweeps ${percent(swept)} %.`);
+    if (swept !== undefined) setText(missing, `No path was found that sweeps ${percent(asked)} %: this one sweeps ${percent(swept)} %.${Number(view.params.overlap ?? 0) > 0 ? " Less overlap reaches more." : ""}`);
     fold.dataset.param = param ?? "";
     // Where less was found, that is what other coverages are compared with.
     planned = swept === undefined || swept > asked - SHORT ? asked : swept;
