@@ -76,7 +76,7 @@ async function measure(show) {
   await inWorker(new URL("./bench-worker.js", import.meta.url), workshop, take);
   // By itself: it takes all cores.
   take(await measureRuns(workshop));
-  await measurePrograms(ONCE ? 1 : 5, take);
+  await measurePrograms(ONCE ? 3 : 30, ONCE ? 1 : 5, take);
   take(await measureRuns(workshop, " of a program in Python", await logged("python")));
   take(await measureRuns(workshop, " of a program in JavaScript", await logged("javascript")));
   return results;

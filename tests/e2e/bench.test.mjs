@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { openPage } from "./harness.mjs";
 
 test("benchmark fills its table and hands its results over", async (t) => {
-  const { page } = await openPage(t, { address: "www/bench.html?once&runs=4", mount: "/some/sub/path/" });
+  const { page } = await openPage(t, { address: "www/bench.html?once&runs=2", mount: "/some/sub/path/" });
   await page.waitForFunction(() => "benchResult" in window);
   const results = await page.evaluate(() => window.benchResult);
   assert.ok(results.length >= 3, JSON.stringify(results));

@@ -12,7 +12,7 @@ test("every algorithm and every room can be chosen, and the robot sets off", asy
   // Lanes have no cells to visit: lanes.test.mjs.
   const planners = all.filter((id) => id !== "lanes");
   assert.ok(rooms.length >= 10 && planners.length >= 2 && behaviours.length >= 1);
-  await app.choose("speed", "256");
+  await app.choose("speed", "16");
   const setsOff = async (menu, value, what) => {
     assert.ok(["playing", "finished"].includes(await app.choose(menu, value)), what);
     assert.equal(await app.message(), "", what);

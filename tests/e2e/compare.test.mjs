@@ -211,8 +211,8 @@ test("algorithms are chosen by keyboard, and all robots have one clock", async (
   for (const text of words) assert.match(text, /^[A-Z].*: \d+\.\d % of the reachable floor is clean after [\d:]+ and [\d.,]+ m, done; place \d\.$/);
 });
 
-test("all algorithms have all numbers in the flat; they can be sorted, explained and shown", async (t) => {
-  const { page, app } = await openCompare(t, { room: "room=flat", view: "numbers" });
+test("all algorithms have all numbers; they can be sorted, explained and shown", async (t) => {
+  const { page, app } = await openCompare(t, { room: "room=bedroom", view: "numbers" });
   await page.locator("#choose-all").click();
   // Without steps and turns, and a search of minutes.
   await page.locator("#entrants li[data-id=lanes] > input").uncheck();
@@ -282,7 +282,7 @@ test("all algorithms have all numbers in the flat; they can be sorted, explained
   assert.equal(await app.text("#about-title"), "Growing spirals");
   const [path] = await pictures(page, "#about-path");
   assert.ok(path.colours > 5, `${path.colours} colours`);
-  assert.match(await page.locator("#about-path").getAttribute("aria-label"), /^Path of Growing spirals in Furnished flat$/);
+  assert.match(await page.locator("#about-path").getAttribute("aria-label"), /^Path of Growing spirals in Bedroom$/);
   await page.locator("#about .claims li").first().hover();
   assert.match(await app.text("#about #tip"), /every reachable cell/, "before the dialog, not behind it");
   await page.getByRole("button", { name: "Open in Explore" }).click();

@@ -21,7 +21,9 @@ async function working(t, options = {}) {
 }
 
 test("the gap is told while it works, and the best plan so far is driven when somebody is content", async (t) => {
-  const { page, app } = await working(t);
+  const opened = await working(t, SIZES.laptop);
+  const { page, app } = opened;
+  await fits(opened, "laptop");
   assert.match(await app.text("#planning-gap"), /^Optimality gap [\d.]+ %$/);
   const first = share(await app.text("#planning-gap"));
   await app.poll(() => app.text("#planning-gap"), (text) => share(text) < first);
@@ -45,6 +47,22 @@ test("other planners are measured by a bound once they are done, and can't be st
   await app.poll(() => app.metric("Above the minimum"), ({ plan }) => share(plan) > 0);
   assert.ok(await page.locator("#planning-keep").isHidden());
 });
+
+/** Gap and buttons are within the floor. */
+async function fits({ page, screenshot }, name) {
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    await screenshot(`near-optimal-${name}-${colorScheme}`);
+    const stage = await page.locator("#stage").boundingBox();
+    for (const id of ["planning-gap", "planning-keep", "planning-cancel"]) {
+      const box = await page.locator(`#${id}`).boundingBox();
+      assert.ok(box && box.x >= stage.x && box.x + box.width <= stage.x + stage.width && box.height > 10, `${id} ${JSON.stringify(box)}`);
+    }
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0);
+  }
+}
+
+test("on a phone, light and dark, gap and buttons are within the floor", async (t) => fits(await working(t, SIZES.phone), "phone"));
 
 /** Asks for the film of the search, with the keyboard. */
 async function film(page) {
@@ -119,19 +137,3 @@ test("a plan that was kept early says so and has a film; a room that is too larg
   assert.match(await refusal.textContent(), /^The search is filmed only in rooms of up to 2,000 planning cells; this one has [\d,]+\.$/);
   assert.ok((await refusal.isVisible()) && !(await box.isChecked()) && (await box.isDisabled()));
 });
-
-for (const [name, size] of Object.entries(SIZES)) {
-  test(`on a ${name}, light and dark, gap and buttons are within the floor`, async (t) => {
-    const { page, screenshot } = await working(t, size);
-    for (const colorScheme of ["light", "dark"]) {
-      await page.emulateMedia({ colorScheme });
-      await screenshot(`near-optimal-${name}-${colorScheme}`);
-      const stage = await page.locator("#stage").boundingBox();
-      for (const id of ["planning-gap", "planning-keep", "planning-cancel"]) {
-        const box = await page.locator(`#${id}`).boundingBox();
-        assert.ok(box && box.x >= stage.x && box.x + box.width <= stage.x + stage.width && box.height > 10, `${id} ${JSON.stringify(box)}`);
-      }
-      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0);
-    }
-  });
-}

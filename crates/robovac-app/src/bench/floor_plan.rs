@@ -30,7 +30,7 @@ pub fn floor_plan(bench: &mut Bench<'_>) {
     bench.take("sweep the hall of 001", &mut || drop(sweep(&hall, &setup, go_on)), None);
     let name = format!("obstacle map of 1000 x 1000 x {HEADINGS}");
     bench.take(&name, &mut || drop(ConfigurationSpace::new(&hall, &outline, FINE_CELL, HEADINGS)), None);
-    let entities = bench.size(ENTITIES, ENTITIES / 10);
+    let entities = bench.size(ENTITIES, ENTITIES / 50);
     let files = [SourceFile { name: "office.dxf".to_owned(), bytes: office_drawing(entities) }];
     let mut board = None;
     bench.take(

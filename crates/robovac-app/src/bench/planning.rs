@@ -25,7 +25,7 @@ const HALL_CELL: f64 = 0.1;
 
 /// Every planner of walks on 100 x 100 cells and the fast ones on 1000 x 1000; the opening scene, and one of many runs.
 pub fn planning(bench: &mut Bench<'_>) {
-    for side in [bench.size(100, 30), bench.size(1000, 300)] {
+    for side in [bench.size(100, 12), bench.size(1000, 100)] {
         let Some(job) = hall(side) else { continue };
         for info in PLANNERS.iter().filter(|info| info.claims.fast || job.cells() <= SLOW_CELLS && !info.is_in_metres())
         {
@@ -34,7 +34,7 @@ pub fn planning(bench: &mut Bench<'_>) {
             bench.take(&name, &mut || drop(planner.plan(&job, &mut PlanContext::new(1))), None);
         }
     }
-    let side = bench.size(HALL_SIDE, 100);
+    let side = bench.size(HALL_SIDE, 50);
     if let Some(flat) = room("flat").map(|room| (room.build)()) {
         bench.take("lanes, first path in the flat", &mut || drop(first_path(&flat)), None);
     }

@@ -67,7 +67,7 @@ fn bench_names_its_cases_and_their_times() {
         assert_eq!(numbers.len(), 1 + usize::from(simulates(name)), "{row}");
     }
     for planner in PLANNERS.iter().filter(|planner| !planner.is_in_metres()) {
-        assert!(table.contains(&format!("\nplan {} 30 x 30  ", planner.id)), "{} isn't in {table}", planner.id);
+        assert!(table.contains(&format!("\nplan {} 12 x 12  ", planner.id)), "{} isn't in {table}", planner.id);
     }
     let some: Value = serde_json::from_str(&text(&["bench", "--once", "--json", "--only", "simulate"])).unwrap();
     let some = some.as_array().unwrap();
