@@ -1653,6 +1653,17 @@ digits: number,
 /** A sentence: what it was found from, or why it is the model's. */
 how: string, };
 
+/** Typed bytes, and what they would do. */
+export type TypedBytes = {
+/** Those to be sent; none if they are refused. */
+bytes: Array<number>,
+/** Commands that may move the robot, by name and opcode. */
+moving: Array<string>,
+/** Whether they can't be sent. */
+is_refused: boolean,
+/** What to know about them, for users. */
+told: string, };
+
 /** A unit in the menu. */
 export type UnitView = {
 /** Its name. */

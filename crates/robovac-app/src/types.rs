@@ -11,7 +11,7 @@ use crate::{
 use robovac_core::program::Program;
 use robovac_lessons::{Answer, Lesson, Question, Verdict};
 use robovac_link::{
-    connection::{ConnectionView, LineRequest, Request, Traffic},
+    connection::{ConnectionView, LineRequest, Request, Traffic, TypedBytes},
     emulator::{PersonalityView, VirtualView},
     recording::Timeline,
     twin::{Prediction, TwinFigure},
@@ -74,6 +74,7 @@ pub fn declarations() -> String {
     all.visit::<Timeline>();
     all.visit::<Traffic>();
     all.visit::<TwinFigure>();
+    all.visit::<TypedBytes>();
     all.visit::<Verdict>();
     all.visit::<VirtualView>();
     let texts: Vec<String> = all.texts.into_values().collect();
