@@ -8,7 +8,7 @@ use crate::{
     floor_plan::FloorPlanView,
     map::MapView,
 };
-use robovac_core::program::Program;
+use robovac_core::{program::Program, robot::OwnRobotForm};
 use robovac_lessons::{Answer, Lesson, Question, Verdict};
 use robovac_link::{
     connection::{ConnectionView, LineRequest, Request, Traffic, TypedBytes},
@@ -59,6 +59,7 @@ pub fn declarations() -> String {
     all.visit::<LineRequest>();
     all.visit::<LinkOutline>();
     all.visit::<MapView>();
+    all.visit::<OwnRobotForm>();
     all.visit::<PageView>();
     all.visit::<PersonalityView>();
     all.visit::<Prediction>();
