@@ -4,7 +4,10 @@ use super::{failure::Failure, output, simulate::parse_seconds, source::RoomSourc
 use coverage_planners::lanes::{
     LanesError, LanesObjective, LanesPlan, LanesProgress, LanesSetup, MetricBound, plan_lanes,
 };
-use coverage_planners::smooth::{SmoothPath, SmoothSetup};
+use coverage_planners::{
+    smooth::{SmoothPath, SmoothSetup},
+    sweep::planned_for,
+};
 use robovac_app::export::{PathFormat, SavedPath, path_dxf};
 use robovac_core::{
     coverage::ReachableFloor,
@@ -156,7 +159,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let trajectory = smooth.as_ref().map(|path| &path.trajectory);
     let path = SavedPath { corners: &found.path, heading: room.floor.start.heading, smooth: trajectory };
     for (out, format) in arguments.out.iter().zip(formats) {
-        let content = format.bytes(path, &plan, robot, robot.title, || path_dxf(&plan, path))?;
+        let content = format.bytes(path, &plan, robot, &planned_for(robot), || path_dxf(&plan, path))?;
         fs::write(out, content).map_err(|error| Failure::io(out.display(), &error))?;
     }
     let trajectory = smooth.as_ref().map(|path| Arc::new(path.trajectory.clone()));
