@@ -842,6 +842,37 @@ export type Number = "coverage" | "time" | "time_to90" | "time_to99" | "distance
 /** Models that convert the rolling of wheels to a change of pose: the source of the measurement, and the assumed line. */
 export type OdometryModel = "arc" | "straight" | "packet_arc" | "packet_straight";
 
+/** Figures of an own robot as they are typed, m, m/s and degrees a second; empty ones are the model's. */
+export type OwnRobotForm = {
+/** Kind of body. */
+shape: OwnShape,
+/** Diameter or width. */
+first: string,
+/** Length of a rectangle. */
+second: string,
+/** Corners of a polygon: `x y; x y; …`. */
+corners: string,
+/** Whether it cleans all floor under its body. */
+cleans_all: boolean,
+/** Width of the tool. */
+tool: string,
+/** Middle of the tool: ahead, to the left. */
+at: [string, string],
+/** Speed of driving. */
+speed: string,
+/** Speed of turning. */
+turn: string,
+/** How it moves, if not as its model. */
+wheels: WheelLayout | null,
+/** Sensors of its model that it lacks. */
+without: Array<OwnSensor>, };
+
+/** A kind of sensor that a robot can have or lack. */
+export type OwnSensor = "bumper" | "cliffs" | "light" | "infrared" | "wheel_drops" | "laser";
+
+/** Kinds of bodies in the form. */
+export type OwnShape = "model" | "circle" | "rectangle" | "octagon" | "polygon";
+
 /** Snapshot of a session and of the pointer's tool. */
 export type PageView = {
 /** The pointer's tool. */
@@ -1653,6 +1684,17 @@ digits: number,
 /** A sentence: what it was found from, or why it is the model's. */
 how: string, };
 
+/** Typed bytes, and what they would do. */
+export type TypedBytes = {
+/** Those to be sent; none if they are refused. */
+bytes: Array<number>,
+/** Commands that may move the robot, by name and opcode. */
+moving: Array<string>,
+/** Whether they can't be sent. */
+is_refused: boolean,
+/** What to know about them, for users. */
+told: string, };
+
 /** A unit in the menu. */
 export type UnitView = {
 /** Its name. */
@@ -1681,3 +1723,6 @@ clean_light: [number, number], digits: string, weekdays: number, schedule: numbe
 dirt_left: number | null,
 /** Tunes started since the last view: notes of MIDI number and 1/64 s. */
 tunes: Array<Array<[number, number]>>, };
+
+/** How a robot moves. */
+export type WheelLayout = "differential" | "omnidirectional";

@@ -34,7 +34,7 @@ fuzz_target!(|input: (u8, u8, &[u8])| {
     robot.receive(&[128, 173], 115_200);
     robot.advance(1.0);
     // Ending the interface doesn't end what it does by itself.
-    if robot.mode() == Mode::Off && !robot.is_on_errand() {
+    if robot.mode() == Mode::Off && !robot.runs_builtin_program() {
         let pose = robot.pose();
         robot.advance(0.5);
         assert_eq!(robot.pose(), pose);

@@ -8,10 +8,10 @@ mod pointer;
 mod program;
 mod saved;
 
-use self::{hand::Carried, pointer::FloorGesture};
+use self::pointer::FloorGesture;
 use js_sys::{Float64Array, JSON};
 use robovac_app::{
-    RobotView, Scene, Viewport,
+    CarriedRobot, RobotView, Scene, Viewport,
     explore::{Catalogue, FloorTool, ObjectTool, PageView, RobotEntry, Session},
     export::RunBag,
 };
@@ -38,7 +38,7 @@ pub struct Playground {
     tool: FloorTool,
     gesture: Option<FloorGesture>,
     /// The robot, if it is lifted.
-    carried: Option<Carried>,
+    carried: Option<CarriedRobot>,
     /// Cell of the keyboard cursor.
     cursor: Option<Cell>,
     frame_clock: FrameClock,

@@ -12,6 +12,12 @@ use robovac_sim::{
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
+/// Bytes that the user types, and what they would do.
+#[wasm_bindgen(unchecked_return_type = "rust.TypedBytes")]
+pub fn typed_bytes(text: &str) -> Result<JsValue, JsValue> {
+    to_js(&connection::TypedBytes::read(text))
+}
+
 /// A connection to a robot. Times are in seconds of one clock, the worker's.
 #[wasm_bindgen]
 pub struct Connection {

@@ -40,10 +40,10 @@ impl SessionMirror {
         to_js(&entries.collect::<Vec<_>>())
     }
 
-    /// Why a connected robot can't ride the path of `snapshot`, as a sentence for users; empty if it can.
+    /// Why a connected robot can't ride the path of `snapshot`, as a sentence for users; `undefined` if it can.
     pub fn path_refusal(
         #[wasm_bindgen(unchecked_param_type = "rust.SessionSnapshot")] snapshot: JsValue,
-    ) -> Result<String, JsValue> {
+    ) -> Result<Option<String>, JsValue> {
         Ok(read(snapshot, None)?.path_refusal())
     }
 
@@ -130,9 +130,9 @@ impl SessionMirror {
         place.map_or("at", StartPlace::id).to_owned()
     }
 
-    /// Why this robot can't be placed in the room, as a sentence for users; empty if it can.
-    pub fn complaint(&self) -> String {
-        if self.session.prepared().is_some() { String::new() } else { self.session.view().message }
+    /// Why this robot can't be placed in the room, as a sentence for users; `undefined` if it can.
+    pub fn complaint(&self) -> Option<String> {
+        self.session.prepared().is_none().then(|| self.session.view().message)
     }
 }
 

@@ -1,10 +1,10 @@
 // @ts-check
 // The line's traffic, decoded and as bytes; and sending raw bytes.
+import { typed_bytes } from "../../workshop.js";
 import { button, byId, fill, input, make, select, setAttribute, setEnabled, setText } from "../dom.js";
 import { count } from "../format.js";
 import { download } from "../files.js";
 import { ask } from "./dialogs.js";
-import { danger, parse } from "./raw.js";
 
 /** @typedef {import("./types").Traffic} Traffic */
 
@@ -128,23 +128,20 @@ export function startConsole(it) {
 function startRaw(it) {
   const [field, send, told] = [input("console-bytes"), button("console-send"), byId("console-parsed")];
   const read = () => {
-    const { bytes, fault } = parse(field.value);
-    const { names, refused } = danger(bytes);
-    const hex = bytes.map((byte) => byte.toString(16).padStart(2, "0")).join(" ");
-    const isWrong = fault !== "" || refused !== "";
-    setAttribute(field, "aria-invalid", String(isWrong));
-    told.classList.toggle("fault", isWrong);
-    setText(told, fault || (bytes.length === 0 ? "Bytes go to the robot unchanged and may move it." : `${bytes.length} ${bytes.length === 1 ? "byte" : "bytes"}: ${hex}.${names.length > 0 ? ` May move it: ${names.join(", ")}.` : ""}${refused && ` ${refused}`}`));
-    return { bytes: isWrong ? [] : bytes, names };
+    const typed = typed_bytes(field.value);
+    setAttribute(field, "aria-invalid", String(typed.is_refused));
+    told.classList.toggle("fault", typed.is_refused);
+    setText(told, typed.told);
+    return typed;
   };
   field.addEventListener("input", read);
   byId("console-form").addEventListener("submit", async (event) => {
     event.preventDefault();
-    const { bytes, names } = read();
+    const { bytes, moving } = read();
     if (bytes.length === 0) return;
-    const agreed = names.length === 0 || (await ask({
+    const agreed = moving.length === 0 || (await ask({
       title: "This may move the robot",
-      points: [`It contains ${names.join(", ")}.`, "Obstacles are not checked: it continues until you press Stop, or leave or hide this page.", "Make sure that there is room around the robot."],
+      points: [`It contains ${moving.join(", ")}.`, "Obstacles are not checked: it continues until you press Stop, or leave or hide this page.", "Make sure that there is room around the robot."],
       yes: "Send it",
       isWarning: true,
     }));

@@ -17,8 +17,10 @@ export function startRoom({ playground, catalogue }) {
   let taken = playground.snapshot();
   /** The algorithm chosen in Explore. @type {string | null | undefined} */
   let chosenThere;
-  let algorithm = "";
-  let refusal = "";
+  /** The one that is to drive. @type {string | undefined} */
+  let algorithm;
+  /** @type {string | undefined} */
+  let refusal;
   // Explore's catalogue lacks those that keep a map.
   const all = [...SessionMirror.behaviours(), ...catalogue.planners];
   /** The path that Explore drives, in place of an algorithm. */
@@ -53,8 +55,8 @@ export function startRoom({ playground, catalogue }) {
     get own() {
       return own;
     },
-    /** Why a Roomba can't ride the chosen path; empty if it can. */
-    refusal: () => (algorithm === PATH ? refusal : ""),
+    /** Why a Roomba can't ride the chosen path; `undefined` if it can. */
+    refusal: () => (algorithm === PATH ? refusal : undefined),
     /** Takes over what Explore shows now; says whether the room is another one. */
     take() {
       const before = version();
@@ -63,7 +65,7 @@ export function startRoom({ playground, catalogue }) {
       const there = taken.choices.path ? PATH : (taken.choices.behaviour ?? taken.choices.planner);
       // Manual driving needs no algorithm here.
       if (there === PATH) algorithm = there === chosenThere ? algorithm : PATH;
-      else if (there !== chosenThere || !algorithm) algorithm = find(there)?.id ?? (algorithm && algorithm !== PATH ? algorithm : (all[0]?.id ?? ""));
+      else if (there !== chosenThere || !algorithm) algorithm = find(there)?.id ?? (algorithm && algorithm !== PATH ? algorithm : all[0]?.id);
       chosenThere = there;
       refusal = SessionMirror.path_refusal(taken);
       follow();

@@ -1,14 +1,13 @@
 // @ts-check
 // The dialog in which one builds a robot: shape, tool, speeds and sensors, on the figures of a model.
+import { own_robot_corners, own_robot_form, own_robot_text } from "../../page.js";
 import { fill, make, setHidden, setText } from "../dom.js";
 import { draw } from "../portrait.js";
 import { style } from "../parts.js";
-import { SHAPES, cornersOf, readOwn, writeOwn } from "./own-robot-text.js";
+import { SHAPES } from "./own-robot-shapes.js";
 
-/**
- * @typedef {import("../main.js").App} App
- * @typedef {import("./own-robot-text.js").OwnForm} OwnForm
- */
+/** @typedef {import("../main.js").App} App */
+/** @typedef {import("../types").OwnRobotForm} Form */
 
 const SVG_SIZE = 64;
 /** Where the last own robot is kept, for when another one was chosen in between. */
@@ -67,18 +66,18 @@ function build(app) {
   document.body.append(dialog);
 
   const chosen = () => models.find(({ id }) => id === model.value);
-  /** @returns {OwnForm} */
-  const values = () => ({
+  const layout = () => (chosen()?.lateral ? "omnidirectional" : "differential");
+  const values = () => /** @type {Form} */ ({
     shape: shape.value,
     first: first.value,
     second: second.value,
     corners: corners.value,
-    cleansAll: cleans.value === "body",
+    cleans_all: cleans.value === "body",
     tool: tool.value,
     at: [ahead.value, aside.value],
     speed: speed.value,
     turn: turn.value,
-    wheels: wheels.value === (chosen()?.lateral ? "omnidirectional" : "differential") ? "" : wheels.value,
+    wheels: wheels.value === layout() ? null : wheels.value,
     without: [...sensors.querySelectorAll("input")].filter(({ checked }) => !checked).map(({ value }) => value),
   });
   /** @param {string} text */
@@ -89,7 +88,7 @@ function build(app) {
   };
 
   const refresh = () => {
-    const { figures } = SHAPES[shape.value] ?? { figures: [] };
+    const { figures } = SHAPES[values().shape];
     [fields1, fields2].forEach((node, index) => {
       setHidden(node, !figures[index]);
       setText(/** @type {Element} */ (node.firstElementChild), figures[index] ?? "");
@@ -119,11 +118,11 @@ function build(app) {
     // What isn't a number is told when the robot is to be used.
     const size = (/** @type {string} */ text) => (Number.isFinite(Number(text)) ? Number(text) : 0);
     const middle = own.at.map(size);
-    const half = own.cleansAll ? 0 : (size(own.tool) || base.tool_width_m) / 2;
+    const half = own.cleans_all ? 0 : (size(own.tool) || base.tool_width_m) / 2;
     /** @type {number[][] | undefined} */
     let points;
     try {
-      points = cornersOf(own) ?? base.body.map(([x, y]) => [x * unit, y * unit]);
+      points = own_robot_corners(own) ?? base.body.map(([x, y]) => [x * unit, y * unit]);
     } catch {
       // It is told when the robot is to be used.
     }
@@ -137,7 +136,7 @@ function build(app) {
     // As a brush is: wide, and short along the way.
     const side = Math.max(0, half * scale);
     for (const [name, value] of Object.entries({ x: Number(cx) - side, y: Number(cy) - 2.5, width: 2 * side })) strip.setAttribute(name, String(value));
-    outline.classList.toggle("cleans", own.cleansAll);
+    outline.classList.toggle("cleans", own.cleans_all);
   };
   const listSensors = (/** @type {string[]} */ without) => {
     const base = chosen();
@@ -156,7 +155,7 @@ function build(app) {
 
   model.addEventListener("change", () => {
     listSensors(values().without);
-    wheels.value = chosen()?.lateral ? "omnidirectional" : "differential";
+    wheels.value = layout();
   });
   form.addEventListener("input", () => {
     complain("");
@@ -164,7 +163,7 @@ function build(app) {
   });
   form.addEventListener("submit", (event) => {
     try {
-      const text = writeOwn(values());
+      const text = own_robot_text(values());
       app.playground.restore(`robot=${model.value}&own=${text}`);
       localStorage.setItem(KEY, `${model.value} ${text}`);
     } catch (error) {
@@ -178,11 +177,11 @@ function build(app) {
   return (/** @type {App} */ { view }) => {
     const [id = "", text = ""] = view.own_robot ? [view.robot, view.own_robot === "model" ? "" : view.own_robot] : kept(view.robot);
     model.value = models.some((one) => one.id === id) ? id : (models[0]?.id ?? "");
-    const own = readOwn(text);
+    const own = own_robot_form(text);
     [shape.value, first.value, second.value, corners.value] = [own.shape, own.first, own.second, own.corners];
-    [cleans.value, tool.value, speed.value, turn.value] = [own.cleansAll ? "body" : "strip", own.tool, own.speed, own.turn];
+    [cleans.value, tool.value, speed.value, turn.value] = [own.cleans_all ? "body" : "strip", own.tool, own.speed, own.turn];
     [ahead.value, aside.value] = own.at;
-    wheels.value = own.wheels || (chosen()?.lateral ? "omnidirectional" : "differential");
+    wheels.value = own.wheels ?? layout();
     listSensors(own.without);
     complain("");
     refresh();

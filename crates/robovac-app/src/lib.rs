@@ -16,6 +16,7 @@
 
 mod amount;
 pub mod bench;
+mod carried;
 pub mod compare;
 pub mod connection;
 mod entry;
@@ -36,6 +37,7 @@ mod scene;
 pub mod types;
 mod viewport;
 
+pub use carried::{CarriedRobot, CarryStep};
 pub use entry::CatalogueEntry;
 pub use explainer_entry::ExplainerEntry;
 pub use import::{Import, ImportError, ScenarioChoices, ScenarioError};

@@ -8,10 +8,10 @@ use crate::{
     floor_plan::FloorPlanView,
     map::MapView,
 };
-use robovac_core::program::Program;
+use robovac_core::{program::Program, robot::OwnRobotForm};
 use robovac_lessons::{Answer, Lesson, Question, Verdict};
 use robovac_link::{
-    connection::{ConnectionView, LineRequest, Request, Traffic},
+    connection::{ConnectionView, LineRequest, Request, Traffic, TypedBytes},
     emulator::{PersonalityView, VirtualView},
     recording::Timeline,
     twin::{Prediction, TwinFigure},
@@ -59,6 +59,7 @@ pub fn declarations() -> String {
     all.visit::<LineRequest>();
     all.visit::<LinkOutline>();
     all.visit::<MapView>();
+    all.visit::<OwnRobotForm>();
     all.visit::<PageView>();
     all.visit::<PersonalityView>();
     all.visit::<Prediction>();
@@ -74,6 +75,7 @@ pub fn declarations() -> String {
     all.visit::<Timeline>();
     all.visit::<Traffic>();
     all.visit::<TwinFigure>();
+    all.visit::<TypedBytes>();
     all.visit::<Verdict>();
     all.visit::<VirtualView>();
     let texts: Vec<String> = all.texts.into_values().collect();

@@ -1,7 +1,7 @@
 //! Error messages and exit codes.
 
 use floor_drawing::DrawingError;
-use robovac_app::ImportError;
+use robovac_app::{ImportError, export::PathFileError};
 use robovac_core::registry::ParamError;
 use robovac_ros::BagError;
 use robovac_sim::experiment::planning::PlanningError;
@@ -74,6 +74,16 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.message.fmt(f)
+    }
+}
+
+impl From<PathFileError> for Failure {
+    fn from(error: PathFileError) -> Self {
+        match error {
+            PathFileError::Bag(error) => Self::system(error.to_string()),
+            PathFileError::Drawing(error) => error.into(),
+            PathFileError::NoRoomba => Self::system(error.to_string()),
+        }
     }
 }
 

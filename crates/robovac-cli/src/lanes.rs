@@ -1,14 +1,16 @@
 //! `lanes`: a path in metres through a room, with its bounds.
 
-use super::{failure::Failure, output, simulate::parse_seconds, source::RoomSource};
+use super::{failure::Failure, output, simulate::parse_seconds, source::RoomSource, sweep::unknown_ending};
 use coverage_planners::lanes::{
     LanesError, LanesObjective, LanesPlan, LanesProgress, LanesSetup, MetricBound, plan_lanes,
 };
-use coverage_planners::smooth::{SmoothPath, SmoothSetup};
-use robovac_app::export::{PathFormat, SavedPath, path_bag, path_dxf};
+use coverage_planners::{
+    smooth::{SmoothPath, SmoothSetup},
+    sweep::planned_for,
+};
+use robovac_app::export::{PathFormat, SavedPath, path_dxf};
 use robovac_core::{
     coverage::ReachableFloor,
-    floor_plan::FloorPlan,
     robot::{OdometryModel, RobotModel, model},
     trajectory::Trajectory,
 };
@@ -17,7 +19,13 @@ use robovac_sim::{
     experiment::planning::{PathToDrive, PlanningError, RoomSetup},
 };
 use serde::Serialize;
-use std::{fs, ops::ControlFlow, path::PathBuf, sync::Arc, time::Instant};
+use std::{
+    fs,
+    ops::ControlFlow,
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::Instant,
+};
 
 /// Plan lanes in metres: the shortest time, or distance, found for a share of the floor
 #[derive(clap::Args)]
@@ -151,7 +159,7 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let trajectory = smooth.as_ref().map(|path| &path.trajectory);
     let path = SavedPath { corners: &found.path, heading: room.floor.start.heading, smooth: trajectory };
     for (out, format) in arguments.out.iter().zip(formats) {
-        let content = written(format, path, &plan, robot)?;
+        let content = format.bytes(path, &plan, robot, &planned_for(robot), || path_dxf(&plan, path))?;
         fs::write(out, content).map_err(|error| Failure::io(out.display(), &error))?;
     }
     let trajectory = smooth.as_ref().map(|path| Arc::new(path.trajectory.clone()));
@@ -207,23 +215,8 @@ fn drive(room: &RoomSetup, found: &LanesPlan, smooth: Option<Arc<Trajectory>>) -
     DrivenReport { length_m: run.distance_m(), duration_s: run.time_s(), coverage: run.coverage(), bumps: run.bumps() }
 }
 
-fn format_of(out: &std::path::Path) -> Result<PathFormat, Failure> {
-    let name = out.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    let mut all = PathFormat::ALL.into_iter();
-    all.find(|format| name.ends_with(&format!(".{}", format.file_type().0))).ok_or_else(|| {
-        let endings = ".csv, .yaml, .mcap, .oi.txt, .txt or .dxf";
-        Failure::usage(format!("--out {}: unknown file extension; use {endings}", out.display()))
-    })
-}
-
-fn written(format: PathFormat, path: SavedPath<'_>, plan: &FloorPlan, robot: &RobotModel) -> Result<Vec<u8>, Failure> {
-    match format.text(path, plan.origin, robot, robot.title) {
-        Some(text) => Ok(text.into_bytes()),
-        None if format == PathFormat::Bag => {
-            path_bag(plan, robot, path).map_err(|error| Failure::system(error.to_string()))
-        }
-        None => Ok(path_dxf(plan, path)?),
-    }
+fn format_of(out: &Path) -> Result<PathFormat, Failure> {
+    PathFormat::of_file(out).ok_or_else(|| unknown_ending(out, ".csv, .yaml, .mcap, .oi.txt, .txt or .dxf"))
 }
 
 fn summary(report: &LanesReport<'_>, robot: &RobotModel) -> String {

@@ -7,7 +7,7 @@ use coverage_planners::{
 };
 use floor_drawing::{Traced, is_drawing, is_dxf};
 use robovac_app::{
-    export::{PathFormat, SavedPath, path_bag},
+    export::{PathFormat, SavedPath},
     floor_plan::sweep_dxf,
 };
 use robovac_core::{
@@ -16,7 +16,12 @@ use robovac_core::{
     robot::{RobotModel, WheelLayout, model},
 };
 use serde::Serialize;
-use std::{fs, ops::ControlFlow, path::PathBuf, time::Instant};
+use std::{
+    fs,
+    ops::ControlFlow,
+    path::{Path, PathBuf},
+    time::Instant,
+};
 
 /// Plan a sweep along scan lines for a robot of any outline
 #[derive(clap::Args)]
@@ -164,14 +169,17 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     Ok(output::json(&report))
 }
 
-fn format_of(out: &std::path::Path) -> Result<SweepFormat, Failure> {
-    let name = out.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    let paths = PathFormat::ALL.map(|format| (format.file_type().0, Some(format)));
-    let mut all = paths.into_iter().chain([("json", None)]);
-    all.find(|(ending, _)| name.ends_with(&format!(".{ending}"))).map(|(_, format)| format).ok_or_else(|| {
-        let endings = ".csv, .yaml, .mcap, .oi.txt, .txt, .json or .dxf";
-        Failure::usage(format!("--out {}: unknown file extension; use {endings}", out.display()))
-    })
+fn format_of(out: &Path) -> Result<SweepFormat, Failure> {
+    if out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) {
+        return Ok(None);
+    }
+    let format = PathFormat::of_file(out);
+    format.map(Some).ok_or_else(|| unknown_ending(out, ".csv, .yaml, .mcap, .oi.txt, .txt, .json or .dxf"))
+}
+
+/// The failure of an output file whose ending isn't one of `endings`.
+pub fn unknown_ending(out: &Path, endings: &str) -> Failure {
+    Failure::usage(format!("--out {}: unknown file extension; use {endings}", out.display()))
 }
 
 fn written(
@@ -183,13 +191,7 @@ fn written(
 ) -> Result<Vec<u8>, Failure> {
     let Some(format) = format else { return Ok(output::json(&stages(found, report)).into_bytes()) };
     let path = SavedPath::with_stops(&found.path, heading);
-    if format == PathFormat::Bag {
-        return path_bag(&room.plan, robot, path).map_err(|error| Failure::system(error.to_string()));
-    }
-    match format.text(path, room.plan.origin, robot, planned) {
-        Some(text) => Ok(text.into_bytes()),
-        None => Ok(sweep_dxf(found, room, original)?),
-    }
+    Ok(format.bytes(path, &room.plan, robot, planned, || sweep_dxf(found, room, original))?)
 }
 
 fn stages<'a>(found: &Sweep, report: &'a SweepReport<'a>) -> Stages<'a> {

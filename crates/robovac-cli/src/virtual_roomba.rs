@@ -93,7 +93,7 @@ struct ProgramState {
     mode: String,
     awake: bool,
     /// Whether it cleans or looks for its dock by itself.
-    on_errand: bool,
+    runs_builtin_program: bool,
     lifted: bool,
     fallen: bool,
     bumped: bool,
@@ -258,7 +258,7 @@ impl Host {
             pose: robot.pose().into(),
             mode: robot.mode().to_string(),
             awake: robot.is_awake(),
-            on_errand: robot.runs_builtin_program(),
+            runs_builtin_program: robot.runs_builtin_program(),
             lifted: robot.robot().is_lifted(),
             fallen: robot.robot().has_fallen(),
             bumped: robot.sensors().bumped(),

@@ -2,28 +2,15 @@
 
 use super::Playground;
 use js_sys::{Array, Float32Array};
-use robovac_app::explore::{Action, DiaryEntry, diary};
-use robovac_core::{
-    geometry::{Point, Pose, Vector},
-    math,
+use robovac_app::{
+    CarriedRobot, CarryStep,
+    explore::{Action, DiaryEntry, diary},
 };
+use robovac_core::geometry::{Point, Pose, Vector};
 use robovac_link::dashboard::SensorsView;
 use robovac_playground::wire::to_js;
 use robovac_sim::controller::Joystick;
 use wasm_bindgen::prelude::*;
-
-/// Steps of a key press when carrying the robot, m, and when turning it, rad.
-const STRIDE: f64 = 0.1;
-const TURN: f64 = math::PI / 12.0;
-
-/// A lifted robot.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Carried {
-    /// Its pose.
-    pub pose: Pose,
-    /// Its pose before.
-    from: Pose,
-}
 
 #[wasm_bindgen]
 impl Playground {
@@ -43,20 +30,13 @@ impl Playground {
     /// Carries the lifted robot by a key: `left`, `right`, `up`, `down`, `turn_left`, `turn_right`; `apply` puts it
     /// down, `back` puts it where it stood.
     pub fn carry(&mut self, action: &str) {
-        let Some(Carried { pose, from }) = self.carried else { return };
-        let (dx, dy, turn) = match action {
-            "left" => (-STRIDE, 0.0, 0.0),
-            "right" => (STRIDE, 0.0, 0.0),
-            "up" => (0.0, STRIDE, 0.0),
-            "down" => (0.0, -STRIDE, 0.0),
-            "turn_left" => (0.0, 0.0, TURN),
-            "turn_right" => (0.0, 0.0, -TURN),
-            "apply" => return self.pick_up(),
-            "back" => return self.put_back(),
-            _ => return,
-        };
-        let to = Pose::new(pose.x + dx, pose.y + dy, pose.heading + turn);
-        self.carried = Some(Carried { pose: self.above_floor(to), from });
+        let Some(carried) = self.carried else { return };
+        match carried.by_key(action, self.session.plan()) {
+            Some(CarryStep::On(carried)) => self.carried = Some(carried),
+            Some(CarryStep::PutDown) => self.pick_up(),
+            Some(CarryStep::PutBack) => self.put_back(),
+            None => {}
+        }
     }
 
     /// The latest sensor reading, a `SensorsView`; `null` without a robot.
@@ -91,14 +71,14 @@ impl Playground {
         let pose = self.session.recording().map(|recording| recording.run().pose());
         let Some(pose) = pose.filter(|_| self.may_lift()) else { return };
         self.session.lift();
-        self.carried = Some(Carried { pose, from: pose });
+        self.carried = Some(CarriedRobot::lifted(pose));
     }
 
     /// Carries the robot such that the pointer, `grip` from its centre, is at `at`.
     pub(super) fn carry_to(&mut self, at: Point, grip: Vector) {
-        let Some(Carried { pose, from }) = self.carried else { return };
+        let Some(carried) = self.carried else { return };
         let to = at + grip;
-        self.carried = Some(Carried { pose: self.above_floor(Pose::new(to.x, to.y, pose.heading)), from });
+        self.carried = Some(carried.held_at(Pose::new(to.x, to.y, carried.pose.heading), self.session.plan()));
     }
 
     /// Puts the robot down at `at`, unless it is held there; returns whether it did.
@@ -116,11 +96,5 @@ impl Playground {
         if let Some(carried) = self.carried.take() {
             self.session.put_down(carried.from);
         }
-    }
-
-    /// The pose within the room.
-    fn above_floor(&self, pose: Pose) -> Pose {
-        let plan = self.session.plan();
-        Pose::new(pose.x.clamp(0.0, plan.width_m()), pose.y.clamp(0.0, plan.height_m()), pose.heading)
     }
 }

@@ -1,16 +1,13 @@
 //! Kidnapping by pointer: lifts the robot and puts it down elsewhere.
 
 use super::MapSession;
-use robovac_app::map::{self, MapAction, MapPhase};
-use robovac_core::{
-    geometry::{Point, Pose, Vector},
-    math,
+use robovac_app::{
+    CarriedRobot, CarryStep,
+    map::{self, MapAction, MapPhase},
 };
+use robovac_core::geometry::{Point, Pose, Vector};
 use wasm_bindgen::prelude::*;
 
-/// Steps of a key press when carrying the robot, m, and when turning it, rad.
-const STRIDE: f64 = 0.1;
-const TURN: f64 = math::PI / 12.0;
 /// Least distance from the robot's centre at which the pointer grips it, CSS pixels.
 const LEAST_GRIP_PX: f64 = 16.0;
 /// Distance of the pointer at which a robot is lifted, CSS pixels; a click does nothing.
@@ -19,8 +16,8 @@ const LEAST_LIFT_PX: f64 = 4.0;
 /// The lifted robot, and the pointer's gesture.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct RobotHand {
-    /// Present pose and former pose of the lifted robot.
-    carried: Option<(Pose, Pose)>,
+    /// The lifted robot.
+    carried: Option<CarriedRobot>,
     gesture: Option<MapGesture>,
 }
 
@@ -51,7 +48,7 @@ enum MapGesture {
 impl RobotHand {
     /// The pose of the lifted robot.
     pub fn pose(&self) -> Option<Pose> {
-        self.carried.map(|(pose, _)| pose)
+        self.carried.map(|carried| carried.pose)
     }
 
     /// Whether it holds the robot.
@@ -63,7 +60,7 @@ impl RobotHand {
     pub fn keep(&mut self, session: &map::MapSession) {
         let is_held = session.phase() == MapPhase::Held;
         let pose = session.run().map(robovac_sim::Run::pose).filter(|_| is_held);
-        self.carried = pose.map(|pose| self.carried.unwrap_or((pose, pose)));
+        self.carried = pose.map(|pose| self.carried.unwrap_or(CarriedRobot::lifted(pose)));
     }
 }
 
@@ -121,20 +118,13 @@ impl MapSession {
     /// Carries the lifted robot by a key: `left`, `right`, `up`, `down`, `turn_left`, `turn_right`; `apply` puts it
     /// down, `back` puts it where it stood.
     pub fn carry(&mut self, action: &str) {
-        let Some((pose, from)) = self.hand.carried else { return };
-        let (dx, dy, turn) = match action {
-            "left" => (-STRIDE, 0.0, 0.0),
-            "right" => (STRIDE, 0.0, 0.0),
-            "up" => (0.0, STRIDE, 0.0),
-            "down" => (0.0, -STRIDE, 0.0),
-            "turn_left" => (0.0, 0.0, TURN),
-            "turn_right" => (0.0, 0.0, -TURN),
-            "apply" => return self.put_down(),
-            "back" => return self.put_back(),
-            _ => return,
-        };
-        self.hand.carried = Some((Pose::new(pose.x, pose.y, pose.heading + turn), from));
-        self.carry_to(Point::new(pose.x + dx, pose.y + dy));
+        let (Some(carried), Some(plan)) = (self.hand.carried, self.state.plan()) else { return };
+        match carried.by_key(action, plan) {
+            Some(CarryStep::On(carried)) => self.hand.carried = Some(carried),
+            Some(CarryStep::PutDown) => self.put_down(),
+            Some(CarryStep::PutBack) => self.put_back(),
+            None => {}
+        }
     }
 }
 
@@ -159,21 +149,20 @@ impl MapSession {
     }
 
     fn put_down(&mut self) {
-        if let Some((pose, _)) = self.hand.carried.take() {
-            self.state.put_down(pose);
+        if let Some(carried) = self.hand.carried.take() {
+            self.state.put_down(carried.pose);
         }
     }
 
     fn put_back(&mut self) {
-        if let Some((_, from)) = self.hand.carried.take() {
-            self.state.put_down(from);
+        if let Some(carried) = self.hand.carried.take() {
+            self.state.put_down(carried.from);
         }
     }
 
     /// Carries the lifted robot to a place within the room.
     fn carry_to(&mut self, to: Point) {
-        let (Some((pose, from)), Some(plan)) = (self.hand.carried, self.state.plan()) else { return };
-        let (x, y) = (to.x.clamp(0.0, plan.width_m()), to.y.clamp(0.0, plan.height_m()));
-        self.hand.carried = Some((Pose::new(x, y, pose.heading), from));
+        let (Some(carried), Some(plan)) = (self.hand.carried, self.state.plan()) else { return };
+        self.hand.carried = Some(carried.held_at(Pose::new(to.x, to.y, carried.pose.heading), plan));
     }
 }

@@ -123,23 +123,21 @@ impl SessionSnapshot {
         Ok(self)
     }
 
-    /// Why a connected robot can't ride the path of this snapshot, as a sentence for users; empty if it can, or if there is
+    /// Why a connected robot can't ride the path of this snapshot, as a sentence for users; `None` if it can, or if there is
     /// none: its body must fit into the one that the path was planned for.
-    pub fn path_refusal(&self) -> String {
+    pub fn path_refusal(&self) -> Option<String> {
         let planned = self.choices.settings(&Settings::default()).map(|settings| settings.robot_model());
-        let (Ok(planned), Some(connected), Some(_)) = (planned, model(CONNECTED), &self.choices.path) else {
-            return String::new();
-        };
+        let (planned, connected, _) = (planned.ok()?, model(CONNECTED)?, self.choices.path.as_ref()?);
         let (has, needs) = (planned.body.inner_radius(planned.radius), connected.radius);
         if has >= needs - 1e-9 {
-            return String::new();
+            return None;
         }
-        format!(
+        Some(format!(
             "This path was planned for {}, which a Roomba doesn't fit into: it is {:.3} m wide, and would touch. Plan the \
              path for the Roomba, or for an outline that holds a circle of {needs:.3} m radius.",
             Outline::of(&planned),
             2.0 * needs
-        )
+        ))
     }
 }
 

@@ -6,7 +6,7 @@ mod run_bag;
 mod saved_path;
 mod svg;
 
-pub use path_format::PathFormat;
+pub use path_format::{PathFileError, PathFormat};
 pub use recording_bag::{LineTopics, recording_bag};
 pub use run_bag::{BAG_TYPE, RunBag, path_bag};
 pub use saved_path::SavedPath;
@@ -21,7 +21,6 @@ use robovac_core::{
     robot::RobotModel,
     trajectory::Trajectory,
 };
-use robovac_ros::BagError;
 use robovac_sim::experiment::planning::choose_robot;
 
 /// A file to be saved.
@@ -155,15 +154,12 @@ pub enum ExportError {
     /// The format requires a path and there is none.
     #[error("{0} needs a path, and there is none yet; plan one first")]
     NoPath(&'static str),
-    /// The drawing can't be written.
+    /// The file of the path can't be written.
     #[error(transparent)]
-    Drawing(#[from] DrawingError),
+    Path(#[from] PathFileError),
     /// The scenario's robot isn't known.
     #[error("the robot in this room is unknown; choose another one")]
     NoRobot,
-    /// The bag can't be written.
-    #[error(transparent)]
-    Bag(#[from] BagError),
     /// The ROS map can't be written.
     #[error(transparent)]
     RosMap(#[from] RosMapError),
@@ -189,28 +185,21 @@ impl Exported<'_> {
             "dxf" => self.dxf(),
             "ros_pgm" => self.ros_map(MapImage::Pgm),
             "ros_png" => self.ros_map(MapImage::Png),
-            _ => self.path_file(format.id),
+            "path_csv" => self.path_file("", PathFormat::Csv),
+            "path_ros" => self.path_file("path.", PathFormat::Poses),
+            "path_mcap" => self.path_file("path.", PathFormat::Bag),
+            "program" => self.path_file("program.", PathFormat::Program),
+            "roomba" => self.path_file("", PathFormat::Commands),
+            other => Err(ExportError::Unknown(other.to_owned())),
         }
     }
 
-    /// The path, in the frame of the map that the room came from.
-    fn path_file(&self, format: &str) -> Result<Vec<ExportFile>, ExportError> {
+    fn path_file(&self, name: &str, format: PathFormat) -> Result<Vec<ExportFile>, ExportError> {
         let robot = self.robot()?;
-        if format == "path_mcap" {
-            let bytes = path_bag(self.plan, &robot, self.saved())?;
-            return Ok(vec![ExportFile { name: format!("{}.path.mcap", self.stem), kind: BAG_TYPE, bytes }]);
-        }
-        let (name, format) = match format {
-            "path_csv" => ("", PathFormat::Csv),
-            "path_ros" => ("path.", PathFormat::Poses),
-            "program" => ("program.", PathFormat::Program),
-            "roomba" => ("", PathFormat::Commands),
-            other => return Err(ExportError::Unknown(other.to_owned())),
-        };
-        let text = format.text(self.saved(), self.plan.origin, &robot, &planned_for(&robot));
-        let text = text.ok_or(ExportError::NoRobot)?;
+        let drawing = || path_dxf(self.plan, self.saved());
+        let bytes = format.bytes(self.saved(), self.plan, &robot, &planned_for(&robot), drawing)?;
         let (ending, kind) = format.file_type();
-        Ok(self.one(&format!("{name}{ending}"), kind, text))
+        Ok(vec![ExportFile { name: format!("{}.{name}{ending}", self.stem), kind, bytes }])
     }
 
     fn saved(&self) -> SavedPath<'_> {
@@ -232,8 +221,9 @@ impl Exported<'_> {
     }
 
     fn dxf(&self) -> Result<Vec<ExportFile>, ExportError> {
-        let bytes = path_dxf(self.plan, self.saved())?;
-        Ok(vec![ExportFile { name: format!("{}.dxf", self.stem), kind: "image/vnd.dxf", bytes }])
+        let bytes = path_dxf(self.plan, self.saved()).map_err(PathFileError::from)?;
+        let (ending, kind) = PathFormat::Dxf.file_type();
+        Ok(vec![ExportFile { name: format!("{}.{ending}", self.stem), kind, bytes }])
     }
 
     fn ros_map(&self, image: MapImage) -> Result<Vec<ExportFile>, ExportError> {

@@ -2,11 +2,10 @@
 
 use super::{DrawingPart, DrawingSession, DrawingSource};
 use crate::{
-    export::{ExportFile, PathFormat, SavedPath, path_bag},
+    export::{ExportFile, PathFormat, SavedPath},
     floor_plan::sweep_dxf,
 };
-use coverage_planners::sweep::{Sweep, planned_for};
-use floor_drawing::Traced;
+use coverage_planners::sweep::planned_for;
 use robovac_core::{
     cspace::Outline,
     robot::{self, WheelLayout},
@@ -30,13 +29,10 @@ impl DrawingSession {
         let turns = model.wheels == WheelLayout::Differential;
         let start = room.plan.start.filter(|_| turns).map_or(0.0, |start| start.heading);
         let path = SavedPath::with_stops(&sweep.path, start);
-        let bytes = match format.text(path, room.plan.origin, model, &planned) {
-            Some(text) => text.into_bytes(),
-            None if format == PathFormat::Bag => {
-                path_bag(&room.plan, model, path).map_err(|error| error.to_string())?
-            }
-            None => self.dxf(room, sweep)?,
-        };
+        let original =
+            if let DrawingSource::Drawing { original, .. } = self.source() { original.as_deref() } else { None };
+        let drawing = || sweep_dxf(sweep, room, original);
+        let bytes = format.bytes(path, &room.plan, model, &planned, drawing).map_err(|error| error.to_string())?;
         let (ending, kind) = format.file_type();
         // Files of the whole and of a part must not have the same name.
         let part = match self.settings().part {
@@ -45,11 +41,5 @@ impl DrawingSession {
             DrawingPart::Rectangle { .. } | DrawingPart::Polygon { .. } => "-part",
         };
         Ok(ExportFile { name: format!("{}{part}-sweep.{ending}", self.source().name()), kind, bytes })
-    }
-
-    fn dxf(&self, room: &Traced, sweep: &Sweep) -> Result<Vec<u8>, String> {
-        let original =
-            if let DrawingSource::Drawing { original, .. } = self.source() { original.as_deref() } else { None };
-        sweep_dxf(sweep, room, original).map_err(|error| error.to_string())
     }
 }

@@ -194,12 +194,12 @@ fn whoever_watches_can_stop_the_robot_and_what_the_driver_sends_then_is_dropped(
     driver.say("take 2");
     driver.send(&[128, 131, 135]);
     let began = Instant::now();
-    while robot.state()["on_errand"] != true {
+    while robot.state()["runs_builtin_program"] != true {
         driver.hear();
         assert!(began.elapsed() < PATIENCE, "{}", robot.state());
     }
     watcher.say("stop");
-    while robot.state()["on_errand"] != false {
+    while robot.state()["runs_builtin_program"] != false {
         driver.hear();
         assert!(began.elapsed() < PATIENCE, "{}", robot.state());
     }

@@ -276,7 +276,7 @@ fn hands_chargers_and_cables_obey_orders() {
     assert_eq!(terminal.hear(1), [1]);
     program.order("unplug");
     program.order("press clean");
-    program.wait_for("it cleans", |state| state["on_errand"] == true);
+    program.wait_for("it cleans", |state| state["runs_builtin_program"] == true);
     terminal.send(&[133]);
     program.wait_for("asleep", |state| state["awake"] == false);
     program.order("brc low");

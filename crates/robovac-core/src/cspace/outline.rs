@@ -46,17 +46,29 @@ impl Outline {
 
     /// A rectangle around the origin, `length` metres ahead and back together, `width` metres across.
     pub fn rectangle(length: f64, width: f64) -> Result<Self, CspaceError> {
+        Self::checked(Self::rectangle_corners(length, width).to_vec())
+    }
+
+    /// Its corners, whatever the numbers.
+    pub(crate) fn rectangle_corners(length: f64, width: f64) -> [Point; 4] {
         let (x, y) = (0.5 * length, 0.5 * width);
-        Self::checked([(x, -y), (x, y), (-x, y), (-x, -y)].map(|(x, y)| Point::new(x, y)).to_vec())
+        [(x, -y), (x, y), (-x, y), (-x, -y)].map(|(x, y)| Point::new(x, y))
     }
 
     /// A regular octagon that drives with a side ahead, `width` metres from side to side.
     pub fn octagon(width: f64) -> Result<Self, CspaceError> {
+        Self::checked(Self::octagon_corners(width).to_vec())
+    }
+
+    /// Its corners, whatever the number.
+    pub(crate) fn octagon_corners(width: f64) -> [Point; 8] {
         // Half a side is tan 22.5° of half the width.
         let (far, near) = (0.5 * width, 0.5 * width * 0.414_213_562_373_095);
-        let corners = [(far, -near), (far, near), (near, far), (-near, far)];
-        let opposite = corners.map(|(x, y)| (-x, -y));
-        Self::checked(corners.into_iter().chain(opposite).map(|(x, y)| Point::new(x, y)).collect())
+        let half = [(far, -near), (far, near), (near, far), (-near, far)];
+        std::array::from_fn(|at| {
+            let ((x, y), side) = (half[at % 4], if at < 4 { 1.0 } else { -1.0 });
+            Point::new(side * x, side * y)
+        })
     }
 
     /// The polygon with these corners, in either direction, if it is valid as a robot's outline.

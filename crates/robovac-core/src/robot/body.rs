@@ -101,6 +101,7 @@ impl Body {
 
 /// How a robot moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum WheelLayout {
     /// Two driven wheels on one axle, and castors.

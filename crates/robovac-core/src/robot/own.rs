@@ -54,6 +54,7 @@ pub struct OwnRobot {
 
 /// A kind of sensor that a robot can have or lack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum OwnSensor {
     /// The bumper.

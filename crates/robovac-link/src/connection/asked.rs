@@ -8,7 +8,7 @@ use robovac_sim::controller::{self, Joystick as Stick, Setup};
 use roomba_oi::{Command, CommandRefusal, Lamps, Mode, Motors, ScheduleLamps, Weekdays};
 
 /// Most bytes of a raw command.
-const MOST_RAW: usize = 256;
+pub(super) const MOST_RAW: usize = 256;
 
 fn invalid(refusal: CommandRefusal) -> RequestRefused {
     RequestRefused(format!("Invalid command: {refusal}."))

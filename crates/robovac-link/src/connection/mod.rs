@@ -17,6 +17,7 @@ mod request;
 mod snapshot;
 mod traffic;
 mod transport;
+mod typed;
 mod view;
 mod wheel_watch;
 
@@ -26,6 +27,7 @@ pub use recording::{LineRecording, RecordedEvent, RecordingError};
 pub use replay::Replay;
 pub use request::{Calibration, PressedButton, Request};
 pub use transport::{BrcWire, TransportErrors, TransportKind, TransportState, TransportView};
+pub use typed::TypedBytes;
 pub use view::{
     CalibrationView, ConnectionActions, ConnectionView, DiagnosisView, DriveSessionView, DropView, LightsView, Notice,
     Statistics, Traffic, TrafficKind,

@@ -227,6 +227,8 @@ fn lanes_with_rounded_corners_are_so_in_every_file() {
     let takes = last.split(' ').next().unwrap().parse::<f64>().unwrap() / seconds;
     assert!((1.0..1.03).contains(&takes) && last.contains("  AD "), "{takes} {last}");
     assert!(bytes.lines().nth_back(1).unwrap().contains("stand still"), "{bytes}");
+    // Its head said that the Roomba wasn't the robot that the path was planned for.
+    assert!(bytes.contains("# planned   for the Roomba 600") && !bytes.contains("not the robot"), "{bytes}");
     // Times of the bag's messages are as far as those of the path.
     assert!(fs::read(&files[2]).unwrap().starts_with(b"\x89MCAP"));
     let drawing = read(&SourceFile { name: "s.dxf".into(), bytes: fs::read(&files[5]).unwrap() }).unwrap();
