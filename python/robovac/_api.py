@@ -73,6 +73,7 @@ def plan(
         line_m=found["line_m"],
         free=found["free"],
         cell_m=report["cell_m"],
+        cell_offset_m=tuple(report["cell_offset_m"]),
         start=tuple(report["start"]),
         heading_deg=report["heading_deg"],
         coverage=drive["coverage"],

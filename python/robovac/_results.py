@@ -62,6 +62,8 @@ class Plan:
     free: npt.NDArray[np.bool_] = field(repr=False)
     #: Side of a planning cell, m.
     cell_m: float
+    #: How far the cells begin to the left of the room's lower-left corner and below it, m.
+    cell_offset_m: tuple[float, float]
     #: The start cell (x, y), and the heading there, degrees.
     start: tuple[int, int]
     heading_deg: float

@@ -22,8 +22,7 @@ pub fn fit_cells(
     let planner = settings.algorithm.planner().ok_or("Only planners have planning cells.")?;
     let go_on = &mut |_: f64| ControlFlow::Continue(());
     let Settings { params, seed, smooth, .. } = &settings;
-    let fitted = room.fit_cells(planner, params, *seed, percent / 100.0, *smooth, go_on);
-    let fitted = fitted.ok_or("There is no choice: this robot fills its cells, or this planner needs none.")?;
+    let fitted = room.fit_cells(planner, params, *seed, percent / 100.0, *smooth, go_on).map_err(message)?;
     let FittedCells { cells: PlanningCells { size, offset: [left, below] }, coverage, duration_s } = fitted;
     Ok(Float64Array::from([size, left, below, coverage, duration_s].as_slice()))
 }

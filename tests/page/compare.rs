@@ -299,10 +299,10 @@ fn files_hold_every_trial_with_all_numbers() {
     let lines: Vec<&str> = csv.lines().collect();
     assert_eq!(lines.len(), 3);
     assert!(lines[0].starts_with(
-        "room,robot,cell size [m],planner,seed,error,cells,bound steps,bound turns,bound steps + 2 turns,coverage [%],"
+        "room,robot,cell size [m],cell offset x [m],cell offset y [m],planner,seed,error,cells,bound steps,bound turns,bound steps + 2 turns,coverage [%],"
     ));
     assert!(lines[1].contains("\"a \"\"reason\"\", with a comma\",,,,,"));
-    assert!(lines[2].starts_with("Thesis preset 8 x 8,cell,0.2,snake,1,,54,53,14,81,100,"));
+    assert!(lines[2].starts_with("Thesis preset 8 x 8,cell,0.2,0,0,snake,1,,54,53,14,81,100,"));
     let json: serde_json::Value = serde_json::from_str(&to_json(&comparison.records())).expect("it is JSON");
     assert_eq!(json[1]["numbers"]["turns"], 34.0);
     assert_eq!(json[0]["error"], "a \"reason\", with a comma");

@@ -73,7 +73,7 @@ export function startWorst(app, card) {
       // A room of the menu isn't drawn.
       if (view.kind !== "planner" || view.path_corners > 0 || view.room.id !== "") return card.close();
       // What another planner, robot or grid does worse is no worse room.
-      const whose = [view.algorithm, view.robot, view.twin, view.own_robot, view.cell_size_m].join();
+      const whose = [view.algorithm, view.robot, view.twin, view.own_robot, view.cell_size_m, view.cell_offset_m].join();
       if (best && best.whose !== whose) best = undefined;
       const excess = excessOf(view);
       const isSmall = view.room.reachable_m2 < LEAST;

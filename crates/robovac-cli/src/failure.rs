@@ -108,7 +108,11 @@ impl From<ParamError> for Failure {
 impl From<PlanningError> for Failure {
     fn from(error: PlanningError) -> Self {
         let code = match error {
-            PlanningError::CellSize { .. } | PlanningError::Heading(_) => USAGE,
+            PlanningError::CellSize { .. }
+            | PlanningError::Heading(_)
+            | PlanningError::NeedsNoCells { .. }
+            | PlanningError::FillsItsCells
+            | PlanningError::Coverage(_) => USAGE,
             PlanningError::StartOutside { .. }
             | PlanningError::StartInWall { .. }
             | PlanningError::StartTooTight { .. }

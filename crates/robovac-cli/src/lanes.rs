@@ -191,7 +191,7 @@ impl SmoothReport {
     fn of(path: &SmoothPath, room: &RoomSetup) -> Self {
         let RoomSetup { floor, robot, .. } = room;
         let (length_m, duration_s) = (path.trajectory.length_m(), path.trajectory.duration_s());
-        let bound = MetricBound::new(floor, robot, path.coverage).without_stops(robot);
+        let bound = MetricBound::without_stops(floor, robot, path.coverage);
         let [excess_length, excess_duration] = bound.excess(length_m, duration_s);
         Self {
             rounded: path.rounded,

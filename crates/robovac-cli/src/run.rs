@@ -22,7 +22,7 @@ use robovac_sim::{
     Conditions, Run, What,
     experiment::{
         PlanAnswer, Planned,
-        planning::{Placement, choose_robot},
+        planning::{GivenStart, Placement, choose_robot},
     },
     montecarlo::{Lab, ProgramRun, Terms, quantile},
     program::{ProgramRoom, RobotFacts, check_walk},
@@ -155,8 +155,13 @@ pub fn run(arguments: &Arguments) -> Result<String, Failure> {
     let plan = arguments.room.plan()?;
     let (robot, cell_size) = choose_robot(&arguments.robot, &plan, arguments.cell)
         .ok_or_else(|| Failure::unknown("robot", &arguments.robot, "robots"))?;
-    let placement =
-        Placement { plan, robot, cells: cell_size.into(), start: arguments.start, heading_deg: arguments.heading };
+    let placement = Placement {
+        plan,
+        robot,
+        cells: cell_size.into(),
+        start: arguments.start.map(GivenStart::Cell),
+        heading_deg: arguments.heading,
+    };
     let terms = Terms {
         conditions: arguments.conditions.conditions(),
         odometry: arguments.conditions.odometry,

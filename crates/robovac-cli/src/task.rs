@@ -8,7 +8,7 @@ use robovac_core::{
 };
 use robovac_sim::experiment::{
     Algorithm, Settings,
-    planning::{Placement, PlanningTask, TaskReport, choose_robot},
+    planning::{GivenStart, Placement, PlanningTask, TaskReport, choose_robot},
 };
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -68,7 +68,13 @@ impl PlacementArguments {
         let robot = self.robot.as_deref().unwrap_or(default_robot);
         let (robot, cell_size) =
             choose_robot(robot, &plan, self.cell).ok_or_else(|| Failure::unknown("robot", robot, "robots"))?;
-        Ok(Placement { plan, robot, cells: cell_size.into(), start: self.start, heading_deg: self.heading })
+        Ok(Placement {
+            plan,
+            robot,
+            cells: cell_size.into(),
+            start: self.start.map(GivenStart::Cell),
+            heading_deg: self.heading,
+        })
     }
 }
 
@@ -108,20 +114,8 @@ impl CoverageArguments {
     /// start in cells is one of the default cells.
     pub fn fit_cells(&self, task: &mut PlanningTask) -> Result<Option<MissedCoverage>, Failure> {
         let Some(percent) = self.coverage else { return Ok(None) };
-        let room = task.placement.prepare()?;
         let share = percent / 100.0;
-        let go_on = &mut |_: f64| ControlFlow::Continue(());
-        let fitted = room.fit_cells(task.planner, &task.params, task.seed, share, task.is_rounded, go_on);
-        let Some(fitted) = fitted else {
-            let way = match () {
-                () if task.planner.is_in_metres() => "the planner needs no cells; use --param coverage=PERCENT",
-                () => "the robot \"cell\" fills its cells; choose another with --robot",
-            };
-            return Err(Failure::usage(format!("--coverage: {way}")));
-        };
-        task.placement.cells = fitted.cells;
-        // The same place in other cells.
-        task.placement.start = task.placement.start.map(|_| fitted.cells.at(room.floor.start.position()));
+        let fitted = task.fit_cells(share, &mut |_| ControlFlow::Continue(()))?;
         let missed = MissedCoverage { asked: share, most: fitted.coverage, cell_size_m: fitted.cells.size };
         Ok((missed.most < missed.asked).then_some(missed))
     }

@@ -100,7 +100,11 @@ impl From<PlanningError> for Failure {
     fn from(error: PlanningError) -> Self {
         let message = error.to_string();
         match error {
-            PlanningError::CellSize { .. } | PlanningError::Heading(_) => Self::usage(message),
+            PlanningError::CellSize { .. }
+            | PlanningError::Heading(_)
+            | PlanningError::NeedsNoCells { .. }
+            | PlanningError::FillsItsCells
+            | PlanningError::Coverage(_) => Self::usage(message),
             PlanningError::StartOutside { .. }
             | PlanningError::StartInWall { .. }
             | PlanningError::StartTooTight { .. }

@@ -6,7 +6,7 @@ use robovac_core::{
     grid::Cell,
     registry::{ParamSpec, Params},
 };
-use robovac_sim::experiment::planning::{Placement, choose_robot};
+use robovac_sim::experiment::planning::{GivenStart, Placement, choose_robot};
 
 /// A robot in a room, as arguments.
 #[derive(FromPyObject)]
@@ -25,7 +25,7 @@ impl PlaceArguments {
         let plan = &self.room.get().plan;
         let chosen = choose_robot(&self.robot, plan, self.cell_m);
         let (robot, cell_size) = chosen.ok_or_else(|| Failure::unknown("robot", &self.robot, "robots"))?;
-        let start = self.start.map(|(x, y)| Cell::new(x, y));
+        let start = self.start.map(|(x, y)| GivenStart::Cell(Cell::new(x, y)));
         Ok(Placement { plan: (**plan).clone(), robot, cells: cell_size.into(), start, heading_deg: self.heading_deg })
     }
 }

@@ -59,33 +59,12 @@ impl PlanArguments<'_> {
             is_rounded: self.is_rounded,
         };
         if let Some(percent) = self.coverage_percent {
-            fit_cells(&mut task, percent, watch)?;
+            task.fit_cells(percent / 100.0, &mut |_| watch.look())?;
         }
         let begin = Instant::now();
         let solution = task.solve(|| begin.elapsed().as_secs_f64(), Some(&mut |_| watch.look()))?;
         Ok((task, solution))
     }
-}
-
-/// Sets the planning cells for a coverage. The start in cells is one of the default cells.
-fn fit_cells(task: &mut PlanningTask, percent: f64, watch: &mut SignalWatch) -> Result<(), Failure> {
-    if !(0.0..=100.0).contains(&percent) {
-        return Err(Failure::usage(format!("coverage_percent can't be {percent}; use a number from 0 to 100")));
-    }
-    let room = task.placement.prepare()?;
-    let look = &mut |_: f64| watch.look();
-    let Some(fitted) = room.fit_cells(task.planner, &task.params, task.seed, percent / 100.0, task.is_rounded, look)
-    else {
-        let way = if task.planner.is_in_metres() {
-            "the planner needs no cells; use its parameter coverage"
-        } else {
-            "the robot \"cell\" fills its cells; choose another"
-        };
-        return Err(Failure::usage(format!("coverage_percent: {way}")));
-    };
-    task.placement.cells = fitted.cells;
-    task.placement.start = task.placement.start.map(|_| fitted.cells.at(room.floor.start.position()));
-    Ok(())
 }
 
 /// Plans with a planner of the registry.
@@ -167,6 +146,7 @@ fn to_python<'py>(
     let numbers = py.detach(|| planned.numbers(prepared, Bounds::of(&prepared.job)));
     report["robot"] = json!(placement.robot.id);
     report["cell_m"] = json!(placement.cells.size);
+    report["cell_offset_m"] = json!(placement.cells.offset);
     report["start"] = json!([prepared.job.start.x, prepared.job.start.y]);
     report["heading_deg"] = json!(prepared.floor.start.heading.to_degrees());
     report["walk"] = json!(numbers.walk);

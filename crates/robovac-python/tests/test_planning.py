@@ -78,7 +78,13 @@ def test_parameters_are_those_of_the_command_line():
     with pytest.raises(robovac.UsageError, match="use a whole number from 0 to 20"):
         robovac.plan("clutter", "snake", patience="fast")
     suited = robovac.plan("bedroom", robot="roomba600", coverage_percent=95)
-    assert suited.coverage > 0.9 and suited.cell_m != robovac.plan("bedroom", robot="roomba600").cell_m
+    plain = robovac.plan("bedroom", robot="roomba600")
+    assert suited.coverage > 0.9 and suited.cell_m != plain.cell_m
+    assert plain.cell_offset_m == (0.0, 0.0) and all(0 <= by < suited.cell_m for by in suited.cell_offset_m)
+    with pytest.raises(robovac.UsageError, match='the planner "lanes" needs no planning cells'):
+        robovac.plan("bedroom", "lanes", robot="roomba600", coverage_percent=95)
+    with pytest.raises(robovac.UsageError, match="the coverage can't be 120 %"):
+        robovac.plan("bedroom", robot="roomba600", coverage_percent=120)
 
 
 def snake_by_rows(job):

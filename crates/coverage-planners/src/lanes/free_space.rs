@@ -245,7 +245,12 @@ fn rectangles(squares: &Grid<bool>, resolution: f64) -> Vec<(Point, Point)> {
 mod tests {
     use super::*;
     use rand::RngExt;
-    use robovac_core::rng::seeded;
+    use robovac_core::{
+        coverage::ReachableFloor,
+        floor_plan::Sketch,
+        rng::seeded,
+        robot::{Body, Corners, RobotModel, WheelLayout, model},
+    };
 
     #[test]
     fn ways_keep_off_every_square_and_shape_or_are_refused() {
@@ -276,6 +281,31 @@ mod tests {
                 free += u32::from(space.is_free(a, b));
             }
             assert!(free > 0);
+        }
+    }
+
+    #[test]
+    fn a_body_that_fits_where_its_disc_does_not_gains_no_floor() {
+        let corners = Corners::of(&[[-0.25, -0.1], [0.25, -0.1], [0.25, 0.1], [-0.25, 0.1]]);
+        let (body, radius) = (Body::Polygon(corners), 0.25_f64.hypot(0.1));
+        let robot = RobotModel { body, radius, ..model("roomba600").unwrap().clone() };
+        let door = [[1.9, 0.0, 2.1, 0.85], [1.9, 1.15, 2.1, 2.0]];
+        let plan = Sketch::open(4.0, 2.0, 0.05).fill(&door).start(1.0, 1.0, 0.0).finish("", "");
+        let floor = ReachableFloor::new(&plan, &robot, None).unwrap();
+        // Straight on it fits through the door, but what is behind isn't reachable floor.
+        let straight = RobotModel { wheels: WheelLayout::Omnidirectional, ..robot.clone() };
+        let straight = ReachableFloor::of_path(&plan, &straight, floor.start).unwrap();
+        let behind = Point::new(3.0, 1.0);
+        assert!(straight.standing.is_set(straight.cell_at(behind)));
+        assert!(!floor.floor.is_set(floor.cell_at(behind)));
+        // All floor lies under the tool in some place where the disc has room.
+        let space = FreeSpace::new(floor.limits(), radius - 1e-4);
+        let reach = (floor.tool_radius / floor.resolution) as i32 + 1;
+        for (cell, _) in floor.floor.iter().filter(|&(_, &is_floor)| is_floor) {
+            let near = (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| Cell::new(cell.x + x, cell.y + y)));
+            let mut places = near.filter(|&at| floor.standing.is_set(at)).map(|at| floor.centre(at));
+            let is_under = |at: Point| (at - floor.centre(cell)).norm() <= floor.tool_radius + 1e-9;
+            assert!(places.any(|at| is_under(at) && space.has_room(at)), "{cell:?}");
         }
     }
 }

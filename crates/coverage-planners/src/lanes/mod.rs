@@ -428,7 +428,7 @@ mod tests {
             let driven = DriveMetrics::of(&floor, &robot, &found.path);
             assert!(found.coverage >= 0.85, "{at:?}: {}", found.coverage);
             assert!((driven.coverage - found.coverage).abs() < 0.02, "{at:?}: {} {}", driven.coverage, found.coverage);
-            assert_eq!((found.bound.length_m, found.excess), (0.0, [0.0; 2]), "no bound is known");
+            assert!(found.bound.length_m > 0.0 && found.excess.iter().all(|&above| above > 0.0), "{:?}", found.excess);
         }
     }
 

@@ -30,10 +30,9 @@ impl SweepBound {
     }
 }
 
-/// Whether what a robot sweeps is a disc around the place that its path is of. The bounds are for those: standing on a cell
-/// sweeps its corners, too, and turning moves a tool that isn't in the middle.
+/// Whether what a robot sweeps is a disc. The bounds are for those: standing on a cell sweeps its corners, too.
 pub fn sweeps_as_disc(robot: &RobotModel) -> bool {
-    !robot.fills_cell && robot.tool == Tool::CENTRED
+    !robot.fills_cell && matches!(robot.tool, Tool::Disc(_))
 }
 
 /// A driven line above the bounds for the floor that it sweeps.
@@ -65,8 +64,8 @@ impl MetricExcess {
         trajectory: &Trajectory,
         drive: &DriveMetrics,
     ) -> Option<Self> {
-        let Self { swept, bound, .. } = Self::of(floor, robot, &trajectory.points(), drive)?;
-        let bound = bound.without_stops(robot);
+        let Self { swept, .. } = Self::of(floor, robot, &trajectory.points(), drive)?;
+        let bound = MetricBound::without_stops(floor, robot, swept);
         Some(Self { swept, bound, above: bound.excess(drive.length_m, drive.duration_s) })
     }
 }

@@ -147,8 +147,7 @@ pub const METRICS: &[MetricInfo] = &[
             "excess_length",
             "Excess distance",
             ("%", 1),
-            "Excess distance over the proven minimum for sweeping as much floor; known for round tools in the robot's \
-             middle.",
+            "Excess distance over the proven minimum for sweeping as much floor; known for round tools.",
             |n| Some(100.0 * n.excess?.above[0].max(0.0)),
         )
     },
@@ -158,8 +157,7 @@ pub const METRICS: &[MetricInfo] = &[
             "excess_time",
             "Excess time",
             ("%", 1),
-            "Excess time over the proven minimum for sweeping as much floor; known for round tools in the robot's \
-             middle.",
+            "Excess time over the proven minimum for sweeping as much floor; known for round tools.",
             |n| Some(100.0 * n.excess?.above[1].max(0.0)),
         )
     },

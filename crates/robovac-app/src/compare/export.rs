@@ -77,8 +77,9 @@ pub fn to_json(records: &[Record<'_>]) -> String {
 
 /// A table with a header line; numbers with their units in the header, empty if missing.
 pub fn to_csv(records: &[Record<'_>]) -> String {
-    let mut csv =
-        String::from("room,robot,cell size [m],planner,seed,error,cells,bound steps,bound turns,bound steps + 2 turns");
+    let mut csv = String::from(
+        "room,robot,cell size [m],cell offset x [m],cell offset y [m],planner,seed,error,cells,bound steps,bound turns,bound steps + 2 turns",
+    );
     for metric in METRICS {
         let unit = if metric.unit.is_empty() { String::new() } else { format!(" [{}]", metric.unit) };
         // Writing to a string doesn't fail.
@@ -87,8 +88,9 @@ pub fn to_csv(records: &[Record<'_>]) -> String {
     csv.push('\n');
     for r in records {
         let error = r.result.as_ref().err().map_or("", String::as_str);
+        let PlanningCells { size, offset: [left, below] } = r.cells;
         let (room, robot, error) = (quoted(r.room), quoted(r.robot), quoted(error));
-        let _ = write!(csv, "{room},{robot},{},{},{},{error},", r.cells.size, r.entrant, r.seed);
+        let _ = write!(csv, "{room},{robot},{size},{left},{below},{},{},{error},", r.entrant, r.seed);
         let numbers = r.result.as_ref().ok();
         csv += &numbers.and_then(|n| Some(n.walk?.reachable_cells.to_string())).unwrap_or_default();
         match numbers.and_then(|n| n.bounds) {

@@ -1,7 +1,7 @@
 //! Result of one run.
 
 use crate::{Run, STEP_S};
-use coverage_planners::{lanes::MetricBound, metrics::sweeps_as_disc};
+use coverage_planners::lanes::MetricBound;
 use robovac_core::{coverage::BoundaryTracker, robot::RobotModel};
 
 /// Shares whose times are recorded: of the reachable floor, or of the boundary for exploring behaviours.
@@ -199,11 +199,9 @@ impl OutcomeMeter {
     }
 }
 
-/// How far a run's distance and time exceed the [least](MetricBound) length of a path that sweeps as much floor, and the time for
-/// that length at the robot's top speed: a run may sweep in curves, without stops.
+/// How far a run's distance and time exceed the [least](MetricBound::of_run) of any run that sweeps as much floor.
 fn excess(run: &Run, robot: &RobotModel) -> Option<[f64; 2]> {
-    let least = MetricBound::new(run.floor(), robot, run.coverage()).length_m;
+    let [least_m, least_s] = MetricBound::of_run(run.coverage() * run.floor().area(), robot)?;
     let above = |value: f64, least: f64| (value / least - 1.0).max(0.0);
-    let is_bound = least > 0.0 && sweeps_as_disc(robot);
-    is_bound.then(|| [above(run.distance_m(), least), above(run.time_s(), least / robot.max_wheel_speed)])
+    Some([above(run.distance_m(), least_m), above(run.time_s(), least_s)])
 }

@@ -11,7 +11,7 @@ use crate::{
 use coverage_planners::{
     Proof,
     lanes::MetricBound,
-    metrics::{DriveMetrics, WalkMetrics, sweeps_as_disc},
+    metrics::{DriveMetrics, WalkMetrics},
 };
 use robovac_core::{
     floor_plan::generate::FlatId,
@@ -139,9 +139,9 @@ impl Session {
     /// run may sweep in curves, without stops. `None` if some of it was swept before, or if it is hardly any.
     fn least(&self, run: &Run) -> Option<[f64; 2]> {
         let robot = &self.prepared.as_ref()?.robot;
-        let is_known = self.planned.is_none() && self.before.is_none() && sweeps_as_disc(robot);
-        let length = MetricBound::of_area(run.coverage() * run.floor().area(), 0.0, robot).length_m;
-        (is_known && length > 1.0).then(|| [length, length / robot.max_wheel_speed])
+        let is_known = self.planned.is_none() && self.before.is_none();
+        let least = MetricBound::of_run(run.coverage() * run.floor().area(), robot);
+        least.filter(|&[length_m, _]| is_known && length_m > 1.0)
     }
 
     fn can(&self, state: SessionState) -> SessionActions {

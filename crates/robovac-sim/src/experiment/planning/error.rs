@@ -17,6 +17,20 @@ pub enum PlanningError {
     /// The heading isn't a number.
     #[error("the heading can't be {0}; give degrees, counter-clockwise from 0 = right")]
     Heading(f64),
+    /// No planning cells can be chosen for a planner in metres.
+    #[error(
+        "the planner \"{planner}\" needs no planning cells; its own parameter says how much of the floor it sweeps"
+    )]
+    NeedsNoCells {
+        /// Id of the planner.
+        planner: &'static str,
+    },
+    /// No planning cells can be chosen for a robot that fills one.
+    #[error("the robot \"cell\" fills its planning cells, so there is no choice; take another robot")]
+    FillsItsCells,
+    /// The coverage isn't a share.
+    #[error("the coverage can't be {} %; give a number from 0 to 100", 100.0 * .0)]
+    Coverage(f64),
     /// The start lies outside.
     #[error(
         "the start cell {start} lies outside the planning grid of {width} x {height} cells; \

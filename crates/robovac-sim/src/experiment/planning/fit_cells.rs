@@ -1,6 +1,6 @@
 //! Chooses the planning cells for the coverage that a plan is to reach.
 
-use super::{PlanRequest, Planned, RoomSetup};
+use super::{GivenStart, PlanRequest, Planned, PlanningError, PlanningTask, RoomSetup};
 use coverage_planners::{CoverageJob, PlanError, PlannerInfo, lanes::swept_share};
 use robovac_core::{
     coverage::{PlanningCells, PlanningGrid},
@@ -48,10 +48,10 @@ impl RoomSetup {
     /// The planning cells with which `planner` sweeps the share `coverage`, 0 to 1, in the least time; if none reach it, those
     /// with which it sweeps most. First sides are tried, from the room's corner, then other offsets for the promising ones.
     /// Planners that search do so with the least effort, fast ones in the end with their own. Where `is_rounded`, the time of
-    /// the best few with rounded corners decides. `None` for planners in metres, which need no cells, and for a robot that fills
-    /// a cell, which has no choice.
+    /// the best few with rounded corners decides. There is no choice for planners in metres, which need no cells, and for a robot
+    /// that fills a cell.
     ///
-    /// `observe` gets the share that is done and returns whether to continue; `None` if it doesn't.
+    /// `observe` gets the share that is done and returns whether to continue.
     pub fn fit_cells(
         &self,
         planner: &'static PlannerInfo,
@@ -60,9 +60,15 @@ impl RoomSetup {
         coverage: f64,
         is_rounded: bool,
         observe: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Option<FittedCells> {
-        if planner.is_in_metres() || self.robot.fills_cell {
-            return None;
+    ) -> Result<FittedCells, PlanningError> {
+        if planner.is_in_metres() {
+            return Err(PlanningError::NeedsNoCells { planner: planner.id });
+        }
+        if self.robot.fills_cell {
+            return Err(PlanningError::FillsItsCells);
+        }
+        if !(0.0..=1.0).contains(&coverage) {
+            return Err(PlanningError::Coverage(coverage));
         }
         let quick = with_least_effort(planner, params);
         let least = SIDES.0 * self.robot.tool_width;
@@ -75,30 +81,34 @@ impl RoomSetup {
         let count = ((most - least) / step) as u32;
         let promising = (PROMISING as f64 / many).ceil() as usize;
         let (mut done, all) = (0, count as usize + 1 + promising * (OFFSETS.len().pow(2) - 1));
+        // A planner that fails with some cells may not with others.
+        let mut failed = PlanError::Unlisted;
         let mut try_all = |lattices: &[PlanningCells], tried: &mut Vec<FittedCells>| {
             for &cells in lattices {
-                observe(f64::from(done) / all as f64)?;
+                if observe(f64::from(done) / all as f64).is_break() {
+                    return Err(PlanError::Cancelled);
+                }
                 done += 1;
-                tried.extend(self.with_cells(cells).try_cells(planner, &quick, seed, false));
+                match self.with_cells(cells).try_cells(planner, &quick, seed, false) {
+                    Ok(found) => tried.push(found),
+                    Err(error) => failed = error,
+                }
             }
-            ControlFlow::Continue(())
+            Ok(())
         };
         let mut tried = Vec::new();
         let sides: Vec<PlanningCells> = (0..=count).map(|i| short(most - f64::from(i) * step).into()).collect();
-        if try_all(&sides, &mut tried).is_break() {
-            return None;
-        }
+        try_all(&sides, &mut tried)?;
         let reached = tried.iter().map(|found| found.coverage).fold(0.0, f64::max);
         tried.sort_by(|a, b| a.compare(b, coverage.min(reached) - NEAR));
         let moved: Vec<PlanningCells> = tried.iter().take(promising).flat_map(|found| moved(found.cells)).collect();
-        if try_all(&moved, &mut tried).is_break() {
-            return None;
-        }
+        try_all(&moved, &mut tried)?;
         tried.sort_by(|a, b| a.compare(b, coverage));
+        let Some(&first) = tried.first() else { return Err(failed.into()) };
         // With its effort, a plan can sweep a little less.
         let effort = if planner.claims.fast { params } else { &quick };
         if *effort == quick && !is_rounded {
-            return tried.first().copied();
+            return Ok(first);
         }
         let mut finals: Vec<PlanningCells> = tried.iter().take(FINALS).map(|found| found.cells).collect();
         if is_rounded {
@@ -109,7 +119,7 @@ impl RoomSetup {
         let finals = finals
             .into_iter()
             .filter_map(|cells| self.with_cells(cells).try_cells(planner, effort, seed, is_rounded).ok());
-        finals.min_by(|a, b| a.compare(b, coverage))
+        Ok(finals.min_by(|a, b| a.compare(b, coverage)).unwrap_or(first))
     }
 
     fn try_cells(
@@ -130,6 +140,22 @@ impl RoomSetup {
         }
         let coverage = swept_share(&self.floor, &planned.line);
         Ok(FittedCells { cells, coverage, duration_s: planned.drive.duration_s })
+    }
+}
+
+impl PlanningTask {
+    /// Sets the planning cells with which the planner sweeps the share `coverage`, 0 to 1, in the least time, or most of it; see
+    /// [`RoomSetup::fit_cells`]. A given start cell is one of the cells before; the robot starts in the same place.
+    pub fn fit_cells(
+        &mut self,
+        coverage: f64,
+        observe: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<FittedCells, PlanningError> {
+        let room = self.placement.prepare()?;
+        let fitted = room.fit_cells(self.planner, &self.params, self.seed, coverage, self.is_rounded, observe)?;
+        self.placement.cells = fitted.cells;
+        self.placement.start = self.placement.start.map(|_| GivenStart::Point(room.floor.start.position()));
+        Ok(fitted)
     }
 }
 
@@ -167,9 +193,9 @@ fn with_least_effort(planner: &PlannerInfo, params: &Params) -> Params {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{super::Placement, *};
     use coverage_planners::find;
-    use robovac_core::{floor_plan::generate::random_flat, robot::model};
+    use robovac_core::{floor_plan::generate::random_flat, grid::Cell, robot::model};
 
     fn room(robot: &str) -> RoomSetup {
         let robot = model(robot).unwrap();
@@ -218,10 +244,14 @@ mod tests {
     #[test]
     fn there_is_no_choice_without_cells_and_when_cancelled() {
         let go_on = &mut |_: f64| ControlFlow::Continue(());
-        for (robot, planner) in [("roomba600", "lanes"), ("cell", "snake")] {
+        let mut error = |robot, planner: &str, share| {
             let planner = find(planner).unwrap();
-            assert_eq!(room(robot).fit_cells(planner, &Params::defaults(planner.params), 1, 0.9, false, go_on), None);
-        }
+            room(robot).fit_cells(planner, &Params::defaults(planner.params), 1, share, false, go_on).unwrap_err()
+        };
+        assert_eq!(error("roomba600", "lanes", 0.9), PlanningError::NeedsNoCells { planner: "lanes" });
+        assert_eq!(error("cell", "snake", 0.9), PlanningError::FillsItsCells);
+        let wrong = error("roomba600", "snake", 1.01);
+        assert_eq!(wrong.to_string(), "the coverage can't be 101 %; give a number from 0 to 100");
         let planner = find("snake").unwrap();
         let mut asked = 0;
         let mut cancel = |_: f64| {
@@ -229,7 +259,27 @@ mod tests {
             if asked == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let params = Params::defaults(planner.params);
-        assert_eq!(room("roomba600").fit_cells(planner, &params, 1, 0.9, false, &mut cancel), None);
+        let cancelled = room("roomba600").fit_cells(planner, &params, 1, 0.9, false, &mut cancel);
+        assert_eq!(cancelled, Err(PlanningError::Plan(PlanError::Cancelled)));
         assert_eq!(asked, 3);
+    }
+
+    // slow: some dozen plans
+    #[test]
+    fn a_start_in_the_default_cells_is_the_same_place_in_the_fitted_ones() {
+        let robot = model("roomba600").unwrap().clone();
+        let cells = robot.default_cell.into();
+        let start = Some(GivenStart::Cell(Cell::new(3, 6)));
+        let placement = Placement { plan: random_flat(1, 1, 2), robot, cells, start, heading_deg: Some(90.0) };
+        let planner = find("snake").unwrap();
+        let params = Params::defaults(planner.params);
+        let mut task = PlanningTask { placement, planner, params, seed: 1, is_rounded: false };
+        let pose = task.placement.prepare().unwrap().floor.start;
+        let fitted = task.fit_cells(0.9, &mut |_| ControlFlow::Continue(())).unwrap();
+        let solved = task.solve(|| 0.0, None).unwrap();
+        assert_eq!(solved.prepared.floor.start, pose);
+        assert_eq!(solved.prepared.planning_grid.cells, fitted.cells);
+        // So it is the plan that was chosen.
+        assert_eq!(solved.planned.drive.duration_s, fitted.duration_s);
     }
 }

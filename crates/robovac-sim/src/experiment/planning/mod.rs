@@ -13,4 +13,4 @@ pub use error::PlanningError;
 pub use fit_cells::FittedCells;
 pub use pipeline::{MOST_SEARCH_CELLS, PathToDrive, PlanAnswer, PlanRequest, Planned, RoomSetup, WHOLE};
 pub use report::{PlanReport, RoomReport, TaskReport};
-pub use task::{CELL_ROBOT, Placement, PlanSolution, PlanningTask, choose_robot};
+pub use task::{CELL_ROBOT, GivenStart, Placement, PlanSolution, PlanningTask, choose_robot};

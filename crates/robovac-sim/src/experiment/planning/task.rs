@@ -23,11 +23,20 @@ pub struct Placement {
     pub robot: RobotModel,
     /// The planning cells.
     pub cells: PlanningCells,
-    /// Planning cell of the start; `None` for the plan's own start, or else a corner.
-    pub start: Option<Cell>,
-    /// Degrees counter-clockwise from the right; `None` for 0 in a given start cell and the plan's own heading
+    /// The start; `None` for the plan's own, or else a corner.
+    pub start: Option<GivenStart>,
+    /// Degrees counter-clockwise from the right; `None` for 0 at a given start and the plan's own heading
     /// otherwise.
     pub heading_deg: Option<f64>,
+}
+
+/// Where a robot is to start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GivenStart {
+    /// In the middle of a planning cell, or where the robot fits in it.
+    Cell(Cell),
+    /// At a point, m.
+    Point(Point),
 }
 
 /// Everything that determines a walk.
@@ -113,7 +122,8 @@ impl Placement {
         }
         let mut floor = match self.start {
             None => ReachableFloor::new(&self.plan, &self.robot, None)?,
-            Some(cell) => self.floor_from(cell)?,
+            Some(GivenStart::Cell(cell)) => self.floor_from(cell)?,
+            Some(GivenStart::Point(at)) => self.floor_at(at)?,
         };
         if let Some(degrees) = self.heading_deg {
             floor.start.heading = normalize((degrees % 360.0).to_radians());
@@ -126,8 +136,7 @@ impl Placement {
         if !(0..width as i32).contains(&start.x) || !(0..height as i32).contains(&start.y) {
             return Err(PlanningError::StartOutside { start, width, height });
         }
-        let stand = |at: Point| ReachableFloor::new(&self.plan, &self.robot, Some(Pose::new(at.x, at.y, 0.0)));
-        let floor = match stand(self.centre_of(start)) {
+        let floor = match self.floor_at(self.centre_of(start)) {
             Err(FloorError::StartInWall { free_x, free_y, .. }) => {
                 // A table leg in the middle of a cell doesn't make the whole cell a wall.
                 let place = Point::new(free_x, free_y);
@@ -135,7 +144,7 @@ impl Placement {
                 if nearest != start {
                     return Err(PlanningError::StartInWall { start, nearest });
                 }
-                stand(place)?
+                self.floor_at(place)?
             }
             floor => floor?,
         };
@@ -145,6 +154,10 @@ impl Placement {
             return Err(PlanningError::StartTooTight { start, nearest, diameter });
         }
         Ok(floor)
+    }
+
+    fn floor_at(&self, start: Point) -> Result<ReachableFloor, FloorError> {
+        ReachableFloor::new(&self.plan, &self.robot, Some(Pose::new(start.x, start.y, 0.0)))
     }
 
     /// Columns or rows (`axis` 0 or 1) of planning cells; the last one can extend beyond the map.
@@ -189,7 +202,7 @@ mod tests {
         start: Option<(i32, i32)>,
     ) -> Result<PlanReport, PlanningError> {
         let (robot, cell_size) = choose_robot(robot, plan, cell).unwrap();
-        let start = start.map(|(x, y)| Cell::new(x, y));
+        let start = start.map(|(x, y)| GivenStart::Cell(Cell::new(x, y)));
         let task = PlanningTask {
             placement: Placement { plan: plan.clone(), robot, cells: cell_size.into(), start, heading_deg: None },
             planner: snake(),
@@ -264,7 +277,7 @@ mod tests {
                 plan: plan.clone(),
                 robot,
                 cells: 0.3.into(),
-                start: Some(Cell::new(0, 0)),
+                start: Some(GivenStart::Cell(Cell::new(0, 0))),
                 heading_deg: Some(-450.0),
             },
             planner: snake(),
