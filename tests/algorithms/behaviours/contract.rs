@@ -34,7 +34,7 @@ fn nobody_enters_a_wall(stride: usize) {
     for (place, room) in ROOMS.iter().enumerate() {
         let plan = (room.build)();
         let fit = |(number, robot)| Some((number, lay_out(&plan, robot, conditions(NoiseLevel::Typical))?));
-        let setups: Vec<(usize, RunSetup)> = MODELS.iter().enumerate().filter_map(fit).collect();
+        let setups: Vec<(usize, RunSetup)> = MODELS.iter().copied().enumerate().filter_map(fit).collect();
         for (kind, info) in BEHAVIOURS.iter().enumerate() {
             let suits = |setup: &RunSetup| stride == 1 || has_what_it_needs(info, &setup.robot);
             let suited: Vec<_> = setups.iter().filter(|(_, setup)| suits(setup)).collect();
