@@ -138,14 +138,14 @@ fn check(mut session: DrawingSession, flat: &Flat, metre: f64, moved: f64, case:
     assert_eq!((room.cut_off_m2, room.outer_doors, room.gaps), (0.0, 1, 1), "{case}: the doors between rooms are open");
 }
 
-fn check_flats(seeds: std::ops::Range<u64>) {
+/// As drawings, and every `stride`th as a picture as well, which takes ten times as long.
+fn check_flats(seeds: std::ops::Range<u64>, stride: u64) {
     for seed in seeds {
         let wide = [1.5, 1.6, 2.0, 2.3, 2.7, 3.2][seed as usize % 6] + 0.013 * (seed / 6) as f64;
         let flat = Flat::of(seed, wide);
         let session = DrawingSession::open(&[flat.drawing()]).unwrap();
         check(session, &flat, 0.001, 0.0, &format!("drawing {seed}, {wide} m"));
-        // slow: a picture takes ten times as long as lines.
-        if seed % 4 == 0 {
+        if seed % stride == 0 {
             let mut session = DrawingSession::open(&[flat.picture(0.025)]).unwrap();
             change(&mut session, |settings| settings.metre = Some(0.025));
             check(session, &flat, 0.025, 2.0, &format!("picture {seed}, {wide} m"));
@@ -153,15 +153,16 @@ fn check_flats(seeds: std::ops::Range<u64>) {
     }
 }
 
+// slow: a flat for each width, and a picture
 #[test]
 fn an_opening_of_any_width_in_a_flat_with_inner_doors_is_told_and_closed_without_them() {
-    check_flats(0..7);
+    check_flats(0..6, 6);
 }
 
 #[test]
 #[ignore = "soak: half a minute"]
 fn openings_of_more_flats_are_told_and_closed() {
-    check_flats(7..24);
+    check_flats(4..24, 4);
 }
 
 #[test]
@@ -189,9 +190,8 @@ fn a_court_as_wide_as_its_opening_is_outside() {
     }
 }
 
-#[test]
-fn an_opening_of_a_flat_at_an_angle_is_told_with_its_width_and_closed() {
-    for seed in 0..6 {
+fn check_flats_at_an_angle(seeds: std::ops::Range<u64>) {
+    for seed in seeds {
         let wide = [2.0, 2.3, 2.7, 3.2][seed as usize % 4];
         let flat = Flat::of(seed, wide);
         let mut session = DrawingSession::open(&[flat.drawing()]).unwrap();
@@ -207,9 +207,20 @@ fn an_opening_of_a_flat_at_an_angle_is_told_with_its_width_and_closed() {
     }
 }
 
+// slow: a flat for each width
 #[test]
-fn an_opening_to_the_garden_is_closed_whatever_the_width_of_both() {
-    for seed in 0..10 {
+fn an_opening_of_a_flat_at_an_angle_is_told_with_its_width_and_closed() {
+    check_flats_at_an_angle(0..4);
+}
+
+#[test]
+#[ignore = "soak: more flats"]
+fn openings_of_more_flats_at_an_angle_are_told_and_closed() {
+    check_flats_at_an_angle(4..6);
+}
+
+fn check_openings_to_the_garden(seeds: std::ops::Range<u64>) {
+    for seed in seeds {
         let wide = [1.5, 1.6, 2.0, 2.3, 2.7][seed as usize % 5];
         let garden = [1.6, 2.5, 3.5][seed as usize % 3];
         let mut flat = Flat::of(seed, wide);
@@ -229,9 +240,20 @@ fn an_opening_to_the_garden_is_closed_whatever_the_width_of_both() {
     }
 }
 
+// slow: a flat for each width, in all gardens
 #[test]
-fn dimension_lines_and_a_thin_fence_of_a_picture_are_no_walls() {
-    for seed in 0..3 {
+fn an_opening_to_the_garden_is_closed_whatever_the_width_of_both() {
+    check_openings_to_the_garden(0..5);
+}
+
+#[test]
+#[ignore = "soak: more flats and gardens"]
+fn openings_to_more_gardens_are_closed() {
+    check_openings_to_the_garden(5..10);
+}
+
+fn check_thin_lines(seeds: std::ops::Range<u64>) {
+    for seed in seeds {
         let flat = Flat::of(seed, 1.0);
         let [width, height] = flat.size;
         let thin = [
@@ -249,6 +271,18 @@ fn dimension_lines_and_a_thin_fence_of_a_picture_are_no_walls() {
         let room = session.view().room.unwrap();
         assert_eq!((room.outer_doors, room.around_m2), (1, 0.0), "seed {seed}: the front door alone is closed");
     }
+}
+
+// slow: a picture takes ten times as long as lines
+#[test]
+fn dimension_lines_and_a_thin_fence_of_a_picture_are_no_walls() {
+    check_thin_lines(0..1);
+}
+
+#[test]
+#[ignore = "soak: more pictures"]
+fn dimension_lines_and_thin_fences_of_more_pictures_are_no_walls() {
+    check_thin_lines(1..3);
 }
 
 /// Whether the room starts within the walls of the flat.

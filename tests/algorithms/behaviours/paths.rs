@@ -39,7 +39,7 @@ fn nobody_falls(seeds: u64) {
 // slow: whole plans with the worst wheels, in every room with stairs
 #[test]
 fn nobody_falls_off_a_planned_path() {
-    nobody_falls(6);
+    nobody_falls(3);
 }
 
 #[test]

@@ -27,11 +27,14 @@ pub fn lay_out(plan: &FloorPlan, robot: &RobotModel, conditions: Conditions) -> 
 
 /// A room laid out for a robot that starts near `start`.
 pub fn lay_out_from(plan: &FloorPlan, robot: &RobotModel, conditions: Conditions, start: Pose) -> Option<RunSetup> {
-    let mut setup = lay_out(plan, robot, conditions)?;
+    Some(starting_from(&lay_out(plan, robot, conditions)?, start))
+}
+
+/// The same room and robot, which starts near `start`.
+pub fn starting_from(setup: &RunSetup, start: Pose) -> RunSetup {
     let mut floor = (*setup.floor).clone();
     floor.start = floor.place_for(start, |_| true);
-    setup.floor = Arc::new(floor);
-    Some(setup)
+    RunSetup { floor: Arc::new(floor), ..setup.clone() }
 }
 
 /// A run of `info` with `params` on a floor that is laid out.

@@ -72,16 +72,14 @@ fn seed_determines_walks(most: usize, full_effort: usize) {
             let what = describe(info, scenario, &job);
             let size = if job.cells() <= full_effort { 0 } else { usize::MAX };
             let plan = |seed| build(info, size).plan(&job, &mut PlanContext::new(seed)).expect("nobody cancels");
-            let walks = [1, 1, 2].map(plan);
-            assert_eq!(walks[0], walks[1], "{what}");
-            if info.claims.deterministic {
-                assert_eq!(walks[0], walks[2], "{what}");
-            }
+            // Whose walk doesn't depend on the seed is held to that.
+            let other = if info.claims.deterministic { 2 } else { 1 };
+            assert_eq!(plan(1), plan(other), "{what}");
         }
     }
 }
 
-// slow: every planner three times in every room but the large ones
+// slow: every planner twice in every room but the large ones
 #[test]
 fn seed_determines_the_walk() {
     seed_determines_walks(600, 40);
