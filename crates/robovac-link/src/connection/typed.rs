@@ -154,7 +154,8 @@ mod tests {
     fn decimal_and_hexadecimal_numbers_are_read() {
         let typed = TypedBytes::read(" 142,0x23;\t$FF 007 0XfF\n");
         assert_eq!((typed.bytes.as_slice(), typed.is_refused), (&[142, 35, 255, 7, 255][..], false));
-        assert_eq!(TypedBytes::read("0x8E").told, "1 byte: 8e.");
+        assert_eq!(TypedBytes::read("128").told, "1 byte: 80.");
+        assert_eq!(TypedBytes::read("0x8E 7").told, "2 bytes: 8e 07.");
         let empty = TypedBytes::read(" ,");
         assert_eq!((empty.bytes.len(), empty.is_refused), (0, false));
         assert_eq!(empty.told, "Bytes go to the robot unchanged and may move it.");
