@@ -30,6 +30,7 @@ mod nearby;
 mod order;
 mod planner;
 mod raster;
+mod relink;
 mod row_ends;
 mod scan;
 mod stroke;
