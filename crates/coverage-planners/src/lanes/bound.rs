@@ -94,7 +94,7 @@ impl MetricBound {
     }
 
     /// The same for a robot that needn't stop to turn: the length at its cruise speed, from rest to rest. The bound on the length
-    /// holds for curves, too. For a tool off the middle, the tool's way at [the most speed](fastest) that it can have.
+    /// holds for curves, too. For a tool off the middle, the tool's way at the most speed that it can have within the limits of the wheels.
     pub fn without_stops(floor: &ReachableFloor, robot: &RobotModel, coverage: f64) -> Self {
         let bound = Self::new(floor, robot, coverage);
         let mut duration = robot.straight_time(bound.length_m);

@@ -11,6 +11,8 @@ use robovac_core::geometry::Point;
 const FARTHER: (f32, f32) = (1.4, 0.15);
 /// Metres that a lane at a right angle to the one before counts as farther.
 const TURN: f64 = 0.25;
+/// Most corners to go back where no way leads on: a lane can lead through a gap that the lattice doesn't.
+const MOST_BACK: usize = 8;
 
 /// A path from `start` over all lanes that can be reached: always on to the nearest end of a lane that is left, with a
 /// preference for lanes parallel to the last one.
@@ -30,7 +32,10 @@ pub(super) fn in_order(space: &FreeSpace, lattice: &mut Lattice, start: Point, l
     }
     let mut is_done = vec![false; lanes.len()];
     let mut path = vec![start];
-    for _ in 0..lanes.len() {
+    // Corners before this one were gone back over, to the second, since the last lane.
+    let mut back: Option<(usize, usize)> = None;
+    let mut left = lanes.len();
+    while left > 0 {
         let at = path[path.len() - 1];
         let before = path.len().checked_sub(2).map(|i| at - path[i]);
         let mut best: Option<(f64, u32, bool, usize)> = None;
@@ -64,7 +69,17 @@ pub(super) fn in_order(space: &FreeSpace, lattice: &mut Lattice, start: Point, l
             }
             None
         });
-        let Some((_, number, is_second, cell)) = best else { break };
+        let Some((_, number, is_second, cell)) = best else {
+            let (end, to) = back.unwrap_or((path.len(), path.len() - 1));
+            if to == 0 || end - to > MOST_BACK {
+                path.truncate(end);
+                break;
+            }
+            path.push(path[to - 1]);
+            back = Some((end, to - 1));
+            continue;
+        };
+        (back, left) = (None, left - 1);
         is_done[number as usize] = true;
         let (a, b) = lanes[number as usize];
         let (from, to) = if is_second { (b, a) } else { (a, b) };
@@ -75,4 +90,30 @@ pub(super) fn in_order(space: &FreeSpace, lattice: &mut Lattice, start: Point, l
         path.push(to);
     }
     path
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{
+        super::{free_space, layout::Directions, layout::RoomLayout, swept_share},
+        *,
+    };
+    use robovac_core::{coverage::ReachableFloor, floor_plan::generate::FlatId, robot::model};
+
+    #[test]
+    fn a_lane_through_a_gap_that_the_lattice_misses_is_no_dead_end() {
+        // Three of its layouts have such a lane, after which one left out a fifth of the flat.
+        let plan = "1".parse::<FlatId>().unwrap().build();
+        let floor = ReachableFloor::new(&plan, model("roomba600").unwrap(), None).unwrap();
+        let (space, _) = free_space(&floor, 0.003);
+        let layout = RoomLayout::new(&floor, &space);
+        let mut lattice = Lattice::new(&floor, &space);
+        for directions in [Directions::Both, Directions::First, Directions::Second, Directions::Fewest] {
+            let lanes = layout.lanes(&space, directions);
+            let path = in_order(&space, &mut lattice, floor.start.position(), &lanes);
+            assert!(path.windows(2).all(|pair| space.is_free(pair[0], pair[1])));
+            let share = swept_share(&floor, &path);
+            assert!(share > 0.99, "{directions:?}: {share}");
+        }
+    }
 }
