@@ -38,7 +38,8 @@ fn link_leads_to_the_moment_of_a_run() {
         session
     };
     let state = |session: &Session| (session.state(), session.recording().unwrap().run().digest());
-    for settings in ["planner=snake&smooth=true", "planner=near_optimal&search=1", "behaviour=random_walk&slip=typical"]
+    for settings in
+        ["planner=snake&smooth=true", "planner=near_optimal&p.effort=0&search=1", "behaviour=random_walk&slip=typical"]
     {
         let mut session = opened();
         session.restore(&format!("room=lshape&robot=roomba600&cell=0.25&seed=9&{settings}")).unwrap();
