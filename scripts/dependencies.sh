@@ -4,8 +4,9 @@
 
 DEPENDENCIES=$TOOLS/dependencies
 
-# What compiled dependencies depend on.
-dependencies_key() { { rustc -vV && cat Cargo.lock Cargo.toml; } | sha256sum | cut -c 1-16; }
+# What compiled dependencies depend on, and what few of them do: features and profiles.
+dependencies_key() { printf '%s-%s' "$({ rustc -vV && cat Cargo.lock; } | short_digest)" "$(short_digest <Cargo.toml)"; }
+short_digest() { sha256sum | cut -c 1-16; }
 
 # Lines such as wasm32-unknown-unknown/debug/deps/libserde-1234.rlib: what is in target/, but not of this workspace.
 list_dependencies() {
@@ -24,7 +25,8 @@ restore_dependencies() {
     [[ ! -e target/debug && ! -e target/release ]] || return 0
     BEGAN_COLD=yes
     kept=$DEPENDENCIES/$(dependencies_key)
-    [[ -d $kept ]] || return 0
+    [[ -d $kept ]] || kept=$(find "$DEPENDENCIES" -maxdepth 1 -name "$(basename "${kept%-*}")-*" ! -name '*.part' 2>/dev/null | head -n 1)
+    [[ -n $kept ]] || return 0
     mkdir -p target
     cp -a --reflink=auto "$kept/." target/
 }
