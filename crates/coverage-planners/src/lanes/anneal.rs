@@ -89,23 +89,6 @@ impl LaneSearch<'_> {
             value: seconds * excess + PRICE.2 * missing,
         }
     }
-
-    /// Lets stops count a share of what they do at the end, for the path that is changed, whose seconds are returned, and for the
-    /// candidate that it competes with.
-    fn count_stops(&self, share: f64, walker: &mut Walker<'_>, candidate: &mut Option<(f64, Vec<Point>)>) -> f64 {
-        let share = share * self.setup.objective.stops();
-        walker.path.count_stops(share);
-        if let Some((least, points)) = candidate {
-            *least = self.times.clone().with_stops(share).path(points, self.heading, Some(self.space));
-        }
-        walker.path.seconds()
-    }
-}
-
-/// What may stay unswept by the samples, of `all`, where a path was found that sweeps a share too little: they flatter, or are too
-/// strict.
-fn corrected(allowed: f64, short: f64, all: f64) -> f64 {
-    (allowed - 0.7 * short.max(-2e-4) * all).max(0.0)
 }
 
 /// Whether a round of mending ends at `step`, the first when the effort is spent. `mending` keeps the moves of a round, and when
@@ -136,9 +119,12 @@ pub(super) fn anneal(
     let mut tell = |done: f64, best: &MeasuredPath| {
         observer(LanesProgress { done, path: &best.points, duration_s: best.duration_s, coverage: best.coverage })
     };
+    if tell(0.0, &best).is_break() {
+        return best.points;
+    }
     let metres = setup.coverage * floor.area() / (2.0 * floor.tool_radius);
     let total = (setup.effort * metres.max(1.0)) as u64;
-    if tell(0.0, &best).is_break() || points.is_empty() || total == 0 {
+    if points.is_empty() || total == 0 {
         return best.points;
     }
     let mut starts: Vec<FirstPath> = starts.iter().map(|points| FirstPath::new(points)).collect();
@@ -153,7 +139,9 @@ pub(super) fn anneal(
     let mut candidate: Option<(f64, Vec<Point>)> = None;
     let (mut share, mut temperature, mut next_measure) = (0.0_f64, TRIAL_TEMPERATURES.0, MEASURE);
     let mut mending: Option<(u64, u64)> = None;
-    let (mut rounds, mut next_rebuild, mut stops) = (0, 0, 1.0);
+    let (mut rounds, mut next_rebuild) = (0, 0);
+    // What stops count at present, as a share.
+    let mut stops = 1.0;
     // Whether the present descent has cooled down: it is mended before the next one. And the price when the best path was found,
     // with what was allowed.
     let (mut is_cold, mut of_best) = (false, (PRICE.0, allowed));
@@ -191,8 +179,15 @@ pub(super) fn anneal(
             }
             let part = if is_cold { 1.0 } else { part };
             temperature = stage.temperature(part, moves);
-            if std::mem::replace(&mut stops, stage.stops(part)) != stops {
-                seconds = search.count_stops(stops, &mut walker, &mut candidate);
+            let now = stage.stops(part);
+            if now != stops {
+                stops = now;
+                let share = stops * setup.objective.stops();
+                walker.path.count_stops(share);
+                seconds = walker.path.seconds();
+                if let Some((least, points)) = &mut candidate {
+                    *least = search.times.clone().with_stops(share).path(points, search.heading, Some(search.space));
+                }
             }
         }
         let ends_round = ends_round(&mut mending, is_cold, step);
@@ -203,7 +198,9 @@ pub(super) fn anneal(
                 Some((seconds, _)) if !ends_round && seconds >= best.value => None,
                 Some((_, points)) => {
                     let found = search.measure(&mut lines, &points);
-                    allowed = corrected(allowed, setup.coverage - found.coverage, all);
+                    // The samples flatter, or are too strict.
+                    let short = setup.coverage - found.coverage;
+                    allowed = (allowed - 0.7 * short.max(-2e-4) * all).max(0.0);
                     Some(found)
                 }
                 // Perhaps no path sweeps enough.

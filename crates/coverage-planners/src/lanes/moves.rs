@@ -393,9 +393,7 @@ impl<'a> SweptPath<'a> {
         self.points.splice(first..relink.to, points);
         self.corner_s.splice(first..relink.to, corner_s);
         changed.retain(|&i| i < self.points.len());
-        for i in changed {
-            self.update_corner(i);
-        }
+        changed.into_iter().for_each(|i| self.update_corner(i));
     }
 }
 
