@@ -19,7 +19,7 @@ use std::ops::ControlFlow;
 
 /// Moves for every metre of a descent that begins at a temperature of 1 s, with the root of more, and limits of it, s: what is
 /// melted in a large room doesn't set in time.
-const HOT: (f64, f64, f64) = (32_000.0, 0.25, 1.0);
+const HOT: (f64, f64, f64) = (8000.0, 0.5, 2.0);
 /// Temperature at the end, s.
 const COLD: f64 = 0.03;
 /// Share of the search in which all first paths are tried, for as long each, and the temperatures then, s. Before that, nothing tells
@@ -31,9 +31,6 @@ const TRIAL_TEMPERATURES: (f64, f64) = (0.4, 0.06);
 const DESCENT: f64 = 30_000.0;
 const MOST_DESCENTS: f64 = 6.0;
 const REHEAT: f64 = 0.25;
-/// What stops, turns and curves count when a descent begins, as a share of their time, and the part of the descent after which all of
-/// it counts. Lanes are laid where the way is short; then corners are left out.
-const STOPS: (f64, f64) = (0.3, 0.7);
 /// Temperature at which a path begins that is changed for another coverage, s: its lanes stay.
 const WARM: f64 = 0.12;
 /// Moves between two adjustments of the price, and at least between two updates of what is near what.
@@ -128,9 +125,8 @@ pub(super) fn anneal(
         return best.points;
     }
     let mut starts: Vec<FirstPath> = starts.iter().map(|points| FirstPath::new(points)).collect();
-    let begin = |points: &[Point]| {
-        SweptPath::new(points.to_vec(), raster.clone(), search.space, search.times.clone(), search.heading)
-    };
+    let begin =
+        |points: &[Point]| SweptPath::new(points.to_vec(), raster.clone(), search.space, search.times, search.heading);
     let mut walker = Walker::new(begin(&starts[0].points), seeded(setup.seed, 0), floor.tool_radius);
     let mut seconds = walker.path.seconds();
     // The samples' floor that may stay unswept, m².
@@ -140,8 +136,6 @@ pub(super) fn anneal(
     let (mut share, mut temperature, mut next_measure) = (0.0_f64, TRIAL_TEMPERATURES.0, MEASURE);
     let mut mending: Option<(u64, u64)> = None;
     let (mut rounds, mut next_rebuild) = (0, 0);
-    // What stops count at present, as a share.
-    let mut stops = 1.0;
     // Whether the present descent has cooled down: it is mended before the next one. And the price when the best path was found,
     // with what was allowed.
     let (mut is_cold, mut of_best) = (false, (PRICE.0, allowed));
@@ -175,20 +169,9 @@ pub(super) fn anneal(
                 }
                 let start = &starts[next.first_path().unwrap_or(0)];
                 (seconds, allowed) = (walker.begin(begin(&start.points), start.price), (1.0 - setup.coverage) * all);
-                (stage, stops, next_rebuild) = (next, 1.0, step);
+                (stage, next_rebuild) = (next, step);
             }
-            let part = if is_cold { 1.0 } else { part };
-            temperature = stage.temperature(part, moves);
-            let now = stage.stops(part);
-            if now != stops {
-                stops = now;
-                let share = stops * setup.objective.stops();
-                walker.path.count_stops(share);
-                seconds = walker.path.seconds();
-                if let Some((least, points)) = &mut candidate {
-                    *least = search.times.clone().with_stops(share).path(points, search.heading, Some(search.space));
-                }
-            }
+            temperature = stage.temperature(if is_cold { 1.0 } else { part }, moves);
         }
         let ends_round = ends_round(&mut mending, is_cold, step);
         if ends_round || mending.is_none() && share >= next_measure {
@@ -221,7 +204,7 @@ pub(super) fn anneal(
                 let (points, price) = first.map_or((&best.points, of_best.0), |start| (&start.points, start.price));
                 allowed = if first.is_some() { (1.0 - setup.coverage) * all } else { of_best.1 };
                 seconds = walker.begin(begin(points), price);
-                (stops, next_rebuild) = (1.0, step);
+                next_rebuild = step;
             }
         }
         seconds += walker.try_move(temperature);
@@ -292,14 +275,6 @@ impl SearchStage {
             Self::Trial(number) => Some(number),
             Self::Change => None,
             Self::Descent(number, descents) => ((number as f64) < (0.5 * descents).ceil()).then_some(number),
-        }
-    }
-
-    /// What stops, turns and curves count when a part of the stage is done, as a share of their time.
-    fn stops(self, part: f64) -> f64 {
-        match self {
-            Self::Descent(..) if part < STOPS.1 => STOPS.0 + (1.0 - STOPS.0) * part / STOPS.1,
-            _ => 1.0,
         }
     }
 

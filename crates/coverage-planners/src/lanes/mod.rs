@@ -10,7 +10,7 @@
 //! 2. *Order*: from each lane to the nearest end of one that is left, by shortest ways on a lattice, pulled tight.
 //! 3. *Search*: simulated annealing (Kirkpatrick et al. 1983) of the finished line. Moves shift, delete and insert corners, shift
 //!    lanes, reach for floor that isn't swept, reverse parts of the path (2-opt, Croes 1958) and carry parts elsewhere (Or-opt,
-//!    Or 1976), round obstacles where new links meet them. The objective is the time that the robot takes, with stops and turns, plus a price for floor that isn't swept; the
+//!    Or 1976). The objective is the time that the robot takes, with stops and turns, plus a price for floor that isn't swept; the
 //!    price is adjusted until the required share is met. It begins with a short descent from the first path of each of several
 //!    layouts, and goes on from the best. Small rooms leave time for several such descents.
 //!
@@ -30,7 +30,6 @@ mod nearby;
 mod order;
 mod planner;
 mod raster;
-mod relink;
 mod row_ends;
 mod scan;
 mod stroke;

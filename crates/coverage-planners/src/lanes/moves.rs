@@ -1,11 +1,6 @@
 //! Changes of a path, with what they do to its time, its way and the floor that it sweeps.
 
-use super::{
-    cost::MotionTimes,
-    free_space::FreeSpace,
-    raster::SweptRaster,
-    relink::{Relink, Stretch},
-};
+use super::{cost::MotionTimes, free_space::FreeSpace, raster::SweptRaster};
 use robovac_core::geometry::{Point, Vector};
 
 /// Most new points of a splice.
@@ -27,20 +22,6 @@ pub(super) enum Edit {
     Reverse { first: usize, last: usize },
     /// The points from `first` to `last` are carried to between point `after` and the next, and reversed if so wanted.
     Carry { first: usize, last: usize, after: usize, is_reversed: bool },
-    /// Parts are linked anew, with corners on the way.
-    Relink(Relink),
-}
-
-impl Edit {
-    /// The same as parts that are linked anew, or `None` if it isn't one of these.
-    pub fn relinked(&self) -> Option<Relink> {
-        match *self {
-            Self::Splice { .. } => None,
-            Self::Reverse { first, last } => Some(Relink::reversed(first, last)),
-            Self::Carry { first, last, after, is_reversed } => Some(Relink::carried(first, last, after, is_reversed)),
-            Self::Relink(relink) => Some(relink),
-        }
-    }
 }
 
 /// A path with what it sweeps.
@@ -48,7 +29,7 @@ pub(super) struct SweptPath<'a> {
     pub points: Vec<Point>,
     pub raster: SweptRaster,
     pub space: &'a FreeSpace,
-    pub times: MotionTimes,
+    pub times: &'a MotionTimes,
     /// Where the robot would come from with its heading.
     before_start: Point,
     /// Seconds that each corner takes; 0 at the end.
@@ -96,7 +77,7 @@ impl<'a> SweptPath<'a> {
         points: Vec<Point>,
         raster: SweptRaster,
         space: &'a FreeSpace,
-        times: MotionTimes,
+        times: &'a MotionTimes,
         heading: Vector,
     ) -> Self {
         let before_start = MotionTimes::before_start(points[0], heading);
@@ -107,12 +88,6 @@ impl<'a> SweptPath<'a> {
         }
         (0..path.points.len()).for_each(|i| path.update_corner(i));
         path
-    }
-
-    /// From now on, stops, turns and curves count another share of their time.
-    pub fn count_stops(&mut self, share: f64) {
-        self.times = self.times.clone().with_stops(share);
-        (0..self.points.len()).for_each(|i| self.update_corner(i));
     }
 
     /// The path's time, s.
@@ -146,8 +121,6 @@ impl<'a> SweptPath<'a> {
                 // Neither end of the new place may be one of the old place's.
                 first > 0 && first <= last && last + 1 < n && after + 1 < n && (after + 2 < first || after > last + 1)
             }
-            // It's made of one of the others.
-            Edit::Relink(_) => true,
         }
     }
 
@@ -182,13 +155,6 @@ impl<'a> SweptPath<'a> {
                 }
                 if last > first {
                     tell(last);
-                }
-            }
-            Edit::Relink(ref relink) => {
-                let mut next = relink.from;
-                for (begin, end) in relink.cuts() {
-                    (begin.max(next)..=end.min(self.points.len() - 1)).for_each(&mut tell);
-                    next = end + 1;
                 }
             }
         }
@@ -238,30 +204,6 @@ impl<'a> SweptPath<'a> {
                 }
                 corner(p[leave], v, after + 2);
             }
-            Edit::Relink(ref relink) => {
-                let (mut before, mut at) = (self.before(relink.from), p[relink.from]);
-                let mut go_on = |before: &mut Point, at: &mut Point, next: Point| {
-                    tell(*before, *at, next);
-                    (*before, *at) = (*at, next);
-                };
-                for stretch in relink.stretches() {
-                    match stretch {
-                        Stretch::Corner(corner) => go_on(&mut before, &mut at, corner),
-                        Stretch::Part(enter, leave) => {
-                            go_on(&mut before, &mut at, p[enter]);
-                            if enter != leave {
-                                let (second, last_but_one) =
-                                    if enter < leave { (enter + 1, leave - 1) } else { (enter - 1, leave + 1) };
-                                go_on(&mut before, &mut at, p[second]);
-                                (before, at) = (p[last_but_one], p[leave]);
-                            }
-                        }
-                    }
-                }
-                for &next in &p[relink.to..(relink.to + 2).min(p.len())] {
-                    go_on(&mut before, &mut at, next);
-                }
-            }
         }
     }
 
@@ -301,18 +243,6 @@ impl<'a> SweptPath<'a> {
                 let (enter, leave) = if is_reversed { (p[last], p[first]) } else { (p[first], p[last]) };
                 push(&mut new, p[after], enter);
                 push(&mut new, leave, p[after + 1]);
-            }
-            Edit::Relink(ref relink) => {
-                for (begin, end) in relink.cuts() {
-                    (begin..end.min(p.len() - 1)).for_each(|i| push(&mut old, p[i], p[i + 1]));
-                }
-                for ((leave, enter), corner) in relink.ways(p.len()).zip(relink.corners) {
-                    let on = corner.unwrap_or(p[leave]);
-                    if corner.is_some() {
-                        push(&mut new, p[leave], on);
-                    }
-                    push(&mut new, on, p[enter]);
-                }
             }
         }
         Exchange { old, new }
@@ -363,37 +293,7 @@ impl<'a> SweptPath<'a> {
                     self.update_corner(i);
                 }
             }
-            Edit::Relink(ref relink) => self.relink(relink),
         }
-    }
-
-    fn relink(&mut self, relink: &Relink) {
-        let (mut points, mut corner_s) = (Vec::new(), Vec::new());
-        let first = relink.from + 1;
-        let mut changed = vec![relink.from];
-        for stretch in relink.stretches() {
-            changed.push(first + points.len());
-            match stretch {
-                Stretch::Corner(corner) => {
-                    points.push(corner);
-                    corner_s.push(0.0);
-                }
-                Stretch::Part(enter, leave) if enter <= leave => {
-                    points.extend(&self.points[enter..=leave]);
-                    corner_s.extend(&self.corner_s[enter..=leave]);
-                }
-                Stretch::Part(enter, leave) => {
-                    points.extend(self.points[leave..=enter].iter().rev());
-                    corner_s.extend(self.corner_s[leave..=enter].iter().rev());
-                }
-            }
-            changed.push(first + points.len() - 1);
-        }
-        changed.push(first + points.len());
-        self.points.splice(first..relink.to, points);
-        self.corner_s.splice(first..relink.to, corner_s);
-        changed.retain(|&i| i < self.points.len());
-        changed.into_iter().for_each(|i| self.update_corner(i));
     }
 }
 
@@ -432,26 +332,11 @@ mod tests {
                 }
             }
         }
-        // The same with corners on the way.
-        let whole = SweptPath::new(points.clone(), raster.clone(), &space, MotionTimes::of(robot, None), heading);
-        let valid = edits.iter().filter(|edit| whole.is_valid(edit));
-        let relinks: Vec<Edit> = valid
-            .filter_map(Edit::relinked)
-            .enumerate()
-            .map(|(i, mut relink)| {
-                let ways = relink.ways(14).count();
-                for (k, corner) in relink.corners.iter_mut().enumerate().take(ways) {
-                    *corner = (i >> k & 1 == 1).then(|| more[k]);
-                }
-                Edit::Relink(relink)
-            })
-            .collect();
-        edits.extend(relinks);
         // A robot that stops at corners, and one that rounds them.
         for curves in [None, CurveTimes::of(robot)] {
             let times = MotionTimes::of(robot, curves);
-            let path = |points: Vec<Point>| SweptPath::new(points, raster.clone(), &space, times.clone(), heading);
-            let mut kinds = [0; 4];
+            let path = |points: Vec<Point>| SweptPath::new(points, raster.clone(), &space, &times, heading);
+            let mut kinds = [0; 3];
             for edit in &edits {
                 let mut path = path(points.clone());
                 if !path.is_valid(edit) {
@@ -469,7 +354,7 @@ mod tests {
                 assert!((path.raster.unswept_area() - left).abs() < 1e-9, "{edit:?}");
                 let after = path.seconds();
                 assert!((after - before - by).abs() < 1e-9, "{edit:?}: {by} s, not {}", after - before);
-                let fresh = SweptPath::new(path.points.clone(), raster.clone(), &space, times.clone(), heading);
+                let fresh = SweptPath::new(path.points.clone(), raster.clone(), &space, &times, heading);
                 assert!((after - fresh.seconds()).abs() < 1e-9, "{edit:?}");
                 assert!((after - times.path(&path.points, heading, Some(&space))).abs() < 1e-9);
                 assert_eq!(path.raster.unswept_area(), fresh.raster.unswept_area(), "{edit:?}");
@@ -477,7 +362,6 @@ mod tests {
                     Edit::Splice { .. } => 0,
                     Edit::Reverse { .. } => 1,
                     Edit::Carry { .. } => 2,
-                    Edit::Relink(_) => 3,
                 }] += 1;
             }
             assert!(kinds.iter().all(|&count| count > 50), "{kinds:?}");

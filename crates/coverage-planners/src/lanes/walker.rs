@@ -1,9 +1,8 @@
 //! Moves of a search: what is proposed, and whether it's made.
 
 use super::{
-    moves::{Edit, Exchange, FewPoints, SweptPath},
+    moves::{Edit, FewPoints, SweptPath},
     nearby::Nearby,
-    relink::Relink,
 };
 use rand::RngExt;
 use robovac_core::{
@@ -18,8 +17,6 @@ pub(super) const PRICE: (f64, f64, f64) = (80.0, 20.0, 3000.0);
 const SHIFT: (f64, usize) = (0.4, 8);
 /// Corners among which moves are drawn, and moves before others are: those near each other need the same memory.
 const STRETCH: (usize, u32) = (64, 256);
-/// Longest way round, as a multiple of the straight one, and m more.
-const ROUND: (f64, f64) = (1.5, 0.5);
 
 /// The path at the present temperature.
 pub(super) struct Walker<'a> {
@@ -51,21 +48,25 @@ impl<'a> Walker<'a> {
 impl Walker<'_> {
     /// Tries one move; returns by how much the path's time changes, s.
     pub fn try_move(&mut self, temperature: f64) -> f64 {
-        let Some(mut edit) = self.propose() else { return 0.0 };
+        let Some(edit) = self.propose() else { return 0.0 };
         if !self.path.is_valid(&edit) {
             return 0.0;
         }
         let limit = -temperature * math::ln(1.0 - self.rng.random::<f64>());
-        let mut exchange = self.path.exchange(&edit);
-        let Some((mut seconds, mut most)) = self.promise(&edit, &exchange, limit) else { return 0.0 };
-        if !exchange.is_free(self.path.space) {
-            let Some(round) = self.round_obstacles(&edit) else { return 0.0 };
-            edit = round;
-            exchange = self.path.exchange(&edit);
-            let Some(promise) = self.promise(&edit, &exchange, limit) else { return 0.0 };
-            (seconds, most) = promise;
-        }
+        let exchange = self.path.exchange(&edit);
+        let mut seconds = self.path.seconds_by(&edit, &exchange, None);
+        // So much may be missed, if as much more is swept anew as there is to sweep.
         let mut may_miss = (limit - seconds) / self.price;
+        if may_miss + self.path.raster.unswept_area() < 0.0 {
+            return 0.0;
+        }
+        let most = may_miss + self.path.could_win(&exchange);
+        if most < 0.0 {
+            return 0.0;
+        }
+        if !exchange.is_free(self.path.space) {
+            return 0.0;
+        }
         if self.path.times.has_curves() {
             // Now that it may be worth it.
             seconds = self.path.seconds_by(&edit, &exchange, Some(self.path.space));
@@ -77,18 +78,6 @@ impl Walker<'_> {
         }
         self.path.apply(&edit);
         seconds
-    }
-
-    /// By how much the path's time changes, s, if all curves fit, and how much floor may be lost, m²; `None` if it can't be worth it.
-    fn promise(&self, edit: &Edit, exchange: &Exchange, limit: f64) -> Option<(f64, f64)> {
-        let seconds = self.path.seconds_by(edit, exchange, None);
-        // So much may be missed, if as much more is swept anew as there is to sweep.
-        let may_miss = (limit - seconds) / self.price;
-        if may_miss + self.path.raster.unswept_area() < 0.0 {
-            return None;
-        }
-        let most = may_miss + self.path.could_win(exchange);
-        (most >= 0.0).then_some((seconds, most))
     }
 
     /// Makes unswept floor dearer or cheaper, so that as much stays as is allowed, m²; `all` is the floor.
@@ -310,41 +299,5 @@ impl Walker<'_> {
             if self.rng.random::<f64>() < 0.5 { (i, i + length - 1) } else { ((i + 1).checked_sub(length)?, i) };
         let after = if self.rng.random::<f64>() < 0.7 { j.checked_sub(1)? } else { j };
         Some(Edit::Carry { first, last, after, is_reversed: self.rng.random::<f64>() < 0.5 })
-    }
-
-    /// The same with a corner on each new way that meets an obstacle; `None` if none is found.
-    fn round_obstacles(&self, edit: &Edit) -> Option<Edit> {
-        let p = &self.path.points;
-        let mut relink: Relink = edit.relinked()?;
-        let corners = &mut [None; 3];
-        for (corner, (leave, enter)) in corners.iter_mut().zip(relink.ways(p.len())) {
-            if !self.path.space.is_free(p[leave], p[enter]) {
-                *corner = Some(self.way_round(p[leave], p[enter])?);
-            }
-        }
-        relink.corners = *corners;
-        Some(Edit::Relink(relink))
-    }
-
-    /// A corner of the path that can be reached straight from both points, on the shortest way: the path goes round what they are behind.
-    fn way_round(&self, a: Point, b: Point) -> Option<Point> {
-        let p = &self.path.points;
-        let (mut least, mut best) = ((b - a).norm() * ROUND.0 + ROUND.1, None);
-        for place in [a, b, a + (b - a) * 0.5] {
-            for &piece in self.nearby.around(place) {
-                let i = piece as usize;
-                if i == 0 || i >= p.len() {
-                    continue;
-                }
-                for via in [p[i - 1], p[i]] {
-                    let way = (via - a).norm() + (b - via).norm();
-                    let is_free = |end: Point| end != via && self.path.space.is_free(end, via);
-                    if way < least && is_free(a) && is_free(b) {
-                        (least, best) = (way, Some(via));
-                    }
-                }
-            }
-        }
-        best
     }
 }
