@@ -204,7 +204,7 @@ fn rooms_of_known_best_walks() {
 /// In rooms whose whole grids have fewer than `most` cells.
 fn walks_are_above(most: usize) {
     let planner = find("boustrophedon").unwrap();
-    for scenario in scenarios().into_iter().filter(|s| s.free.len() < most) {
+    for scenario in scenarios().iter().filter(|s| s.free.len() < most) {
         let job = scenario.jobs().next().unwrap();
         let path = planner.build(&Params::defaults(planner.params)).plan(&job, &mut PlanContext::new(1)).unwrap();
         let (bounds, walk) = (Bounds::of(&job), WalkMetrics::of(&job, &path));

@@ -27,16 +27,16 @@ fn suits(info: &PlannerInfo, scenario: &Scenario, job: &CoverageJob) -> bool {
 /// Plans with those planners in every room, from every `step`th start and heading.
 fn walks_hold(planners: &[&PlannerInfo], step: usize) {
     // A million cells, as one of the shared grids has, are the soak's.
-    for scenario in scenarios().into_iter().filter(|s| step == 1 || s.free.len() < 100_000) {
+    for scenario in scenarios().iter().filter(|s| step == 1 || s.free.len() < 100_000) {
         let jobs = || scenario.jobs().step_by(step).enumerate();
         for (info, (number, job)) in planners.iter().flat_map(|&info| jobs().map(move |job| (info, job))) {
-            if !suits(info, &scenario, &job) {
+            if !suits(info, scenario, &job) {
                 continue;
             }
             // With full effort once in each room.
             let size = if number == 0 { job.cells() } else { usize::MAX };
             let path = build(info, size).plan(&job, &mut PlanContext::new(1)).expect("nobody cancels");
-            let what = describe(info, &scenario, &job);
+            let what = describe(info, scenario, &job);
             path.check(&job).unwrap_or_else(|error| panic!("{what}: {error}"));
             let metrics = WalkMetrics::of(&job, &path);
             if info.claims.complete {

@@ -11,7 +11,7 @@ use robovac_core::{
     robot::model,
 };
 use robovac_sim::experiment::planning::RoomSetup;
-use std::{fs, path::PathBuf};
+use std::{fs, path::PathBuf, sync::LazyLock};
 
 /// Free cells from which on tests don't look for something better: what holds at the least effort and with full effort in
 /// small rooms is worth more than the minutes.
@@ -181,8 +181,13 @@ pub fn drawn(text: &str) -> Grid<bool> {
     from_picture(text, |c| c == '.').expect("the picture is a rectangle")
 }
 
-/// All rooms of the contract: drawn, made up, and the shared grids where they exist.
-pub fn scenarios() -> Vec<Scenario> {
+/// All rooms of the contract: drawn, made up, and the shared grids where they exist. Laid out once for all tests.
+pub fn scenarios() -> &'static [Scenario] {
+    static ALL: LazyLock<Vec<Scenario>> = LazyLock::new(all_scenarios);
+    &ALL
+}
+
+fn all_scenarios() -> Vec<Scenario> {
     let mut all: Vec<Scenario> = DRAWN.iter().map(|(name, text)| Scenario::new(*name, drawn(text))).collect();
     for (seed, share) in [0.05, 0.1, 0.2, 0.3, 0.4].into_iter().enumerate() {
         let free = random_clutter(18, 13, share, seed as u64);
