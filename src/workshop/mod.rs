@@ -8,6 +8,7 @@ mod flat;
 mod live_map;
 mod map_session;
 mod montecarlo;
+mod own_robot;
 mod plan_job;
 mod read_map;
 mod replay;

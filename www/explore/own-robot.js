@@ -1,25 +1,26 @@
 // @ts-check
 // The dialog in which one builds a robot: shape, tool, speeds and sensors, on the figures of a model.
-import { own_robot_corners, own_robot_form, own_robot_text } from "../../page.js";
+import init, { own_robot_corners, own_robot_form, own_robot_text } from "../../workshop.js";
 import { fill, make, setHidden, setText } from "../dom.js";
 import { draw } from "../portrait.js";
 import { style } from "../parts.js";
+import { workshop } from "../workers.js";
 import { SHAPES } from "./own-robot-shapes.js";
 
-/** @typedef {import("../main.js").App} App */
-/** @typedef {import("../types").OwnRobotForm} Form */
+/** @typedef {import("../main.js").App} App @typedef {import("../types").OwnRobotForm} Form */
 
 const SVG_SIZE = 64;
 /** Where the last own robot is kept, for when another one was chosen in between. */
 const KEY = "own-robot";
 
-/** @type {Promise<(app: App) => void> | undefined} */
+/** @type {((app: App) => void) | undefined} */
 let made;
 
 /** Opens the dialog with the present robot in it. @param {App} app */
 export async function openOwnRobot(app) {
-  made ??= style(new URL("./own-robot.css", import.meta.url).href).then(() => build(app));
-  (await made)(app);
+  const [module] = await Promise.all([workshop(), style(new URL("./own-robot.css", import.meta.url).href)]);
+  await init({ module_or_path: module });
+  (made ??= build(app))(app);
 }
 
 /** @param {App} app */
