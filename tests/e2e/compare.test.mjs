@@ -221,7 +221,8 @@ test("all algorithms have all numbers; they can be sorted, explained and shown",
   await tried(page, planners);
   const first = await app.poll(() => table(page), ({ rows }) => rows.length === planners);
   assert.match(await app.text("#trying"), /^\d+ plans made$/);
-  for (const { name, cells } of first.rows) assert.ok(cells.every((cell) => Number.isFinite(value(cell))), `${name}: ${cells}`);
+  // So small a room may be planned in no time.
+  for (const { name, cells } of first.rows) assert.ok(cells.every((cell) => Number.isFinite(value(cell.replace(/^< /, "")))), `${name}: ${cells}`);
   assert.ok(column(first, "Coverage").every((share) => share > 95 && share <= 100));
   assert.ok(column(first, "Above the minimum").every((percent) => percent >= 0));
 
